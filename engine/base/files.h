@@ -1,0 +1,35 @@
+// Whole files in, whole files out. The only part of base that needs a file system; everything else takes bytes.
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace enfilade {
+
+using Bytes = std::vector<std::byte>;
+
+/// How a module below platform/ gets at files: a function from a path to the file's bytes.
+using FileReader = std::function<Result<Bytes>(const std::string& path)>;
+
+/// Largest file that is read [bytes]. The biggest honest input is a WAD (under 100 MB); anything above this is
+/// refused before memory is taken for it.
+inline constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
+
+/// The file's bytes, or an error naming the path. Directories, devices and files over kMaxFileBytes are errors.
+Result<Bytes> read_file(const std::string& path);
+
+/// Writes beside the file and renames, so that a reader finds the old file or the new one, never half of one.
+Status write_file(const std::string& path, std::span<const std::byte> bytes);
+Status write_file(const std::string& path, std::string_view text);
+
+/// The bytes seen as text, without a copy. Valid as long as the bytes are.
+inline std::string_view as_text(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace enfilade

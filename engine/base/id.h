@@ -1,0 +1,29 @@
+// Indices that cannot be mixed up: a sector's number is not a wall's number.
+#pragma once
+#include <compare>
+#include <cstdint>
+
+namespace enfilade {
+
+/// A 32-bit index into one kind of vector, with a "none" value.
+template <class Tag>
+struct Id {
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+    std::uint32_t index = kNone;
+
+    constexpr Id() = default;
+    constexpr explicit Id(std::uint32_t i) : index(i) {}
+    constexpr explicit Id(std::size_t i) : index(static_cast<std::uint32_t>(i)) {}
+
+    constexpr bool is_none() const { return index == kNone; }
+    constexpr explicit operator bool() const { return index != kNone; }
+    constexpr auto operator<=>(const Id&) const = default;
+};
+
+using SectorId = Id<struct SectorTag>;
+using WallId = Id<struct WallTag>;
+using TextureId = Id<struct TextureTag>;
+using ThingId = Id<struct ThingTag>;
+
+}  // namespace enfilade

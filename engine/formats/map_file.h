@@ -1,0 +1,137 @@
+// A map as its author wrote it: names are still names, nothing is resolved, every record knows its place in the text.
+// Defaults are already filled in; what has none is optional. map/ gives it meaning.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/finding.h"
+#include "math/vec.h"
+
+namespace enfilade {
+
+/// "NAME [SU,SV [OU,OV]]".
+struct TextureSpec {
+    std::string name;            ///< "-" is no texture
+    std::optional<Vec2> tile_m;  ///< SU, SV: metres per tile; sky: wraps per turn, tangent of its height. Absent: 1, 1
+    Vec2 offset_tx;              ///< OU, OV: subtracted [texels]
+    TextPlace place;
+};
+
+/// Which height a texture hangs from (its top row there) or stands on (its bottom row there).
+enum class Peg : std::uint8_t { ceiling, floor, opening_top, opening_bottom };
+
+/// What is left of a Doom line or sector after conversion: kept, never interpreted.
+struct DoomRecord {
+    int special = 0;
+    int tag = 0;
+    int flags = 0;
+    bool operator==(const DoomRecord&) const = default;
+};
+
+struct WallRecord {
+    std::string name;  ///< empty: none
+    std::optional<TextureSpec> texture, upper, lower, middle;
+    Peg texture_peg = Peg::ceiling, upper_peg = Peg::opening_top, lower_peg = Peg::opening_bottom,
+        middle_peg = Peg::opening_top;
+    std::optional<double> size;  ///< texels per metre of all its textures, instead of metres per tile
+    std::string next;            ///< name of the sector behind; empty: a solid wall
+    std::string via;             ///< name of the wall of `next` it is linked to; empty: plain adjacency
+    std::optional<double> rise;  ///< height added when passing the link [m]; absent: floor on floor
+    bool mirror = false;
+    std::optional<DoomRecord> doom;
+    TextPlace place, next_place, via_place;
+};
+
+/// A closed loop: wall i joins vertex i to i + 1, the last closes.
+struct LoopRecord {
+    std::string name;
+    std::vector<Vec2> vertices;  ///< as written; rounding to the grid is map/'s business
+    std::vector<TextPlace> vertex_places;
+    std::vector<WallRecord> walls;  ///< same length as vertices
+    TextPlace place;
+};
+
+struct FlatRecord {
+    double z = 0;  ///< [m]
+    std::optional<TextureSpec> texture;
+    std::optional<double> size;  ///< texels per metre
+    bool is_relative = false;    ///< texture origin at the first vertex of the first loop, not at the world's origin
+    bool parallax = false;       ///< drawn as sky
+    TextPlace place;
+};
+
+/// A free-standing two-sided wall inside a sector.
+struct PanelRecord {
+    Vec2 a, b;
+    double bottom = 0, top = 0;  ///< heights above the map's zero [m]
+    TextureSpec texture;
+    std::optional<double> size;
+    TextPlace place;
+};
+
+struct SectorRecord {
+    std::string name;
+    double light = 1;
+    FlatRecord floor;
+    FlatRecord ceiling;  ///< z is 2 where the author gave none
+    std::vector<LoopRecord> loops;
+    std::vector<PanelRecord> panels;
+    std::optional<DoomRecord> doom;
+    TextPlace place;
+};
+
+/// One picture of a sprite's animation, shown for some seconds.
+struct SpriteFrameRecord {
+    std::string texture;  ///< with 8 rotations, the picture names are texture + "1" … texture + "8"
+    double seconds = 0;   ///< 0: for ever
+    Vec2 origin_tx;       ///< the texel that sits at the thing's position, from the picture's top left
+};
+
+struct ThingRecord {
+    std::string name;    ///< empty: none
+    std::string kind;    ///< `class`: what it is, e.g. "Barrel"
+    std::string sector;  ///< empty: found from the position
+    Vec2 position;
+    std::optional<double> z;  ///< feet [m]; absent: on the floor, or under the ceiling if hanging
+    double yaw_degrees = 0;
+    double radius = 0.5, height = 1;  ///< [m]
+    bool solid = false, hanging = false;
+    int rotations = 1;                 ///< 1 or 8
+    std::vector<SpriteFrameRecord> frames;
+    double size = 32;                  ///< texels per metre
+    std::optional<double> light;       ///< its own light instead of the sector's
+    std::optional<DoomRecord> doom;    ///< special: type number; tag: 0; flags: the thing's
+    TextPlace place;
+};
+
+struct PlayerRecord {
+    std::string sector = "main";
+    Vec2 position;
+    double eye_z = 0;
+    double yaw_degrees = 0;  ///< the tutorial's radians are converted by the reader
+    TextPlace place;
+};
+
+enum class LightModel : std::uint8_t { smooth, classic };
+
+struct RenderRecord {
+    double stretch = 1;
+    LightModel light = LightModel::smooth;
+    std::uint32_t recursion_color = 0xFF00FF;  ///< 0xRRGGBB
+    int max_depth = 64;                        ///< links followed in one chain
+};
+
+/// The whole file.
+struct MapFile {
+    int format = 0;  ///< 0: tutorial dialect, 1: enfilade dialect
+    std::string name;
+    std::vector<std::string> textures{"textures"};  ///< folders, relative to the map
+    RenderRecord render;
+    std::vector<SectorRecord> sectors;
+    std::optional<PlayerRecord> player;
+    std::vector<ThingRecord> things;
+};
+
+}  // namespace enfilade

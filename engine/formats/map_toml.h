@@ -1,0 +1,30 @@
+// Map files as text: reading both dialects of maps/FORMAT.md, and writing what the reader reads.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "base/finding.h"
+#include "formats/map_file.h"
+
+namespace enfilade {
+
+/// What the reader made of a text. Where findings has errors the file is refused and `map` holds what could be read,
+/// so that further checks can add their findings to the same list.
+struct MapReading {
+    MapFile map;
+    Findings findings;  ///< sorted by place
+};
+
+/// Reads a map in either dialect; the dialect is told by the top-level key `format`. Never throws; any bytes are
+/// safe. Texts over kMaxMapBytes, or nested over 64 deep, are refused before memory is taken for them.
+/// Cost: about 50 ns a byte.
+MapReading read_map(std::string_view text);
+
+/// Largest map text that is read [bytes]. Memory needed is about 20 times the text (toml++'s tree).
+inline constexpr std::size_t kMaxMapBytes = std::size_t{40} << 20;
+
+/// The map as text in the enfilade dialect: the same records give the same bytes, and read_map gives the same
+/// records back (places aside). Numbers are written with the fewest digits that read back exactly.
+std::string write_map(const MapFile& map);
+
+}  // namespace enfilade

@@ -1,0 +1,51 @@
+#include "formats/png.h"
+
+#include <png.h>
+
+#include <cstring>
+#include <string>
+
+namespace enfilade {
+namespace {
+
+/// Frees what libpng holds, however the function is left.
+struct PngHolder {
+    png_image image{};
+    PngHolder() { image.version = PNG_IMAGE_VERSION; }
+    PngHolder(const PngHolder&) = delete;
+    PngHolder& operator=(const PngHolder&) = delete;
+    ~PngHolder() { png_image_free(&image); }
+};
+
+Error not_an_image(const png_image& image) { return {"", std::string("not a PNG image: ") + image.message}; }
+
+}  // namespace
+
+Result<Image> read_png(std::span<const std::byte> bytes) {
+    PngHolder png;
+    if (!png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size())) return not_an_image(png.image);
+    if (png.image.width > kMaxImageSide || png.image.height > kMaxImageSide)
+        return Error{"", "the image is " + std::to_string(png.image.width) + " x " + std::to_string(png.image.height) +
+                             " pixels; at most " + std::to_string(kMaxImageSide) + " a side are read"};
+    png.image.format = PNG_FORMAT_RGBA;
+    Image image{png.image.width, png.image.height, {}};
+    image.pixels.resize(std::size_t{image.width} * image.height);
+    if (!png_image_finish_read(&png.image, nullptr, image.pixels.data(), 0, nullptr)) return not_an_image(png.image);
+    if (PNG_IMAGE_FAILED(png.image) || png.image.warning_or_error != 0) return not_an_image(png.image);
+    return image;
+}
+
+Bytes write_png(const Image& image) {
+    PngHolder png;
+    png.image.width = image.width;
+    png.image.height = image.height;
+    png.image.format = PNG_FORMAT_RGBA;
+    png_alloc_size_t size = 0;
+    ENFILADE_CHECK(png_image_write_to_memory(&png.image, nullptr, &size, 0, image.pixels.data(), 0, nullptr));
+    Bytes bytes(size);
+    ENFILADE_CHECK(png_image_write_to_memory(&png.image, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr));
+    bytes.resize(size);
+    return bytes;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,28 @@
+// PNG files to pixels and back.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/files.h"
+#include "base/result.h"
+
+namespace enfilade {
+
+/// Pixels by row, top row first, 0xAABBGGRR, no padding.
+struct Image {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<std::uint32_t> pixels;  ///< width * height
+};
+
+/// Largest width and height that is read [px].
+inline constexpr std::uint32_t kMaxImageSide = 16384;
+
+/// Any PNG (grey, palette, 16 bit, …) as 8-bit RGBA. Hostile bytes give an Error without a `where`.
+Result<Image> read_png(std::span<const std::byte> bytes);
+
+/// The same image always gives the same bytes. width, height >= 1.
+Bytes write_png(const Image& image);
+
+}  // namespace enfilade

@@ -1,0 +1,26 @@
+// From a map file to a Map: resolve names, round to the grid, check every rule, and load the pictures.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/files.h"
+#include "base/finding.h"
+#include "map/map.h"
+#include "map/textures.h"
+
+namespace enfilade {
+
+/// A map that was read: there is one exactly where findings has no error.
+struct LoadedMap {
+    std::optional<Map> map;
+    TextureSet textures;
+    Findings findings;    ///< errors and warnings, sorted by place
+};
+
+/// Reads, builds and checks the map at `path` and loads its pictures from the folders it names and from
+/// `more_texture_folders`. The file that cannot be read at all is one finding without a place.
+LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
+                   const FileReader& read);
+
+}  // namespace enfilade

@@ -1,0 +1,123 @@
+#include "map/textures.h"
+
+#include <algorithm>
+#include <map>
+
+#include "formats/png.h"
+
+namespace enfilade {
+namespace {
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+}
+
+/// Every name the file uses, in lower case, with the place of its first use in the text and as it was written there.
+struct FirstUse {
+    TextPlace place;
+    std::string written;
+};
+using Names = std::map<std::string, FirstUse>;
+
+void note(Names& names, const TextureSpec& spec) {
+    if (spec.name.empty() || spec.name == "-") return;
+    const auto [it, is_new] = names.try_emplace(lower_case(spec.name), FirstUse{spec.place, spec.name});
+    if (!is_new && spec.place < it->second.place) it->second = {spec.place, spec.name};
+}
+
+void note(Names& names, const std::optional<TextureSpec>& spec) {
+    if (spec) note(names, *spec);
+}
+
+Names names_used(const MapFile& file) {
+    Names names;
+    for (const SectorRecord& sector : file.sectors) {
+        note(names, sector.floor.texture);
+        note(names, sector.ceiling.texture);
+        for (const LoopRecord& loop : sector.loops)
+            for (const WallRecord& wall : loop.walls)
+                for (const auto* spec : {&wall.texture, &wall.upper, &wall.lower, &wall.middle}) note(names, *spec);
+        for (const PanelRecord& panel : sector.panels) note(names, panel.texture);
+    }
+    return names;
+}
+
+Texture by_columns(const Image& image) {
+    Texture texture;
+    texture.width = image.width;
+    texture.height = image.height;
+    texture.pixels.resize(image.pixels.size());
+    for (std::size_t y = 0; y < image.height; ++y)
+        for (std::size_t x = 0; x < image.width; ++x)
+            texture.pixels[x * image.height + y] = image.pixels[y * image.width + x];
+    texture.has_holes = std::any_of(image.pixels.begin(), image.pixels.end(), [](auto p) { return p >> 24 != 255; });
+    return texture;
+}
+
+/// The first folder's FOLDER/NAME.png, the name tried as written and in lower case.
+Result<Bytes> read_from_folders(const std::string& written, const std::vector<std::string>& folders,
+                                const FileReader& read, std::string& path) {
+    for (const std::string& folder : folders)
+        for (const std::string& name : {written, lower_case(written)}) {
+            path = folder + "/" + name + ".png";
+            if (Result<Bytes> bytes = read(path)) return bytes;
+        }
+    return Error{"", "not found"};
+}
+
+Texture load_one(const std::string& name, const FirstUse& use, const std::vector<std::string>& folders,
+                 const FileReader& read, Findings& findings) {
+    std::string path;
+    const Result<Bytes> bytes = read_from_folders(use.written, folders, read, path);
+    if (!bytes) {
+        Texture texture = make_placeholder();
+        texture.missing = true;
+        findings.push_back({use.place, Severity::warning, "missing-texture",
+                            "texture '" + use.written + "' is in none of the texture folders; a placeholder is drawn"});
+        texture.name = name;
+        return texture;
+    }
+    const Result<Image> image = read_png(bytes.value());
+    if (!image) {
+        findings.push_back({use.place, Severity::error, "bad-texture", path + ": " + image.error().what});
+        return make_placeholder();
+    }
+    Texture texture = by_columns(image.value());
+    texture.name = name;
+    return texture;
+}
+
+}  // namespace
+
+TextureId TextureSet::find(std::string_view name) const {
+    const std::string lower = lower_case(name);
+    const auto it = std::lower_bound(textures.begin(), textures.end(), lower,
+                                     [](const Texture& t, const std::string& n) { return t.name < n; });
+    if (it == textures.end() || it->name != lower) return {};
+    return TextureId(static_cast<std::size_t>(it - textures.begin()));
+}
+
+Texture make_placeholder() {
+    constexpr std::uint32_t kSide = 64, kCell = 16;
+    Texture texture;
+    texture.width = texture.height = kSide;
+    texture.pixels.resize(std::size_t{kSide} * kSide);
+    for (std::uint32_t x = 0; x < kSide; ++x)
+        for (std::uint32_t y = 0; y < kSide; ++y)
+            texture.pixels[std::size_t{x} * kSide + y] = (x / kCell + y / kCell) % 2 ? 0xFFFF00FFu : 0xFF000000u;
+    return texture;
+}
+
+TextureSet load_textures(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read,
+                         Findings& findings) {
+    TextureSet set;
+    set.placeholder = make_placeholder();
+    for (const auto& [name, use] : names_used(file))
+        set.textures.push_back(load_one(name, use, folders, read, findings));
+    return set;
+}
+
+}  // namespace enfilade

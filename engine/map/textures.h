@@ -1,0 +1,46 @@
+// The pictures of a map, ready for drawing.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/files.h"
+#include "base/finding.h"
+#include "base/id.h"
+#include "formats/map_file.h"
+
+namespace enfilade {
+
+/// A picture of any size. Pixels are 0xAABBGGRR (bytes R, G, B, A), by column: pixel (x, y) is
+/// pixels[x * height + y], y down, because walls are drawn by column.
+struct Texture {
+    std::string name;          ///< lower case
+    std::uint32_t width = 1;   ///< >= 1 [px]
+    std::uint32_t height = 1;  ///< >= 1 [px]
+    std::vector<std::uint32_t> pixels;
+    bool has_holes = false;  ///< some pixel is not opaque
+    bool missing = false;    ///< a placeholder for a file that was not found
+
+    std::uint32_t at(std::uint32_t x, std::uint32_t y) const { return pixels[std::size_t{x} * height + y]; }
+};
+
+/// Indexed by TextureId; sorted by name.
+struct TextureSet {
+    std::vector<Texture> textures;
+    Texture placeholder;  ///< stands in for "no texture" where something must be drawn
+
+    const Texture& operator[](TextureId id) const { return id ? textures[id.index] : placeholder; }
+    /// none where there is no such name; upper and lower case are the same.
+    TextureId find(std::string_view name) const;
+};
+
+/// The picture that nobody can overlook: magenta and black.
+Texture make_placeholder();
+
+/// Loads every picture the file names ("-" is none) as FOLDER/NAME.png, the first folder that has it winning.
+/// What no folder has becomes the placeholder and a warning at its first use; what is not an image is an error.
+TextureSet load_textures(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read,
+                         Findings& findings);
+
+}  // namespace enfilade

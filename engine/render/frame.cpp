@@ -1,0 +1,32 @@
+#include "render/frame.h"
+
+#include <limits>
+
+#include "base/hash.h"
+
+namespace enfilade {
+
+void Frame::resize(int new_width, int new_height) {
+    width = new_width;
+    height = new_height;
+    pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+}
+
+void reset(FrameFacts& facts, int width, int height) {
+    const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    facts.ids.assign(count, kNothing);
+    facts.depths.assign(count, std::numeric_limits<double>::infinity());
+    facts.texels.assign(count, {});
+    facts.writes.assign(count, 0);
+    facts.ambiguous.assign(count, 0);
+}
+
+std::uint64_t hash_of(const Frame& frame) {
+    Hash hash;
+    hash.add(std::int32_t{frame.width});
+    hash.add(std::int32_t{frame.height});
+    for (std::uint32_t pixel : frame.pixels) hash.add(pixel);
+    return hash.value();
+}
+
+}  // namespace enfilade

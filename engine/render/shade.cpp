@@ -1,0 +1,45 @@
+#include "render/shade.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enfilade {
+namespace {
+
+constexpr double kClassicLevels = 32;      ///< COLORMAP's levels from full to black
+constexpr double kClassicLights = 16;      ///< steps of sector light
+constexpr double kClassicDepth = 40;       ///< levels won back at 1 m: 1280 map units / 32
+constexpr double kReachAtHalf = 9;         ///< smooth: depth at which light 1/2 has halved [m]; chosen by eye
+constexpr double kFarthest = 1e9;          ///< stands for infinity, which times 0 would be no number [m]
+
+Shade classic(double light, double contrast, double depth) {
+    const double step = contrast >= 1 ? 0 : 1;  // one step of light darker, as Doom does with east-west walls
+    const double number = std::clamp(std::floor(light * (kClassicLights - 1) + 0.5) - step, 0.0, kClassicLights - 1);
+    const double level = 4 * (kClassicLights - 1 - number) - std::floor(kClassicDepth / std::max(depth, 0.01));
+    return static_cast<Shade>((kClassicLevels - std::clamp(level, 0.0, kClassicLevels - 1)) * (256 / kClassicLevels));
+}
+
+Shade smooth(double light, double contrast, double depth) {
+    // 1 / reach: 0 at full light, 1 / kReachAtHalf at half light.
+    const double nearness = (1 - light) * 2 / kReachAtHalf * std::min(depth, kFarthest);
+    const double falloff = 1 / (1 + nearness * nearness);
+    return static_cast<Shade>(256 * light * contrast * falloff + 0.5);
+}
+
+}  // namespace
+
+Shade shade_at(LightModel model, double light, double contrast, double depth) {
+    light = std::clamp(light, 0.0, 1.0);
+    return model == LightModel::classic ? classic(light, contrast, depth) : smooth(light, contrast, depth);
+}
+
+double fraction(double tiles) {
+    const double f = tiles - std::floor(tiles);
+    return f < 1 ? f : 0;
+}
+
+SkyTexel sky_texel(Vec2 tile, Vec2 offset_tiles, double turns, double elevation) {
+    return {fraction(turns * tile.x - offset_tiles.x), std::clamp(1 - elevation / tile.y - offset_tiles.y, 0.0, 1.0)};
+}
+
+}  // namespace enfilade

@@ -1,0 +1,47 @@
+// The shading rules shared by all renderers: how bright a surface is, which texel it shows, what a sky looks like.
+#pragma once
+#include <cstdint>
+
+#include "formats/map_file.h"
+#include "map/textures.h"
+#include "math/vec.h"
+
+namespace enfilade {
+
+/// Brightness of a surface as a factor in 1/256: 0 black, 256 as painted.
+using Shade = std::uint32_t;
+
+/// How light falls off. Both models start from the sector's light and darken with depth, dark sectors sooner:
+///   classic: Doom's 32 levels, levels = 4 (15 - 16 light) - 40 / depth, each 1/32 darker (id Software, r_main.c 1993,
+///            formulas only); a wall's contrast moves it by one sixteenth of light, as Doom's "fake contrast" does
+///   smooth:  light * contrast / (1 + (depth / reach)^2), reach growing without bound as light goes to 1
+///
+/// light: 0..1, clamped. contrast: Wall::contrast, 1 for flats. depth: >= 0 [m], infinity allowed.
+/// Grows with light, never grows with depth.
+Shade shade_at(LightModel model, double light, double contrast, double depth);
+
+/// The colour 0xAABBGGRR made darker. Alpha becomes opaque.
+constexpr std::uint32_t shaded(std::uint32_t color, Shade shade) {
+    const std::uint32_t red_blue = ((color & 0x00FF00FFu) * shade >> 8) & 0x00FF00FFu;
+    const std::uint32_t green = ((color & 0x0000FF00u) * shade >> 8) & 0x0000FF00u;
+    return 0xFF000000u | red_blue | green;
+}
+
+/// The part of a tile coordinate after the point, in [0, 1).
+double fraction(double tiles);
+
+/// The texel that a position within the tile, in [0, 1), falls on. Nearest, as painted: no filter.
+constexpr std::uint32_t texel_index(double tile_fraction, std::uint32_t size_px) {
+    const auto i = static_cast<std::uint32_t>(tile_fraction * size_px);
+    return i < size_px ? i : size_px - 1;
+}
+
+/// Where on the sky picture a ray looks. turns: turn_of(direction in the plane). elevation: tangent of the angle
+/// above the horizon. The picture's foot is at the horizon; below it and above its top its last row goes on.
+struct SkyTexel {
+    double u;  ///< [0, 1)
+    double v;  ///< [0, 1]
+};
+SkyTexel sky_texel(Vec2 tile, Vec2 offset_tiles, double turns, double elevation);
+
+}  // namespace enfilade

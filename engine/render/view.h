@@ -1,0 +1,60 @@
+// The one projection, used by all renderers: from a place, a look and a picture size to rays.
+#pragma once
+#include "base/id.h"
+#include "math/angle.h"
+#include "math/vec.h"
+
+namespace enfilade {
+
+/// Where the eye is and how it looks.
+struct View {
+    SectorId sector;  ///< contains `eye` under the tie rule
+    Vec2 eye;         ///< on the point grid [m]
+    double eye_z = 0; ///< [m]
+    Vec2 forward{1, 0};  ///< unit vector: direction(yaw)
+    double flip = 1;     ///< -1: seen in a mirror, left and right swapped
+    double pitch_tangent = 0;  ///< tan(pitch), up positive; the picture is sheared, walls stay upright
+    double fov_degrees = 90;   ///< horizontal, 1..179
+    double stretch = 1;        ///< vertical stretch of the picture; Doom's is 1.2
+};
+
+/// Smallest and largest horizontal field of view [degrees].
+inline constexpr double kMinFov = 1, kMaxFov = 179;
+
+/// Pixels to rays. A ray goes from the eye along forward + slope(x) * right in the plane and climbs climb(y) metres
+/// per metre of depth; depth is the distance along `forward`.
+///
+/// Everything is computed from the index, never stepped, so that a part of a picture equals that part of the whole.
+class Projection {
+public:
+    /// width, height in 1..kMaxPictureSide [px].
+    Projection(const View& view, int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    /// Tangent of the angle between `forward` and the centre of pixel column x, right positive. The quotient of whole
+    /// numbers makes the middle of three columns of a picture three times as wide bit-equal to the one column.
+    double slope(int x) const { return (2 * x + 1 - width_) / double_width_ * half_fov_tangent_; }
+
+    /// Height gained per metre of depth at the centre of pixel row y, up positive: (horizon - (y + 1/2)) / focal_y.
+    double climb(int y) const { return row_from_horizon(y) / focal_y_; }
+
+    /// How far the centre of row y lies above the horizon [px].
+    double row_from_horizon(int y) const { return horizon_ - (y + 0.5); }
+
+    double focal_y() const { return focal_y_; }  ///< [px]
+    double horizon() const { return horizon_; }  ///< [px] from the top; may lie outside the picture
+
+private:
+    int width_, height_;
+    double double_width_;
+    double half_fov_tangent_;
+    double focal_y_;
+    double horizon_;
+};
+
+/// Largest width and height of a picture [px].
+inline constexpr int kMaxPictureSide = 16384;
+
+}  // namespace enfilade
