@@ -34,7 +34,7 @@ Result<Bytes> read_file(const std::string& path) {
     std::error_code failed;
     if (!std::filesystem::is_regular_file(path, failed))
         return Error{path, failed || !std::filesystem::exists(path, failed) ? "no such file"
-                                                                           : "expected a file, found something else"};
+                                                                            : "expected a file, found something else"};
     const auto size = std::filesystem::file_size(path, failed);
     if (failed) return Error{path, "cannot tell the file's size: " + failed.message()};
     if (size > kMaxFileBytes)

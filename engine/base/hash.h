@@ -10,7 +10,10 @@ namespace enfilade {
 /// For telling pictures and states apart, not for security. The same values give the same hash on every machine.
 class Hash {
 public:
-    void add(std::uint64_t word) { state_ = (state_ ^ word) * 0x100000001B3u; state_ ^= state_ >> 29; }
+    void add(std::uint64_t word) {
+        state_ = (state_ ^ word) * 0x100000001B3u;
+        state_ ^= state_ >> 29;
+    }
     void add(std::uint32_t word) { add(std::uint64_t{word}); }
     void add(std::int32_t word) { add(static_cast<std::uint64_t>(std::int64_t{word})); }
     void add(std::int64_t word) { add(static_cast<std::uint64_t>(word)); }

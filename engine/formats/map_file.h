@@ -98,11 +98,11 @@ struct ThingRecord {
     double yaw_degrees = 0;
     double radius = 0.5, height = 1;  ///< [m]
     bool solid = false, hanging = false;
-    int rotations = 1;                 ///< 1 or 8
+    int rotations = 1;  ///< 1 or 8
     std::vector<SpriteFrameRecord> frames;
-    double size = 32;                  ///< texels per metre
-    std::optional<double> light;       ///< its own light instead of the sector's
-    std::optional<DoomRecord> doom;    ///< special: type number; tag: 0; flags: the thing's
+    double size = 32;                ///< texels per metre
+    std::optional<double> light;     ///< its own light instead of the sector's
+    std::optional<DoomRecord> doom;  ///< special: type number; tag: 0; flags: the thing's
     TextPlace place;
 };
 

@@ -15,7 +15,7 @@ namespace enfilade {
 struct LoadedMap {
     std::optional<Map> map;
     TextureSet textures;
-    Findings findings;    ///< errors and warnings, sorted by place
+    Findings findings;  ///< errors and warnings, sorted by place
 };
 
 /// Reads, builds and checks the map at `path` and loads its pictures from the folders it names and from

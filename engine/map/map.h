@@ -32,18 +32,18 @@ enum class WallKind : std::uint8_t { solid, portal, mirror };
 
 /// A directed edge a -> b of a sector, the sector on its right.
 struct Wall {
-    Vec2 a;          ///< on the vertex grid
-    Vec2 b;          ///< equals the next wall's a
-    double length;   ///< |b - a| [m]
+    Vec2 a;         ///< on the vertex grid
+    Vec2 b;         ///< equals the next wall's a
+    double length;  ///< |b - a| [m]
     SectorId sector;
-    WallId next;     ///< the wall that starts at b
-    WallId previous; ///< the wall that ends at a
+    WallId next;      ///< the wall that starts at b
+    WallId previous;  ///< the wall that ends at a
     WallKind kind = WallKind::solid;
-    SectorId behind; ///< portal: the sector it leads into; else none
-    WallId exit;     ///< portal: the wall of `behind` one comes out of; equals -edge for plain adjacency
+    SectorId behind;               ///< portal: the sector it leads into; else none
+    WallId exit;                   ///< portal: the wall of `behind` one comes out of; equals -edge for plain adjacency
     std::uint32_t link = kNoLink;  ///< index into Map::links, or kNoLink where nothing is transformed
-    double contrast = 1;  ///< light factor by direction, [0.8, 1]: so that corners can be seen
-    Surface texture;      ///< solid
+    double contrast = 1;           ///< light factor by direction, [0.8, 1]: so that corners can be seen
+    Surface texture;               ///< solid
     Surface upper, lower, middle;  ///< portal
     static constexpr std::uint32_t kNoLink = 0xFFFFFFFFu;
 };
@@ -51,7 +51,7 @@ struct Wall {
 struct Flat {
     double z = 0;  ///< at rest [m]
     Surface surface;
-    Vec2 origin;       ///< of the texture, in the plane
+    Vec2 origin;  ///< of the texture, in the plane
     bool sky = false;
 };
 

@@ -22,7 +22,8 @@ double sine_up_to_eighth(double x) {
 double cosine_up_to_eighth(double x) {
     const double q = x * x;
     double sum = 1.0 / 20922789888000.0;
-    for (double c : {-1.0 / 87178291200.0, 1.0 / 479001600.0, -1.0 / 3628800.0, 1.0 / 40320.0, -1.0 / 720.0, 1.0 / 24.0})
+    for (double c :
+         {-1.0 / 87178291200.0, 1.0 / 479001600.0, -1.0 / 3628800.0, 1.0 / 40320.0, -1.0 / 720.0, 1.0 / 24.0})
         sum = sum * q + c;
     return 1.0 - (0.5 * q - q * (q * sum));
 }

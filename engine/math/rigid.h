@@ -23,8 +23,9 @@ struct Rigid {
 
 /// first, then second.
 constexpr Rigid then(const Rigid& first, const Rigid& second) {
-    return {second.c * first.c - second.flip * second.s * first.s, second.s * first.c + second.flip * second.c * first.s,
-            first.flip * second.flip, second.apply(first.shift), first.rise + second.rise};
+    return {second.c * first.c - second.flip * second.s * first.s,
+            second.s * first.c + second.flip * second.c * first.s, first.flip * second.flip, second.apply(first.shift),
+            first.rise + second.rise};
 }
 
 /// The way back. A reflection's matrix is its own inverse; a turn's is the turn by -s.

@@ -16,7 +16,7 @@ struct TexelPosition {
 /// What each pixel shows; for tests, ids pictures and overlays. All arrays are by row, width * height long.
 struct FrameFacts {
     std::vector<SurfaceId> ids;
-    std::vector<double> depths;           ///< along `forward` [m]; sky: infinity
+    std::vector<double> depths;  ///< along `forward` [m]; sky: infinity
     std::vector<TexelPosition> texels;
     std::vector<std::uint8_t> writes;     ///< how often the opaque pass wrote the pixel: 1 everywhere in a sound frame
     std::vector<std::uint8_t> ambiguous;  ///< reference only: 1 where a decision was closer than 1e-7

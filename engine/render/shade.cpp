@@ -6,11 +6,11 @@
 namespace enfilade {
 namespace {
 
-constexpr double kClassicLevels = 32;      ///< COLORMAP's levels from full to black
-constexpr double kClassicLights = 16;      ///< steps of sector light
-constexpr double kClassicDepth = 40;       ///< levels won back at 1 m: 1280 map units / 32
-constexpr double kReachAtHalf = 9;         ///< smooth: depth at which light 1/2 has halved [m]; chosen by eye
-constexpr double kFarthest = 1e9;          ///< stands for infinity, which times 0 would be no number [m]
+constexpr double kClassicLevels = 32;  ///< COLORMAP's levels from full to black
+constexpr double kClassicLights = 16;  ///< steps of sector light
+constexpr double kClassicDepth = 40;   ///< levels won back at 1 m: 1280 map units / 32
+constexpr double kReachAtHalf = 9;     ///< smooth: depth at which light 1/2 has halved [m]; chosen by eye
+constexpr double kFarthest = 1e9;      ///< stands for infinity, which times 0 would be no number [m]
 
 Shade classic(double light, double contrast, double depth) {
     const double step = contrast >= 1 ? 0 : 1;  // one step of light darker, as Doom does with east-west walls

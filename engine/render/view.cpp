@@ -4,8 +4,7 @@
 
 namespace enfilade {
 
-Projection::Projection(const View& view, int width, int height)
-    : width_(width), height_(height), double_width_(width) {
+Projection::Projection(const View& view, int width, int height) : width_(width), height_(height), double_width_(width) {
     ENFILADE_CHECK(width >= 1 && width <= kMaxPictureSide && height >= 1 && height <= kMaxPictureSide);
     ENFILADE_CHECK(view.fov_degrees >= kMinFov && view.fov_degrees <= kMaxFov);
     half_fov_tangent_ = tangent(Angle::from_degrees(view.fov_degrees / 2));

@@ -8,11 +8,11 @@ namespace enfilade {
 
 /// Where the eye is and how it looks.
 struct View {
-    SectorId sector;  ///< contains `eye` under the tie rule
-    Vec2 eye;         ///< on the point grid [m]
-    double eye_z = 0; ///< [m]
-    Vec2 forward{1, 0};  ///< unit vector: direction(yaw)
-    double flip = 1;     ///< -1: seen in a mirror, left and right swapped
+    SectorId sector;           ///< contains `eye` under the tie rule
+    Vec2 eye;                  ///< on the point grid [m]
+    double eye_z = 0;          ///< [m]
+    Vec2 forward{1, 0};        ///< unit vector: direction(yaw)
+    double flip = 1;           ///< -1: seen in a mirror, left and right swapped
     double pitch_tangent = 0;  ///< tan(pitch), up positive; the picture is sheared, walls stay upright
     double fov_degrees = 90;   ///< horizontal, 1..179
     double stretch = 1;        ///< vertical stretch of the picture; Doom's is 1.2

@@ -28,9 +28,9 @@ struct Crossing {
 /// What a straight path did.
 struct Trace {
     std::vector<Crossing> crossings;  ///< in order along the path
-    Place end;       ///< the path's end; where it was stopped: the last place before the wall
-    WallId stopped;  ///< the wall that ended it (solid, or not to be passed), or none
-    Rigid passage;   ///< from the space of the start into the space of the end
+    Place end;                        ///< the path's end; where it was stopped: the last place before the wall
+    WallId stopped;                   ///< the wall that ended it (solid, or not to be passed), or none
+    Rigid passage;                    ///< from the space of the start into the space of the end
 };
 
 /// Follows the path from `from` along `to - from.point` through every portal it crosses, however many, linked or not.
