@@ -1,0 +1,31 @@
+// The list of all textures: each file here adds its own kind to the album.
+#pragma once
+
+#include "picture.h"
+
+namespace draw_textures {
+
+class Album {
+public:
+    explicit Album(std::string folder) : folder_(std::move(folder)) {}
+
+    void add(const std::string& name, int width, int height, const Painter& painter) const {
+        save_png(paint(width, height, painter), folder_ + "/" + name + ".png", false);
+    }
+    void add_with_alpha(const std::string& name, int width, int height, const Painter& painter) const {
+        save_png(paint(width, height, painter), folder_ + "/" + name + ".png", true);
+    }
+
+private:
+    std::string folder_;
+};
+
+void draw_masonry(const Album&);  // walls of stone, brick and plaster
+void draw_floors(const Album&);   // marble, tiles, paving, carpet
+void draw_wood(const Album&);     // parquet, boards, panelling, doors, books, beams
+void draw_salon(const Album&);    // the walls and ceilings of a palace
+void draw_trim(const Album&);     // columns, steps, ledges, metal, and what one can look through
+void draw_nature(const Album&);   // rock, earth, water, leaves
+void draw_sky(const Album&);
+
+}  // namespace draw_textures
