@@ -1,0 +1,88 @@
+// Holds the tree as it stands to the rules of the house.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/files.h"
+#include "house/rules.h"
+
+namespace enfilade::house {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_source(const std::string& path) { return path.ends_with(".h") || path.ends_with(".cpp"); }
+
+bool is_build_file(const std::string& path) {
+    return path.ends_with("CMakeLists.txt") || path.ends_with(".cmake") || path.ends_with("CMakePresets.json");
+}
+
+/// Every source and build file below the given folders or at the given paths, sorted.
+std::vector<SourceFile> files_under(const std::vector<std::string>& places) {
+    const fs::path top = ENFILADE_SOURCE_DIR;
+    std::vector<SourceFile> files;
+    const auto add = [&](const fs::path& path) {
+        const auto text = read_file(path.string());
+        ASSERT_TRUE(text.ok()) << text.error().text();
+        files.push_back({fs::relative(path, top).generic_string(), std::string(as_text(text.value()))});
+    };
+    for (const std::string& place : places) {
+        if (fs::is_regular_file(top / place)) add(top / place);
+        if (!fs::is_directory(top / place)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(top / place))
+            if (entry.is_regular_file() && (is_source(entry.path().string()) || is_build_file(entry.path().string())))
+                add(entry.path());
+    }
+    std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+    return files;
+}
+
+std::vector<SourceFile> sources() {
+    auto files = files_under({"engine", "wadconv", "tests", "maps"});
+    std::erase_if(files, [](const SourceFile& file) { return !is_source(file.path); });
+    return files;
+}
+
+/// All complaints of one rule about the whole tree.
+template <class Rule>
+Complaints complaints(const std::vector<SourceFile>& files, Rule rule) {
+    Complaints all;
+    for (const SourceFile& file : files)
+        for (const std::string& complaint : rule(file)) all.push_back(complaint);
+    return all;
+}
+
+using ::testing::IsEmpty;
+
+TEST(House, HasSourcesToLookAt) { EXPECT_GT(sources().size(), 30u); }
+
+TEST(House, IncludesPointOnlyDownward) { EXPECT_THAT(complaints(sources(), check_layers), IsEmpty()); }
+
+TEST(House, LibrariesStayBehindTheirFences) { EXPECT_THAT(complaints(sources(), check_fenced_libraries), IsEmpty()); }
+
+TEST(House, AtMostOneSourceFileIncludesToml) {
+    auto files = sources();
+    std::erase_if(files, [](const SourceFile& file) {
+        return file.path.starts_with("tests/") || file.text.find("#include <toml++") == std::string::npos;
+    });
+    EXPECT_LE(files.size(), 1u);
+    for (const SourceFile& file : files) EXPECT_TRUE(file.path.ends_with(".cpp")) << file.path;
+}
+
+TEST(House, HeadersSayWhatTheyHold) { EXPECT_THAT(complaints(sources(), check_header_form), IsEmpty()); }
+
+TEST(House, FilesAreShort) { EXPECT_THAT(complaints(sources(), check_length), IsEmpty()); }
+
+TEST(House, NothingIsLeftUnfinished) { EXPECT_THAT(complaints(sources(), check_forbidden_words), IsEmpty()); }
+
+TEST(House, NoFlagChangesWhatTheCodeComputes) {
+    const auto files =
+        files_under({"engine", "wadconv", "tests", "maps", "CMakeLists.txt", "CMakePresets.json", "run", ".ci/run"});
+    EXPECT_THAT(complaints(files, check_float_flags), IsEmpty());
+}
+
+TEST(House, SimulationStateUsesOnlyOurOwnTrigonometry) { EXPECT_THAT(complaints(sources(), check_libm), IsEmpty()); }
+
+}  // namespace
+}  // namespace enfilade::house

@@ -1,0 +1,48 @@
+// The rules of the house, each as a function from one source file to its complaints.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace enfilade::house {
+
+/// One text file of the project.
+struct SourceFile {
+    std::string path;  ///< from the top of the project, with '/': "engine/space/trace.h"
+    std::string text;
+};
+
+/// Sentences of the form "path:line: what is wrong"; empty where all is well.
+using Complaints = std::vector<std::string>;
+
+/// Includes point only down the one-way table base <- math <- … <- app; the renderers never include one another;
+/// wadconv sees base, math, formats and map; an include of our own is written from engine/.
+Complaints check_layers(const SourceFile& file);
+
+/// A library that only one place may know: SDL in engine/platform, toml++ in engine/formats, OpenGL in the stencil
+/// renderer and engine/platform, threads in base/parallel.cpp and engine/platform.
+Complaints check_fenced_libraries(const SourceFile& file);
+
+/// A header has `#pragma once`, and its first line is a comment that says what it holds.
+Complaints check_header_form(const SourceFile& file);
+
+/// Fewer than kMaxLines lines.
+Complaints check_length(const SourceFile& file);
+
+/// No marks of unfinished work, no shared ownership.
+Complaints check_forbidden_words(const SourceFile& file);
+
+/// No flag that lets a compiler change what floating-point code computes.
+Complaints check_float_flags(const SourceFile& file);
+
+/// In space/ and world/, no function of the C mathematics library whose last bit differs between machines.
+Complaints check_libm(const SourceFile& file);
+
+/// A source file longer than this answers more than one question [lines].
+inline constexpr int kMaxLines = 500;
+
+/// The text with comments and the insides of string and character literals replaced by blanks; lines stay where
+/// they are. Raw strings are not known; the house has none with quotes in them.
+std::string without_comments_and_strings(std::string_view text);
+
+}  // namespace enfilade::house

@@ -1,0 +1,139 @@
+// Each rule of the house sees the mistake it is there for, in a source file made up on the spot.
+#include "house/rules.h"
+
+#include <gmock/gmock.h>
+
+namespace enfilade::house {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+SourceFile including(const std::string& path, const std::string& what) { return {path, "#include " + what + "\n"}; }
+
+TEST(Layers, AllowWhatLiesBelow) {
+    EXPECT_THAT(check_layers(including("engine/space/trace.cpp", "\"math/vec.h\"")), IsEmpty());
+    EXPECT_THAT(check_layers(including("engine/space/trace.cpp", "\"space/trace.h\"")), IsEmpty());
+    EXPECT_THAT(check_layers(including("engine/render/column/walls.cpp", "\"render/view.h\"")), IsEmpty());
+    EXPECT_THAT(check_layers(including("wadconv/convert.cpp", "\"map/build.h\"")), IsEmpty());
+    EXPECT_THAT(check_layers(including("wadconv/convert.cpp", "\"wadconv/wad.h\"")), IsEmpty());
+}
+
+TEST(Layers, RefuseWhatLiesAbove) {
+    EXPECT_THAT(check_layers(including("engine/math/vec.h", "\"map/map.h\"")),
+                ElementsAre("engine/math/vec.h:1: includes point only downward, not at map/map.h"));
+    EXPECT_THAT(check_layers(including("engine/render/view.h", "\"render/column/walls.h\"")),
+                ElementsAre(HasSubstr("only downward")));
+}
+
+TEST(Layers, KeepTheRenderersApart) {
+    EXPECT_THAT(check_layers(including("engine/render/column/walls.cpp", "\"render/reference/ray.h\"")),
+                ElementsAre(HasSubstr("only downward")));
+    EXPECT_THAT(check_layers(including("engine/render/stencil/mesh.cpp", "\"render/column/walls.h\"")),
+                ElementsAre(HasSubstr("only downward")));
+}
+
+TEST(Layers, KeepTheConverterAwayFromTheWorld) {
+    EXPECT_THAT(check_layers(including("wadconv/convert.cpp", "\"world/effects.h\"")),
+                ElementsAre(HasSubstr("wadconv must not know")));
+}
+
+TEST(Layers, RefuseIncludesThatAreNotWrittenFromEngine) {
+    EXPECT_THAT(check_layers(including("engine/space/trace.cpp", "\"trace.h\"")),
+                ElementsAre(HasSubstr("written from engine/")));
+    EXPECT_THAT(check_layers(including("engine/space/trace.cpp", "\"../math/vec.h\"")),
+                ElementsAre(HasSubstr("written from engine/")));
+}
+
+TEST(Layers, RefuseFoldersNobodyKnows) {
+    EXPECT_THAT(check_layers(including("engine/helpers/misc.cpp", "\"math/vec.h\"")),
+                ElementsAre(HasSubstr("not in the table")));
+}
+
+TEST(Fences, KeepSdlInPlatform) {
+    EXPECT_THAT(check_fenced_libraries(including("engine/platform/window.cpp", "<SDL2/SDL.h>")), IsEmpty());
+    EXPECT_THAT(check_fenced_libraries(including("engine/world/player.cpp", "<SDL2/SDL.h>")),
+                ElementsAre(HasSubstr("only engine/platform knows SDL")));
+    EXPECT_THAT(check_fenced_libraries(including("engine/app/main.cpp", "<SDL.h>")),
+                ElementsAre(HasSubstr("only engine/platform knows SDL")));
+}
+
+TEST(Fences, KeepTomlInFormats) {
+    EXPECT_THAT(check_fenced_libraries(including("engine/formats/map_toml.cpp", "<toml++/toml.h>")), IsEmpty());
+    EXPECT_THAT(check_fenced_libraries(including("engine/flight/script.cpp", "<toml++/toml.h>")),
+                ElementsAre(HasSubstr("only engine/formats knows toml++")));
+}
+
+TEST(Fences, KeepOpenGlInTheStencilRenderer) {
+    EXPECT_THAT(check_fenced_libraries(including("engine/render/stencil/gl.cpp", "<epoxy/gl.h>")), IsEmpty());
+    EXPECT_THAT(check_fenced_libraries(including("engine/render/frame.cpp", "<epoxy/gl.h>")),
+                ElementsAre(HasSubstr("OpenGL")));
+}
+
+TEST(Fences, KeepThreadsInParallel) {
+    EXPECT_THAT(check_fenced_libraries(including("engine/base/parallel.cpp", "<thread>")), IsEmpty());
+    EXPECT_THAT(check_fenced_libraries(including("engine/flight/fly.cpp", "<mutex>")),
+                ElementsAre(HasSubstr("threads live in")));
+}
+
+TEST(HeaderForm, WantsAFirstSentenceAndPragmaOnce) {
+    EXPECT_THAT(check_header_form({"engine/base/a.h", "// What it holds.\n#pragma once\n"}), IsEmpty());
+    EXPECT_THAT(check_header_form({"engine/base/a.h", "#pragma once\n"}),
+                ElementsAre(HasSubstr("first line"), HasSubstr("pragma")));
+    EXPECT_THAT(check_header_form({"engine/base/a.h", "// What it holds.\n#include <vector>\n"}),
+                ElementsAre(HasSubstr("pragma")));
+}
+
+TEST(Length, StopsBelowFiveHundredLines) {
+    EXPECT_THAT(check_length({"engine/base/a.cpp", std::string(499, '\n')}), IsEmpty());
+    EXPECT_THAT(check_length({"engine/base/a.cpp", std::string(500, '\n')}), ElementsAre(HasSubstr("500 lines")));
+}
+
+TEST(ForbiddenWords, SeeUnfinishedWorkAndSharedOwnership) {
+    EXPECT_THAT(check_forbidden_words({"tests/a.cpp",
+                                       "// TO"
+                                       "DO: later\n"}),
+                ElementsAre(HasSubstr("tests/a.cpp:1")));
+    EXPECT_THAT(check_forbidden_words({"tests/a.cpp",
+                                       "TEST(A, DISA"
+                                       "BLED_B) {}\n"}),
+                ElementsAre(HasSubstr("unfinished")));
+    EXPECT_THAT(check_forbidden_words({"engine/a.cpp",
+                                       "std::sha"
+                                       "red_ptr<int> p;\n"}),
+                ElementsAre(HasSubstr("owns")));
+    EXPECT_THAT(check_forbidden_words({"engine/a.cpp", "// today, method, mastodon\n"}), IsEmpty());
+}
+
+TEST(FloatFlags, SeeEveryFlagThatChangesResults) {
+    for (const char* flag : {"-f"
+                             "fast-math",
+                             "-O"
+                             "fast",
+                             "-f"
+                             "p-contract=fast",
+                             "-f"
+                             "unsafe-math-optimizations"})
+        EXPECT_THAT(check_float_flags({"CMakeLists.txt", std::string("x\n") + flag + "\n"}),
+                    ElementsAre(HasSubstr("CMakeLists.txt:2")));
+    EXPECT_THAT(check_float_flags({"CMakeLists.txt", "-ffp-contract=off -O3\n"}), IsEmpty());
+}
+
+TEST(Libm, IsSeenInSimulationStateOnly) {
+    EXPECT_THAT(check_libm({"engine/world/a.cpp", "x = std::sin(y);\n"}), ElementsAre(HasSubstr("std::sin(")));
+    EXPECT_THAT(check_libm({"engine/space/a.cpp", "x = atan2(y, z);\n"}), ElementsAre(HasSubstr("atan2(")));
+    EXPECT_THAT(check_libm({"engine/space/a.cpp", "x = powf(y, 2);\n"}), ElementsAre(HasSubstr("powf(")));
+    EXPECT_THAT(check_libm({"engine/world/a.cpp", "x = std::sqrt(y) + std::floor(z);\n"}), IsEmpty());
+    EXPECT_THAT(check_libm({"engine/world/a.cpp", "// sin(x) would differ\nbasin(x); box.cos(x);\n"}), IsEmpty());
+    EXPECT_THAT(check_libm({"engine/render/a.cpp", "x = std::sin(y);\n"}), IsEmpty());
+}
+
+TEST(Blanking, KeepsCodeAndLinesAndDropsTheRest) {
+    EXPECT_EQ(without_comments_and_strings("a /* b\nc */ d \"e\\\"f\" g // h\ni 'j' k"),
+              "a     \n     d        g     \ni     k");
+    EXPECT_EQ(without_comments_and_strings("1'000'000 + x"), "1'000'000 + x");
+}
+
+}  // namespace
+}  // namespace enfilade::house
