@@ -1,0 +1,18 @@
+#include "platform/clock.h"
+
+#include <chrono>
+#include <thread>
+
+namespace enfilade {
+
+using Steady = std::chrono::steady_clock;
+
+std::int64_t now_ns() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(Steady::now().time_since_epoch()).count();
+}
+
+void sleep_until_ns(std::int64_t moment) {
+    std::this_thread::sleep_until(Steady::time_point(std::chrono::nanoseconds(moment)));
+}
+
+}  // namespace enfilade

@@ -1,0 +1,13 @@
+// Time as it passes outside: for frame pacing and read-outs, never for the world's state.
+#pragma once
+#include <cstdint>
+
+namespace enfilade {
+
+/// Since some fixed moment; never goes back [ns].
+std::int64_t now_ns();
+
+/// Returns when now_ns() has reached the moment, at once where it lies in the past.
+void sleep_until_ns(std::int64_t moment);
+
+}  // namespace enfilade

@@ -1,0 +1,89 @@
+// SDL's events in our words.
+#include "platform/sdl_events.h"
+
+#include <gtest/gtest.h>
+
+namespace enfilade {
+namespace {
+
+SDL_Event key_event(SDL_EventType type, SDL_Scancode code, bool repeat = false) {
+    SDL_Event event{};
+    event.type = type;
+    event.key.keysym.scancode = code;
+    event.key.repeat = repeat;
+    return event;
+}
+
+SDL_Event axis_event(SDL_GameControllerAxis axis, std::int16_t value) {
+    SDL_Event event{};
+    event.type = SDL_CONTROLLERAXISMOTION;
+    event.caxis.axis = static_cast<std::uint8_t>(axis);
+    event.caxis.value = value;
+    return event;
+}
+
+template <class T>
+T translated(const SDL_Event& event, const Placement& placement = {}) {
+    const auto ours = translate(event, placement);
+    EXPECT_TRUE(ours && std::holds_alternative<T>(*ours));
+    return ours && std::holds_alternative<T>(*ours) ? std::get<T>(*ours) : T{};
+}
+
+TEST(SdlEvents, NamesKeysByTheirPlaceOnTheKeyboard) {
+    const auto change = translated<KeyChange>(key_event(SDL_KEYDOWN, SDL_SCANCODE_W));
+    EXPECT_EQ(change.key, Key::w);
+    EXPECT_TRUE(change.down);
+}
+
+TEST(SdlEvents, TellsAReleaseFromAPress) {
+    EXPECT_FALSE(translated<KeyChange>(key_event(SDL_KEYUP, SDL_SCANCODE_TAB)).down);
+}
+
+TEST(SdlEvents, MarksKeysThatRepeat) {
+    EXPECT_TRUE(translated<KeyChange>(key_event(SDL_KEYDOWN, SDL_SCANCODE_E, true)).repeat);
+}
+
+TEST(SdlEvents, CallsOtherKeysUnknown) {
+    EXPECT_EQ(translated<KeyChange>(key_event(SDL_KEYDOWN, SDL_SCANCODE_KP_7)).key, Key::unknown);
+}
+
+TEST(SdlEvents, GivesTheMouseInPixelsOfThePicture) {
+    SDL_Event event{};
+    event.type = SDL_MOUSEMOTION;
+    event.motion.x = 110;
+    event.motion.y = 50;
+    event.motion.xrel = -7;
+    const auto motion = translated<MouseMotion>(event, {10, 20, 2});
+    EXPECT_EQ(motion.x, 50);
+    EXPECT_EQ(motion.y, 15);
+    EXPECT_EQ(motion.dx, -7);
+}
+
+TEST(SdlEvents, GivesBothEndsOfAStickAsOne) {
+    EXPECT_EQ(translated<GamepadAxisMotion>(axis_event(SDL_CONTROLLER_AXIS_LEFTX, 32767)).value, 1);
+    EXPECT_EQ(translated<GamepadAxisMotion>(axis_event(SDL_CONTROLLER_AXIS_LEFTX, -32768)).value, -1);
+}
+
+TEST(SdlEvents, TurnsNaturalScrollingBack) {
+    SDL_Event event{};
+    event.type = SDL_MOUSEWHEEL;
+    event.wheel.preciseY = 1;
+    event.wheel.direction = SDL_MOUSEWHEEL_FLIPPED;
+    EXPECT_EQ(translated<MouseWheel>(event).steps, -1);
+}
+
+TEST(SdlEvents, ReportsTheLossOfFocus) {
+    SDL_Event event{};
+    event.type = SDL_WINDOWEVENT;
+    event.window.event = SDL_WINDOWEVENT_FOCUS_LOST;
+    EXPECT_FALSE(translated<FocusChange>(event).focused);
+}
+
+TEST(SdlEvents, LeavesOutWhatMeansNothingToUs) {
+    SDL_Event event{};
+    event.type = SDL_CLIPBOARDUPDATE;
+    EXPECT_FALSE(translate(event, {}));
+}
+
+}  // namespace
+}  // namespace enfilade
