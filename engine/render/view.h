@@ -43,6 +43,7 @@ public:
     /// How far the centre of row y lies above the horizon [px].
     double row_from_horizon(int y) const { return horizon_ - (y + 0.5); }
 
+    double half_fov_tangent() const { return half_fov_tangent_; }
     double focal_y() const { return focal_y_; }  ///< [px]
     double horizon() const { return horizon_; }  ///< [px] from the top; may lie outside the picture
 

@@ -1,0 +1,88 @@
+#include "render/column/column_renderer.h"
+
+#include <limits>
+
+#include "base/check.h"
+#include "render/column/viewport_drawer.h"
+
+namespace enfilade {
+
+using namespace column;
+
+struct ColumnRenderer::Scratch {
+    Screen screen;
+    Canvas canvas;
+    FrameState state;
+    ViewportDrawer drawer;
+};
+
+namespace {
+
+void start_frame(FrameState& state, const View& view, ColumnRange columns, int height) {
+    state.pool.take_all_back();
+    state.stack.clear();
+    state.projections.start_frame();
+    state.poses.assign(1, pose_of(view));
+    state.deepest = 0;
+    state.cut = 0;
+    Viewport& first = state.pool.take(columns.begin, columns.end);
+    first.sector = view.sector;
+    first.entry = {};
+    first.pose = 0;
+    first.depth = 0;
+    for (int x = columns.begin; x < columns.end; ++x) {
+        first.rows_at(x) = {0, height};
+        first.boundary_at(x) = std::numeric_limits<double>::infinity();
+    }
+    state.stack.push_back(&first);
+}
+
+}  // namespace
+
+ColumnRenderer::ColumnRenderer() : scratch_(std::make_unique<Scratch>()) {}
+ColumnRenderer::~ColumnRenderer() = default;
+ColumnRenderer::ColumnRenderer(ColumnRenderer&&) noexcept = default;
+ColumnRenderer& ColumnRenderer::operator=(ColumnRenderer&&) noexcept = default;
+
+void ColumnRenderer::render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
+                            const Snapshot& snapshot, const View& view) {
+    render_columns(frame, facts, map, textures, snapshot, view, {0, frame.width});
+}
+
+void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
+                                    const Snapshot& snapshot, const View& view, ColumnRange columns) {
+    ENFILADE_CHECK(view.sector.index < map.sectors.size() && snapshot.sectors.size() == map.sectors.size());
+    ENFILADE_CHECK(0 <= columns.begin && columns.begin < columns.end && columns.end <= frame.width);
+    Scratch& s = *scratch_;
+    s.screen.set(Projection(view, frame.width, frame.height));
+    s.canvas.set(columns.begin, columns.end, frame.height);
+    const Scene scene{map, textures, snapshot, s.screen, s.canvas, facts};
+    start_frame(s.state, view, columns, frame.height);
+    while (!s.state.stack.empty()) {
+        Viewport& next = *s.state.stack.back();
+        s.state.stack.pop_back();
+        s.drawer.draw(scene, s.state, next);
+    }
+    s.canvas.copy_to(frame);
+}
+
+ColumnCounts ColumnRenderer::counts() const {
+    return {scratch_->state.pool.used(), scratch_->state.deepest, scratch_->state.cut};
+}
+
+std::vector<ViewportOutline> ColumnRenderer::viewports() const {
+    std::vector<ViewportOutline> outlines;
+    const ViewportPool& pool = scratch_->state.pool;
+    for (std::size_t i = 0; i < pool.used(); ++i) {
+        const Viewport& v = pool[i];
+        ViewportOutline outline{v.sector, v.depth, v.begin, v.end, {}, {}};
+        for (const OpenRows& rows : v.rows) {
+            outline.top.push_back(rows.top);
+            outline.bottom.push_back(rows.bottom);
+        }
+        outlines.push_back(std::move(outline));
+    }
+    return outlines;
+}
+
+}  // namespace enfilade

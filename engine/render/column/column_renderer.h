@@ -1,0 +1,74 @@
+// The heart of the project: sectors and portals drawn one screen column at a time.
+//
+// A frame is a stack of viewports. Drawing one: project its sector's walls, find in each open column the nearest wall
+// beyond the portal looked through, draw ceiling, wall or steps, and floor, and hand what is still open behind a portal
+// to a new viewport with tightened bounds. Where to read: column_renderer.cpp (the stack), viewport_drawer.h (one
+// viewport), sector_projection.h (where is this wall on screen?), nearest_walls.h (which wall does a column see?),
+// row_split.h (which rows are what?), wall_painter.h and flat_painter.h (which texel?), kernels.h (the inner loops).
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "map/map.h"
+#include "map/textures.h"
+#include "render/frame.h"
+#include "render/view.h"
+#include "world/snapshot.h"
+
+namespace enfilade {
+
+/// Columns [begin, end) of a picture.
+struct ColumnRange {
+    int begin = 0;
+    int end = 0;
+};
+
+/// Outline of one viewport of the last frame, for overlays.
+struct ViewportOutline {
+    SectorId sector;
+    int depth = 0;            ///< portals looked through
+    int begin = 0, end = 0;   ///< columns
+    std::vector<int> top, bottom;  ///< open rows by column when it was drawn [end - begin]
+};
+
+/// Work done for the last frame.
+struct ColumnCounts {
+    std::size_t viewports = 0;  ///< drawn
+    int deepest = 0;            ///< portals looked through in the longest chain
+    std::size_t cut = 0;        ///< viewports not drawn because a limit was reached
+};
+
+/// Draws pictures of a map. Keeps its scratch memory from frame to frame: once the hardest view has been drawn, drawing
+/// allocates nothing. One renderer draws one picture at a time; different renderers may draw different columns of the
+/// same frame at the same time.
+class ColumnRenderer {
+public:
+    ColumnRenderer();
+    ~ColumnRenderer();
+    ColumnRenderer(ColumnRenderer&&) noexcept;
+    ColumnRenderer& operator=(ColumnRenderer&&) noexcept;
+
+    /// Draws the whole picture. Every pixel is written exactly once.
+    ///
+    /// frame    : its size is the picture's; every pixel is set
+    /// facts    : null, or what each pixel shows, of the same size after reset(); noted at some cost in time
+    /// snapshot : heights and lights of the moment, one for each sector of the map
+    /// view     : view.sector contains view.eye under the tie rule
+    void render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
+                const View& view);
+
+    /// The same for some columns only; they are bit-equal to those of the whole picture.
+    void render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
+                        const Snapshot& snapshot, const View& view, ColumnRange columns);
+
+    ColumnCounts counts() const;
+
+    /// The last frame's viewports in the order they were begun. Allocates; for overlays and tests.
+    std::vector<ViewportOutline> viewports() const;
+
+private:
+    struct Scratch;
+    std::unique_ptr<Scratch> scratch_;
+};
+
+}  // namespace enfilade

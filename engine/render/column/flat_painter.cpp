@@ -1,0 +1,81 @@
+#include "render/column/flat_painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/column/kernels.h"
+
+namespace enfilade::column {
+
+void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, double height, double light,
+                        SurfaceId id) {
+    pose_ = &pose;
+    flat_ = &flat;
+    texture_ = &scene.textures[flat.surface.texture];
+    id_ = id;
+    height_ = height;
+    light_ = light;
+    const Surface& surface = flat.surface;
+    base_u_ = fraction((pose.eye.x - flat.origin.x) / surface.tile_m.x - surface.offset_tiles.x);
+    base_v_ = fraction((pose.eye.y - flat.origin.y) / surface.tile_m.y - surface.offset_tiles.y);
+    prepared_top_ = prepared_bottom_ = 0;
+}
+
+void FlatPainter::paint(const Scene& scene, int x, int top, int bottom, double wall_depth) {
+    if (top >= bottom) return;
+    if (flat_->sky)
+        paint_sky(scene, x, top, bottom);
+    else
+        paint_level(scene, x, top, bottom, wall_depth);
+}
+
+void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, double wall_depth) {
+    prepare_rows(scene, top, bottom);
+    const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
+    const Vec2 tile = flat_->surface.tile_m;
+    const FlatRun flat{texture_,   base_u_,    base_v_, ray.x / tile.x, ray.y / tile.y, wall_depth, row_depths_.data(),
+                       row_shades_.data()};
+    fill_flat(scene.canvas.run(x, top, bottom), flat);
+    if (scene.facts == nullptr) return;
+    for (int y = top; y < bottom; ++y) {
+        const double depth = std::min(row_depths_[y], wall_depth);
+        note(scene, x, y, id_, depth, base_u_ + depth * flat.step_u, base_v_ + depth * flat.step_v);
+    }
+}
+
+void FlatPainter::paint_sky(const Scene& scene, int x, int top, int bottom) {
+    const Screen& screen = scene.screen;
+    const Vec2 ray = pose_->forward + pose_->right * screen.slopes[x];
+    const Surface& surface = flat_->surface;
+    // The ray's climb is per metre of depth; per metre along the ground it is less by the length of `ray`.
+    const double rise = 1 / (screen.focal_y * std::sqrt(dot(ray, ray)));
+    const SkyTexel horizon = sky_texel(surface.tile_m, surface.offset_tiles, turn_of(ray), 0);
+    const double v_at_horizon = 1 - surface.offset_tiles.y;
+    const std::uint32_t column = texel_index(horizon.u, texture_->width);
+    fill_sky(scene.canvas.run(x, top, bottom),
+             {&texture_->pixels[std::size_t{column} * texture_->height], texture_->height, v_at_horizon,
+              -rise / surface.tile_m.y, screen.row_rises.data()});
+    if (scene.facts == nullptr) return;
+    for (int y = top; y < bottom; ++y) {
+        const SkyTexel texel = sky_texel(surface.tile_m, surface.offset_tiles, turn_of(ray), screen.row_rises[y] * rise);
+        note(scene, x, y, id_, std::numeric_limits<double>::infinity(), texel.u, texel.v);
+    }
+}
+
+void FlatPainter::prepare_rows(const Scene& scene, int top, int bottom) {
+    row_depths_.resize(scene.screen.row_depths.size());
+    row_shades_.resize(scene.screen.row_depths.size());
+    if (prepared_top_ >= prepared_bottom_) prepared_top_ = prepared_bottom_ = top;
+    while (prepared_top_ > top) prepare_row(scene, --prepared_top_);
+    while (prepared_bottom_ < bottom) prepare_row(scene, prepared_bottom_++);
+}
+
+void FlatPainter::prepare_row(const Scene& scene, int row) {
+    const double depth = height_ * scene.screen.row_depths[row];
+    // Behind the eye or nowhere: only where the eye is above the ceiling or below the floor it looks at.
+    row_depths_[row] = depth >= 0 ? depth : depth < 0 ? 0 : std::numeric_limits<double>::infinity();
+    row_shades_[row] = shade_at(scene.map.render.light, light_, 1, row_depths_[row]);
+}
+
+}  // namespace enfilade::column

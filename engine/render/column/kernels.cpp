@@ -1,0 +1,68 @@
+#include "render/column/kernels.h"
+
+#include <algorithm>
+
+namespace enfilade::column {
+namespace {
+
+constexpr Shade kFullBright = 256;
+
+/// 0 <= i < size for any fraction of 2^32: size need not be a power of two.
+std::uint32_t texel_of(std::uint32_t fraction, std::uint32_t size) {
+    return static_cast<std::uint32_t>(std::uint64_t{fraction} * size >> 32);
+}
+
+/// The part after the point as a fraction of 2^32, also for negative numbers. |tiles| < 2^30.
+std::uint32_t fraction_bits(double tiles) {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(tiles * 0x1p32));
+}
+
+/// Beyond this many tiles fraction_bits would leave its range; the horizon blurs long before.
+constexpr double kMostTiles = 0x1p29;
+
+template <bool kLit>
+void fill_wall_as(const Run& run, const WallRun& wall) {
+    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
+    for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
+        const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
+        run.pixels[i] = kLit ? shaded(texel, wall.shade) : texel | 0xFF000000u;
+    }
+}
+
+}  // namespace
+
+TileSteps tile_steps(double tiles) {
+    return static_cast<TileSteps>(fraction(tiles) * 0x1p64);
+}
+
+void fill_wall(const Run& run, const WallRun& wall) {
+    if (wall.shade == kFullBright)
+        fill_wall_as<false>(run, wall);
+    else
+        fill_wall_as<true>(run, wall);
+}
+
+void fill_flat(const Run& run, const FlatRun& flat) {
+    const Texture& texture = *flat.texture;
+    const std::uint32_t* texels = texture.pixels.data();
+    const double most = std::max(flat.step_u < 0 ? -flat.step_u : flat.step_u, flat.step_v < 0 ? -flat.step_v : flat.step_v);
+    const double farthest = std::min(flat.farthest, kMostTiles / most);
+    for (int i = 0; i < run.count; ++i) {
+        const int row = run.first_row + i;
+        const double depth = std::min(flat.row_depths[row], farthest);
+        const std::uint32_t u = texel_of(fraction_bits(flat.base_u + depth * flat.step_u), texture.width);
+        const std::uint32_t v = texel_of(fraction_bits(flat.base_v + depth * flat.step_v), texture.height);
+        run.pixels[i] = shaded(texels[std::size_t{u} * texture.height + v], flat.row_shades[row]);
+    }
+}
+
+void fill_sky(const Run& run, const SkyRun& sky) {
+    for (int i = 0; i < run.count; ++i) {
+        const double v = std::clamp(sky.v_at_horizon + sky.row_rises[run.first_row + i] * sky.v_per_rise, 0.0, 1.0);
+        run.pixels[i] = sky.texels[texel_index(v, sky.height)] | 0xFF000000u;
+    }
+}
+
+void fill_color(const Run& run, std::uint32_t color) { std::fill_n(run.pixels, run.count, color); }
+
+}  // namespace enfilade::column

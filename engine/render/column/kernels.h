@@ -1,0 +1,58 @@
+// The inner loops: each fills a run of one screen column. Chosen once per surface; what a surface does not use is not
+// in its loop. Positions within a picture are whole numbers (2^64 or 2^32 steps a tile), so stepping them is exact and a
+// run's pixels do not depend on where it starts.
+#pragma once
+#include <cstdint>
+
+#include "map/textures.h"
+#include "render/shade.h"
+
+namespace enfilade::column {
+
+/// A run of pixels down one column; pixel i of the run is in row first_row + i.
+struct Run {
+    std::uint32_t* pixels;
+    int first_row;
+    int count;
+};
+
+/// Position within a tile as a fraction of 2^64.
+using TileSteps = std::uint64_t;
+
+/// The fraction of a tile as steps. Any finite number; wraps.
+TileSteps tile_steps(double tiles);
+
+/// A texture column of a wall under one light.
+struct WallRun {
+    const std::uint32_t* texels;  ///< texture column [height]
+    std::uint32_t height;
+    TileSteps v_at_row_0;
+    TileSteps v_per_row;
+    Shade shade;
+};
+void fill_wall(const Run& run, const WallRun& wall);
+
+/// A floor or ceiling along one column: tile position = base + depth(row) * step.
+struct FlatRun {
+    const Texture* texture;
+    double base_u, base_v;       ///< under the eye, in [0, 1) [tiles]
+    double step_u, step_v;       ///< per metre of depth along this column's ray [tiles/m]
+    double farthest;             ///< depths are cut off here: where the wall behind the flat stands [m]
+    const double* row_depths;    ///< by row [m]
+    const Shade* row_shades;     ///< by row
+};
+void fill_flat(const Run& run, const FlatRun& flat);
+
+/// A column of sky.
+struct SkyRun {
+    const std::uint32_t* texels;  ///< texture column [height]
+    std::uint32_t height;
+    double v_at_horizon;          ///< [tiles]
+    double v_per_rise;            ///< tiles per row above the horizon
+    const double* row_rises;      ///< by row: rows above the horizon [px]
+};
+void fill_sky(const Run& run, const SkyRun& sky);
+
+void fill_color(const Run& run, std::uint32_t color);
+
+}  // namespace enfilade::column

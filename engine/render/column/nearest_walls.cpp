@@ -1,0 +1,47 @@
+#include "render/column/nearest_walls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enfilade::column {
+namespace {
+
+/// Inverse depths closer than this part of each other are not trusted to tell which wall is nearer: rounding leaves them
+/// good to about 2^-50, and such ties (walls that share a vertex) are rare enough to be settled exactly.
+constexpr double kTrusted = 0x1p-40;
+
+bool is_nearer_at(const Map& map, const ProjectedWall& a, double a_inverse, const ProjectedWall& b, double b_inverse) {
+    const double difference = a_inverse - b_inverse;
+    if (std::fabs(difference) > kTrusted * b_inverse) return difference > 0;  // false for two infinities: no number
+    return is_nearer(map[a.wall], map[b.wall]);
+}
+
+}  // namespace
+
+void NearestWalls::choose(const Map& map, const Screen& screen, const Viewport& viewport,
+                          std::span<const ProjectedWall> walls) {
+    begin_ = viewport.begin;
+    nearest_.assign(static_cast<std::size_t>(viewport.end - viewport.begin), {});
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        if (viewport.entry) {
+            // Compared with the entry as a whole and exactly, so that the boundary holds in all its columns at once.
+            if (walls[i].wall == viewport.entry || !is_beyond(map[walls[i].wall], map[viewport.entry])) continue;
+        }
+        offer(map, screen, viewport, walls, static_cast<int>(i));
+    }
+}
+
+void NearestWalls::offer(const Map& map, const Screen& screen, const Viewport& viewport,
+                         std::span<const ProjectedWall> walls, int candidate) {
+    const ProjectedWall& wall = walls[static_cast<std::size_t>(candidate)];
+    for (int x = std::max(wall.begin, viewport.begin); x < std::min(wall.end, viewport.end); ++x) {
+        if (viewport.rows_at(x).is_closed()) continue;
+        Nearest& best = nearest_[static_cast<std::size_t>(x - begin_)];
+        const double inverse = inverse_depth(wall, screen.slopes[x]);
+        if (best.wall == kNoWall ||
+            is_nearer_at(map, wall, inverse, walls[static_cast<std::size_t>(best.wall)], best.inverse_depth))
+            best = {candidate, inverse};
+    }
+}
+
+}  // namespace enfilade::column

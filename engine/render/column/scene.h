@@ -1,0 +1,32 @@
+// Everything one frame is drawn from and into, gathered so that the drawing functions need not pass it piece by piece.
+#pragma once
+#include <cmath>
+
+#include "map/map.h"
+#include "map/textures.h"
+#include "render/column/canvas.h"
+#include "render/column/screen.h"
+#include "render/frame.h"
+#include "world/snapshot.h"
+
+namespace enfilade::column {
+
+struct Scene {
+    const Map& map;
+    const TextureSet& textures;
+    const Snapshot& snapshot;
+    const Screen& screen;
+    Canvas& canvas;
+    FrameFacts* facts;  ///< null where nobody asked what the pixels show
+};
+
+/// Notes what one pixel shows. Called outside the inner loops, and only where facts are wanted.
+inline void note(const Scene& scene, int x, int y, SurfaceId id, double depth, double u_tiles, double v_tiles) {
+    const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.screen.width) + static_cast<std::size_t>(x);
+    scene.facts->ids[i] = id;
+    scene.facts->depths[i] = depth;
+    scene.facts->texels[i] = {static_cast<float>(fraction(u_tiles)), static_cast<float>(fraction(v_tiles))};
+    ++scene.facts->writes[i];
+}
+
+}  // namespace enfilade::column

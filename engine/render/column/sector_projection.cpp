@@ -1,0 +1,96 @@
+#include "render/column/sector_projection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/predicates.h"
+
+namespace enfilade::column {
+namespace {
+
+/// The tie rule for an eye that stands on a vertex: the eye counts as (e, e^2) farther, so the vertex lies in the
+/// direction -(1, e). The slope 2^-40 is flatter than any wall of the vertex grid (2^-26), and the length 2^-64 [m] is
+/// nothing beside any wall.
+constexpr Vec2 kVertexAtEye{-0x1p-64, -0x1p-104};
+
+/// The vertex in view space.
+Vec2 to_view(Vec2 vertex, const Pose& pose) {
+    Vec2 d = vertex - pose.eye;
+    if (d == Vec2{}) d = kVertexAtEye;
+    return {dot(pose.right, d), dot(pose.forward, d)};
+}
+
+/// The first column of those to the right of the vertex's own ray (for a vertex behind the eye: of the ray's other
+/// half, where the edge function turns negative). The division only guesses; the edge function decides.
+int split_column(Vec2 v, const Screen& screen) {
+    const auto is_right = [&](int x) {
+        const double e = edge(v, screen.slopes[x]);
+        return v.y >= 0 ? e >= 0 : e < 0;
+    };
+    const double guess = std::ceil((v.x / v.y) * screen.column_scale + 0.5 * (screen.width - 1));
+    int x = !(guess > 0) ? 0 : guess >= screen.width ? screen.width : static_cast<int>(guess);
+    while (x > 0 && is_right(x - 1)) --x;
+    while (x < screen.width && !is_right(x)) ++x;
+    return x;
+}
+
+/// Columns where e_L >= 0 and e_R < 0, given where each changes its sign.
+void set_columns(ProjectedWall& w, const Screen& screen) {
+    const int left = split_column(w.left_v, screen), right = split_column(w.right_v, screen);
+    const bool left_ahead = w.left_v.y >= 0, right_ahead = w.right_v.y >= 0;
+    w.begin = std::max(left_ahead ? left : 0, right_ahead ? 0 : right);
+    w.end = std::min(left_ahead ? screen.width : left, right_ahead ? right : screen.width);
+}
+
+/// Both ends of `segment` relative to the line of `line`: the smaller and the larger side.
+struct Sides {
+    int low;
+    int high;
+};
+
+Sides sides_of(const Wall& segment, const Wall& line) {
+    const int a = corner(line.a, line.b, segment.a), b = corner(line.a, line.b, segment.b);
+    return {std::min(a, b), std::max(a, b)};
+}
+
+}  // namespace
+
+WallHit hit(const ProjectedWall& w, double slope) {
+    const double per_span = 1 / edge_span(w, slope);
+    const double along = std::clamp(edge(w.left_v, slope) * per_span, 0.0, 1.0);
+    return {std::clamp(w.cross * per_span, w.nearest, w.farthest), w.swapped ? 1 - along : along};
+}
+
+void project(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, std::vector<ProjectedWall>& out) {
+    out.clear();
+    const Sector& s = map[sector];
+    for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
+        const Wall& wall = map.walls[i];
+        if (side_of_line(wall.a, wall.b, pose.eye) < 0) continue;
+        ProjectedWall w;
+        w.wall = WallId(i);
+        w.swapped = pose.flip < 0;
+        w.left_v = to_view(w.swapped ? wall.b : wall.a, pose);
+        w.right_v = to_view(w.swapped ? wall.a : wall.b, pose);
+        set_columns(w, screen);
+        if (w.begin >= w.end) continue;
+        w.cross = std::max(exact_cross(wall.a, wall.b, pose.eye), 0.0);
+        w.inverse_cross = 1 / w.cross;
+        w.nearest = std::max(std::min(w.left_v.y, w.right_v.y), 0.0);
+        w.farthest = std::max(w.left_v.y, w.right_v.y);
+        out.push_back(w);
+    }
+}
+
+bool is_nearer(const Wall& a, const Wall& b) {
+    if (sides_of(b, a).high <= 0) return true;
+    return sides_of(a, b).low >= 0;
+}
+
+bool is_beyond(const Wall& wall, const Wall& entry) {
+    const Sides sides = sides_of(wall, entry);
+    if (sides.high <= 0) return false;
+    return sides.low >= 0 || sides_of(entry, wall).low >= 0;
+}
+
+}  // namespace enfilade::column

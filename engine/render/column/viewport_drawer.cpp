@@ -1,0 +1,136 @@
+#include "render/column/viewport_drawer.h"
+
+#include <algorithm>
+
+namespace enfilade::column {
+namespace {
+
+/// Viewports of one frame. A view into FreeDoom's largest maps takes a few hundred; this many have more columns than
+/// the largest picture has pixels, so it is only met by chains of links that lead on for ever.
+constexpr std::size_t kMostViewports = 1u << 16;
+
+constexpr double kBrightestDepth = 0;
+
+/// 0xRRGGBB as a pixel.
+std::uint32_t pixel_of(std::uint32_t rgb) {
+    return 0xFF000000u | (rgb & 0xFF) << 16 | (rgb & 0xFF00) | (rgb >> 16 & 0xFF);
+}
+
+RelativeHeights heights_above(const SectorSnapshot& sector, double eye_z) {
+    return {sector.floor_z - eye_z, sector.ceiling_z - eye_z};
+}
+
+}  // namespace
+
+void ViewportDrawer::draw(const Scene& scene, FrameState& state, Viewport& viewport) {
+    start_viewport(scene, state, viewport);
+    for (int x = viewport.begin; x < viewport.end; ++x)
+        if (!viewport.rows_at(x).is_closed()) draw_column(scene, state, x);
+    push_children(state);
+}
+
+void ViewportDrawer::start_viewport(const Scene& scene, FrameState& state, Viewport& viewport) {
+    viewport_ = &viewport;
+    pose_ = state.poses[static_cast<std::size_t>(viewport.pose)];
+    walls_ = &state.projections.get(scene.map, viewport.sector, viewport.pose, pose_, scene.screen);
+    nearest_.choose(scene.map, scene.screen, viewport, *walls_);
+    const Sector& sector = scene.map[viewport.sector];
+    const SectorSnapshot& now = scene.snapshot[viewport.sector];
+    here_ = heights_above(now, pose_.eye_z);
+    floor_.start(scene, pose_, sector.floor, here_.floor, now.light, floor_id(viewport.sector));
+    ceiling_.start(scene, pose_, sector.ceiling, here_.ceiling, now.light, ceiling_id(viewport.sector));
+    openings_.assign(walls_->size(), {});
+    wall_index_ = NearestWalls::kNoWall;
+}
+
+void ViewportDrawer::draw_column(const Scene& scene, FrameState& state, int x) {
+    const int wall_index = nearest_.at(x);
+    if (wall_index == NearestWalls::kNoWall) return;
+    if (wall_index != wall_index_) start_wall(scene, state, wall_index);
+    const WallHit look = hit((*walls_)[static_cast<std::size_t>(wall_index)], scene.screen.slopes[x]);
+    const OpenRows open = viewport_->rows_at(x);
+    const RowSplit rows = split_rows(scene.screen, open, look.depth, here_, is_portal_ ? &behind_ : nullptr);
+    ceiling_.paint(scene, x, open.top, rows.wall_top, look.depth);
+    floor_.paint(scene, x, rows.wall_bottom, open.bottom, look.depth);
+    if (!is_portal_) {
+        middle_.paint(scene, x, rows.wall_top, rows.wall_bottom, look);
+        return;
+    }
+    if (!upper_open_) upper_.paint(scene, x, rows.wall_top, rows.opening_top, look);
+    if (!lower_open_) lower_.paint(scene, x, rows.opening_bottom, rows.wall_bottom, look);
+    open_behind(scene, state, x, rows);
+}
+
+void ViewportDrawer::start_wall(const Scene& scene, FrameState&, int wall_index) {
+    wall_index_ = wall_index;
+    const WallId id = (*walls_)[static_cast<std::size_t>(wall_index)].wall;
+    const Wall& wall = scene.map[id];
+    const double light = scene.snapshot[wall.sector].light;
+    is_portal_ = wall.kind != WallKind::solid;
+    if (!is_portal_) {
+        middle_.start(scene, wall, wall.texture, peg_height(wall.texture.peg, here_, nullptr), light,
+                      wall_id(scene.map, id, WallPart::middle));
+        return;
+    }
+    if (wall.kind == WallKind::mirror) {
+        behind_ = here_;
+        upper_open_ = lower_open_ = false;
+        return;
+    }
+    behind_ = heights_above(scene.snapshot[wall.behind], scene.map.passage(wall).apply_height(pose_.eye_z));
+    const bool both_sky = scene.map[wall.sector].ceiling.sky && scene.map[wall.behind].ceiling.sky;
+    upper_open_ = both_sky || !wall.upper.texture;
+    lower_open_ = !wall.lower.texture;
+    upper_.start(scene, wall, wall.upper, peg_height(wall.upper.peg, here_, &behind_), light,
+                 wall_id(scene.map, id, WallPart::upper));
+    lower_.start(scene, wall, wall.lower, peg_height(wall.lower.peg, here_, &behind_), light,
+                 wall_id(scene.map, id, WallPart::lower));
+}
+
+void ViewportDrawer::open_behind(const Scene& scene, FrameState& state, int x, const RowSplit& rows) {
+    const OpenRows open{upper_open_ ? rows.wall_top : rows.opening_top,
+                        lower_open_ ? rows.wall_bottom : rows.opening_bottom};
+    if (open.is_closed()) return;
+    const ProjectedWall& projected = (*walls_)[static_cast<std::size_t>(wall_index_)];
+    Opening& opening = openings_[static_cast<std::size_t>(wall_index_)];
+    if (opening.state == Opening::State::unknown) {
+        opening.viewport = child_of(scene, state, scene.map[projected.wall], projected);
+        opening.state = opening.viewport ? Opening::State::open : Opening::State::cut;
+    }
+    if (opening.state == Opening::State::cut) {
+        fill_color(scene.canvas.run(x, open.top, open.bottom), pixel_of(scene.map.render.recursion_color));
+        if (scene.facts == nullptr) return;
+        for (int y = open.top; y < open.bottom; ++y) note(scene, x, y, kRecursionEnd, kBrightestDepth, 0, 0);
+        return;
+    }
+    opening.viewport->rows_at(x) = open;
+    opening.viewport->boundary_at(x) = nearest_.inverse_depth_at(x);
+}
+
+/// A viewport for what is seen through the portal, or null where a limit of the frame is reached.
+Viewport* ViewportDrawer::child_of(const Scene& scene, FrameState& state, const Wall& wall,
+                                   const ProjectedWall& projected) {
+    const bool is_link = wall.link != Wall::kNoLink;
+    if (state.pool.used() >= kMostViewports || (is_link && pose_.links >= scene.map.render.max_depth)) {
+        ++state.cut;
+        return nullptr;
+    }
+    Viewport& child = state.pool.take(std::max(projected.begin, viewport_->begin), std::min(projected.end, viewport_->end));
+    child.sector = wall.behind;
+    child.entry = wall.exit;
+    child.depth = viewport_->depth + 1;
+    child.pose = viewport_->pose;
+    if (is_link) {
+        child.pose = static_cast<int>(state.poses.size());
+        state.poses.push_back(beyond(pose_, scene.map.passage(wall)));
+    }
+    state.deepest = std::max(state.deepest, child.depth);
+    return &child;
+}
+
+void ViewportDrawer::push_children(FrameState& state) {
+    for (const Opening& opening : openings_)
+        if (opening.viewport != nullptr && opening.viewport->trim()) state.stack.push_back(opening.viewport);
+}
+
+}  // namespace enfilade::column

@@ -1,0 +1,61 @@
+// Draws one viewport: its sector's surfaces where they are open, and the viewports seen through its portals.
+#pragma once
+#include <vector>
+
+#include "render/column/flat_painter.h"
+#include "render/column/nearest_walls.h"
+#include "render/column/projection_cache.h"
+#include "render/column/row_split.h"
+#include "render/column/viewport.h"
+#include "render/column/wall_painter.h"
+
+namespace enfilade::column {
+
+/// What grows while a frame is drawn: poses met, viewports taken, viewports waiting.
+struct FrameState {
+    std::vector<Pose> poses;  ///< by Viewport::pose
+    ViewportPool pool;
+    ViewportStack stack;
+    ProjectionCache projections;
+    int deepest = 0;
+    std::size_t cut = 0;
+};
+
+/// Holds the scratch memory for one viewport at a time.
+class ViewportDrawer {
+public:
+    /// Draws `viewport` and pushes onto state.stack what is open behind its portals.
+    void draw(const Scene& scene, FrameState& state, Viewport& viewport);
+
+private:
+    void start_viewport(const Scene& scene, FrameState& state, Viewport& viewport);
+    void draw_column(const Scene& scene, FrameState& state, int x);
+    void start_wall(const Scene& scene, FrameState& state, int wall_index);
+    void open_behind(const Scene& scene, FrameState& state, int x, const RowSplit& rows);
+    Viewport* child_of(const Scene& scene, FrameState& state, const Wall& wall, const ProjectedWall& projected);
+    void push_children(FrameState& state);
+
+    // The viewport being drawn.
+    Viewport* viewport_ = nullptr;
+    Pose pose_;
+    RelativeHeights here_;
+    const std::vector<ProjectedWall>* walls_ = nullptr;
+    NearestWalls nearest_;
+    FlatPainter floor_, ceiling_;
+
+    /// A portal wall of the viewport, and where what is seen through it is gathered.
+    struct Opening {
+        enum class State : unsigned char { unknown, open, cut } state = State::unknown;
+        Viewport* viewport = nullptr;
+    };
+    std::vector<Opening> openings_;  ///< by index into *walls_
+
+    // The wall being drawn.
+    int wall_index_ = NearestWalls::kNoWall;
+    bool is_portal_ = false;
+    bool upper_open_ = false, lower_open_ = false;  ///< a step that is not drawn: one sees over it
+    RelativeHeights behind_;
+    WallPainter middle_, upper_, lower_;
+};
+
+}  // namespace enfilade::column
