@@ -26,8 +26,8 @@ struct ColumnRange {
 /// Outline of one viewport of the last frame, for overlays.
 struct ViewportOutline {
     SectorId sector;
-    int depth = 0;            ///< portals looked through
-    int begin = 0, end = 0;   ///< columns
+    int depth = 0;                 ///< portals looked through
+    int begin = 0, end = 0;        ///< columns
     std::vector<int> top, bottom;  ///< open rows by column when it was drawn [end - begin]
 };
 

@@ -34,8 +34,8 @@ void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, do
     prepare_rows(scene, top, bottom);
     const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
     const Vec2 tile = flat_->surface.tile_m;
-    const FlatRun flat{texture_,   base_u_,    base_v_, ray.x / tile.x, ray.y / tile.y, wall_depth, row_depths_.data(),
-                       row_shades_.data()};
+    const FlatRun flat{texture_,           base_u_,           base_v_, ray.x / tile.x, ray.y / tile.y, wall_depth,
+                       row_depths_.data(), row_shades_.data()};
     fill_flat(scene.canvas.run(x, top, bottom), flat);
     if (scene.facts == nullptr) return;
     for (int y = top; y < bottom; ++y) {
@@ -58,7 +58,8 @@ void FlatPainter::paint_sky(const Scene& scene, int x, int top, int bottom) {
               -rise / surface.tile_m.y, screen.row_rises.data()});
     if (scene.facts == nullptr) return;
     for (int y = top; y < bottom; ++y) {
-        const SkyTexel texel = sky_texel(surface.tile_m, surface.offset_tiles, turn_of(ray), screen.row_rises[y] * rise);
+        const SkyTexel texel =
+            sky_texel(surface.tile_m, surface.offset_tiles, turn_of(ray), screen.row_rises[y] * rise);
         note(scene, x, y, id_, std::numeric_limits<double>::infinity(), texel.u, texel.v);
     }
 }

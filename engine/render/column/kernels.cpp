@@ -31,9 +31,7 @@ void fill_wall_as(const Run& run, const WallRun& wall) {
 
 }  // namespace
 
-TileSteps tile_steps(double tiles) {
-    return static_cast<TileSteps>(fraction(tiles) * 0x1p64);
-}
+TileSteps tile_steps(double tiles) { return static_cast<TileSteps>(fraction(tiles) * 0x1p64); }
 
 void fill_wall(const Run& run, const WallRun& wall) {
     if (wall.shade == kFullBright)
@@ -45,7 +43,8 @@ void fill_wall(const Run& run, const WallRun& wall) {
 void fill_flat(const Run& run, const FlatRun& flat) {
     const Texture& texture = *flat.texture;
     const std::uint32_t* texels = texture.pixels.data();
-    const double most = std::max(flat.step_u < 0 ? -flat.step_u : flat.step_u, flat.step_v < 0 ? -flat.step_v : flat.step_v);
+    const double most =
+        std::max(flat.step_u < 0 ? -flat.step_u : flat.step_u, flat.step_v < 0 ? -flat.step_v : flat.step_v);
     const double farthest = std::min(flat.farthest, kMostTiles / most);
     for (int i = 0; i < run.count; ++i) {
         const int row = run.first_row + i;

@@ -1,6 +1,6 @@
 // The inner loops: each fills a run of one screen column. Chosen once per surface; what a surface does not use is not
-// in its loop. Positions within a picture are whole numbers (2^64 or 2^32 steps a tile), so stepping them is exact and a
-// run's pixels do not depend on where it starts.
+// in its loop. Positions within a picture are whole numbers (2^64 or 2^32 steps a tile), so stepping them is exact and
+// a run's pixels do not depend on where it starts.
 #pragma once
 #include <cstdint>
 
@@ -35,11 +35,11 @@ void fill_wall(const Run& run, const WallRun& wall);
 /// A floor or ceiling along one column: tile position = base + depth(row) * step.
 struct FlatRun {
     const Texture* texture;
-    double base_u, base_v;       ///< under the eye, in [0, 1) [tiles]
-    double step_u, step_v;       ///< per metre of depth along this column's ray [tiles/m]
-    double farthest;             ///< depths are cut off here: where the wall behind the flat stands [m]
-    const double* row_depths;    ///< by row [m]
-    const Shade* row_shades;     ///< by row
+    double base_u, base_v;     ///< under the eye, in [0, 1) [tiles]
+    double step_u, step_v;     ///< per metre of depth along this column's ray [tiles/m]
+    double farthest;           ///< depths are cut off here: where the wall behind the flat stands [m]
+    const double* row_depths;  ///< by row [m]
+    const Shade* row_shades;   ///< by row
 };
 void fill_flat(const Run& run, const FlatRun& flat);
 
@@ -47,9 +47,9 @@ void fill_flat(const Run& run, const FlatRun& flat);
 struct SkyRun {
     const std::uint32_t* texels;  ///< texture column [height]
     std::uint32_t height;
-    double v_at_horizon;          ///< [tiles]
-    double v_per_rise;            ///< tiles per row above the horizon
-    const double* row_rises;      ///< by row: rows above the horizon [px]
+    double v_at_horizon;      ///< [tiles]
+    double v_per_rise;        ///< tiles per row above the horizon
+    const double* row_rises;  ///< by row: rows above the horizon [px]
 };
 void fill_sky(const Run& run, const SkyRun& sky);
 

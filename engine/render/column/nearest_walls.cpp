@@ -6,8 +6,8 @@
 namespace enfilade::column {
 namespace {
 
-/// Inverse depths closer than this part of each other are not trusted to tell which wall is nearer: rounding leaves them
-/// good to about 2^-50, and such ties (walls that share a vertex) are rare enough to be settled exactly.
+/// Inverse depths closer than this part of each other are not trusted to tell which wall is nearer: rounding leaves
+/// them good to about 2^-50, and such ties (walls that share a vertex) are rare enough to be settled exactly.
 constexpr double kTrusted = 0x1p-40;
 
 bool is_nearer_at(const Map& map, const ProjectedWall& a, double a_inverse, const ProjectedWall& b, double b_inverse) {

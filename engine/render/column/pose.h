@@ -25,8 +25,12 @@ inline Pose pose_of(const View& view) {
 inline Pose beyond(const Pose& pose, const Rigid& passage) {
     const Vec2 forward = passage.turn(pose.forward);
     const double flip = pose.flip * passage.flip;
-    return {snap_to_point_grid(passage.apply(pose.eye)), passage.apply_height(pose.eye_z), forward,
-            right_of(forward) * flip, flip, pose.links + 1};
+    return {snap_to_point_grid(passage.apply(pose.eye)),
+            passage.apply_height(pose.eye_z),
+            forward,
+            right_of(forward) * flip,
+            flip,
+            pose.links + 1};
 }
 
 }  // namespace enfilade::column

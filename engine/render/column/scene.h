@@ -22,7 +22,8 @@ struct Scene {
 
 /// Notes what one pixel shows. Called outside the inner loops, and only where facts are wanted.
 inline void note(const Scene& scene, int x, int y, SurfaceId id, double depth, double u_tiles, double v_tiles) {
-    const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.screen.width) + static_cast<std::size_t>(x);
+    const auto i =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.screen.width) + static_cast<std::size_t>(x);
     scene.facts->ids[i] = id;
     scene.facts->depths[i] = depth;
     scene.facts->texels[i] = {static_cast<float>(fraction(u_tiles)), static_cast<float>(fraction(v_tiles))};

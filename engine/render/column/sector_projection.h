@@ -18,7 +18,7 @@ struct ProjectedWall {
     double cross = 0;        ///< cross(L, R) = 2 x area of eye, L, R [m^2]; 0 where the eye is on the wall's line
     double inverse_cross = 0;
     double nearest = 0, farthest = 0;  ///< bounds of the depth anywhere on the wall [m]
-    bool swapped = false;    ///< L is the wall's b: it is seen in a mirror
+    bool swapped = false;              ///< L is the wall's b: it is seen in a mirror
 };
 
 /// What a column sees of a wall.
@@ -31,9 +31,7 @@ struct WallHit {
 inline double edge(Vec2 vertex_v, double slope) { return slope * vertex_v.y - vertex_v.x; }
 
 /// e_L - e_R: positive wherever the wall covers the column, because there e_L >= 0 > e_R.
-inline double edge_span(const ProjectedWall& w, double slope) {
-    return edge(w.left_v, slope) - edge(w.right_v, slope);
-}
+inline double edge_span(const ProjectedWall& w, double slope) { return edge(w.left_v, slope) - edge(w.right_v, slope); }
 
 /// 1 / depth at slope s: linear in s, infinite where the eye is on the wall's line.
 inline double inverse_depth(const ProjectedWall& w, double slope) { return edge_span(w, slope) * w.inverse_cross; }

@@ -19,9 +19,9 @@ struct OpenRows {
 /// A sector seen through one chain of portals: which columns, which rows of them, and from how deep on.
 struct Viewport {
     SectorId sector;
-    WallId entry;  ///< the wall of `sector` the look comes in through; none for the eye's own sector
-    int pose = 0;  ///< index of the eye in the frame's list of poses
-    int depth = 0; ///< portals looked through so far
+    WallId entry;                  ///< the wall of `sector` the look comes in through; none for the eye's own sector
+    int pose = 0;                  ///< index of the eye in the frame's list of poses
+    int depth = 0;                 ///< portals looked through so far
     int begin = 0, end = 0;        ///< columns
     std::vector<OpenRows> rows;    ///< occlusion bounds [end - begin]
     std::vector<double> boundary;  ///< 1 / depth of the portal looked through [end - begin]; what is drawn lies beyond.

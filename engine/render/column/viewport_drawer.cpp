@@ -115,7 +115,8 @@ Viewport* ViewportDrawer::child_of(const Scene& scene, FrameState& state, const 
         ++state.cut;
         return nullptr;
     }
-    Viewport& child = state.pool.take(std::max(projected.begin, viewport_->begin), std::min(projected.end, viewport_->end));
+    Viewport& child =
+        state.pool.take(std::max(projected.begin, viewport_->begin), std::min(projected.end, viewport_->end));
     child.sector = wall.behind;
     child.entry = wall.exit;
     child.depth = viewport_->depth + 1;

@@ -27,7 +27,8 @@ private:
     double v_at_peg_ = 0, v_per_m_ = 1;      ///< v at the eye's height, and tiles per metre downwards
 };
 
-/// The height of a wall texture's anchor above the eye [m]. behind: null for a solid wall, whose opening is its own room.
+/// The height of a wall texture's anchor above the eye [m]. behind: null for a solid wall, whose opening is its own
+/// room.
 double peg_height(Peg peg, const RelativeHeights& here, const RelativeHeights* behind);
 
 }  // namespace enfilade::column

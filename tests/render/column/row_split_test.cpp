@@ -1,0 +1,81 @@
+// Rows at a wall: where ceiling, steps, opening and floor begin.
+#include "render/column/row_split.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "base/random.h"
+
+namespace enfilade::column {
+namespace {
+
+/// fov 90 and a square picture: focal_y is half the width.
+Screen screen_of(int width, int height, double pitch_tangent = 0) {
+    View view;
+    view.pitch_tangent = pitch_tangent;
+    Screen screen;
+    screen.set(Projection(view, width, height));
+    return screen;
+}
+
+/// The definition, row by row.
+int first_row_below_by_search(const Screen& screen, double height, double depth, int top, int bottom) {
+    for (int y = top; y < bottom; ++y)
+        if (screen.row_rises[y] * depth < height * screen.focal_y) return y;
+    return bottom;
+}
+
+TEST(FirstRowBelow, IsTheRowTheDefinitionNames) {
+    const Screen screen = screen_of(320, 200, 0.25);
+    Random random(1);
+    for (int trial = 0; trial < 20000; ++trial) {
+        const double height = random.uniform(-8, 8), depth = random.uniform(0, 40);
+        const int top = static_cast<int>(random.below(200)), bottom = top + static_cast<int>(random.below(201 - top));
+        ASSERT_EQ(first_row_below(screen, height, depth, top, bottom),
+                  first_row_below_by_search(screen, height, depth, top, bottom))
+            << "trial " << trial;
+    }
+}
+
+TEST(FirstRowBelow, GivesRowCentresOnTheEdgeToTheSurfaceBelowIt) {
+    const Screen screen = screen_of(320, 200);  // focal_y 160, horizon 100: the centre of row 19 is 80.5 rows above it
+    EXPECT_EQ(first_row_below(screen, 80.5 / 160, 1, 0, 200), 20);
+    EXPECT_EQ(first_row_below(screen, 80.5 / 160 + 1e-12, 1, 0, 200), 19);
+}
+
+TEST(FirstRowBelow, PutsAnEyeInTheWallsPlaneBetweenItsHeights) {
+    const Screen screen = screen_of(320, 200);
+    EXPECT_EQ(first_row_below(screen, 1.0, 0, 10, 90), 10);   // the ceiling is above the eye: no row shows it
+    EXPECT_EQ(first_row_below(screen, -1.0, 0, 10, 90), 90);  // the floor is below: no row shows it
+    EXPECT_EQ(first_row_below(screen, 0.0, 0, 10, 90), 90);   // the eye exactly at the height
+}
+
+TEST(SplitRows, CoversTheOpenRowsInOrderForAnyHeights) {
+    const Screen screen = screen_of(200, 160, -0.5);
+    Random random(7);
+    for (int trial = 0; trial < 20000; ++trial) {
+        const double floor = random.uniform(-4, 1), behind_floor = random.uniform(-4, 4);
+        const RelativeHeights here{floor, floor + random.uniform(0, 5)};
+        const RelativeHeights behind{behind_floor, behind_floor + random.uniform(0, 5)};
+        const int top = static_cast<int>(random.below(160)), bottom = top + static_cast<int>(random.below(161 - top));
+        const RowSplit rows = split_rows(screen, {top, bottom}, random.uniform(0, 20), here, &behind);
+        ASSERT_LE(top, rows.wall_top);
+        ASSERT_LE(rows.wall_top, rows.opening_top);
+        ASSERT_LE(rows.opening_top, rows.opening_bottom);
+        ASSERT_LE(rows.opening_bottom, rows.wall_bottom);
+        ASSERT_LE(rows.wall_bottom, bottom);
+    }
+}
+
+TEST(SplitRows, GivesAClosedDoorNoOpening) {
+    const Screen screen = screen_of(320, 200);
+    const RelativeHeights here{-1.5, 1.5}, door{-1.5, -1.5};
+    const RowSplit rows = split_rows(screen, {0, 200}, 3, here, &door);
+    EXPECT_EQ(rows.opening_top, rows.opening_bottom);
+    EXPECT_EQ(rows.wall_top, 20);
+    EXPECT_EQ(rows.opening_top, rows.wall_bottom);
+}
+
+}  // namespace
+}  // namespace enfilade::column
