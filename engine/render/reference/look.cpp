@@ -1,0 +1,140 @@
+#include "render/reference/look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/shade.h"
+
+namespace enfilade {
+namespace {
+
+/// A sector's heights as seen from the eye [m above the eye], in the space where the eye has that height.
+struct Opening {
+    double floor;
+    double ceiling;
+};
+
+/// A ray at the moment it has reached a wall.
+struct Arrival {
+    const Scene& scene;
+    const RayHit& hit;
+    const Wall& wall;
+    const Sector& sector;
+    double slope;
+    double climb;
+    Opening own;
+    Opening behind;  ///< portal: the neighbour's, else own
+};
+
+Opening opening_of(const Scene& scene, SectorId sector, double eye_z) {
+    return {scene.snapshot[sector].floor_z - eye_z, scene.snapshot[sector].ceiling_z - eye_z};
+}
+
+/// Is the ray at `height` above the eye, or higher, where it meets the wall? A wall that passes through the eye is met
+/// an instant after the start, so that an eye at the very height of a ceiling still sees only its upper half covered.
+bool reaches(const Arrival& at, double height) {
+    if (at.hit.depth == 0 && height == 0) return at.climb >= 0;
+    return at.climb * at.hit.depth >= height;
+}
+
+/// A level ray, or a wall through the eye, is compared with a height without any rounding.
+bool is_close_to(const Arrival& at, double height) {
+    if (at.climb == 0 || at.hit.depth == 0) return false;
+    return std::fabs(at.climb * at.hit.depth - height) < kAmbiguous;
+}
+
+std::uint32_t texel(const Texture& texture, double u, double v) {
+    return texture.at(texel_index(u, texture.width), texel_index(v, texture.height));
+}
+
+Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, double v, double contrast,
+             double depth) {
+    Seen seen{id, depth, {}, 0, false};
+    const double tile_u = fraction(u - surface.offset_tiles.x), tile_v = fraction(v - surface.offset_tiles.y);
+    const std::uint32_t color = texel(at.scene.textures[surface.texture], tile_u, tile_v);
+    const double light = at.scene.snapshot[at.hit.sector].light;
+    seen.texel = {static_cast<float>(tile_u), static_cast<float>(tile_v)};
+    seen.color = shaded(color, shade_at(at.scene.map.render.light, light, contrast, depth));
+    return seen;
+}
+
+Seen sky(const Arrival& at, const Surface& surface, SurfaceId id) {
+    constexpr Shade kAsPainted = 256;
+    const double elevation = at.climb / std::sqrt(1 + at.slope * at.slope);
+    const double turns = turn_of(at.hit.space.direction(at.slope));
+    const SkyTexel sky = sky_texel(surface.tile_m, surface.offset_tiles, turns, elevation);
+    Seen seen{id, std::numeric_limits<double>::infinity(), {}, 0, false};
+    seen.texel = {static_cast<float>(sky.u), static_cast<float>(sky.v)};
+    seen.color = shaded(texel(at.scene.textures[surface.texture], sky.u, sky.v), kAsPainted);
+    return seen;
+}
+
+/// `height` above the eye. Of a flat that is seen extended, or from its wrong side, the part that is nearest to where
+/// the ray really crosses its height.
+Seen flat(const Arrival& at, const Flat& flat, double height, SurfaceId id) {
+    if (flat.sky) return sky(at, flat.surface, id);
+    const double depth = at.climb == 0 ? at.hit.depth : std::clamp(height / at.climb, 0.0, at.hit.depth);
+    const Vec2 place = at.hit.space.eye + at.hit.space.direction(at.slope) * depth - flat.origin;
+    return painted(at, flat.surface, id, place.x / flat.surface.tile_m.x, place.y / flat.surface.tile_m.y, 1, depth);
+}
+
+/// Height above the eye that the texture hangs from.
+double peg_height(const Arrival& at, Peg peg) {
+    switch (peg) {
+        case Peg::ceiling: return at.own.ceiling;
+        case Peg::floor: return at.own.floor;
+        case Peg::opening_top: return std::min(at.own.ceiling, at.behind.ceiling);
+        case Peg::opening_bottom: return std::max(at.own.floor, at.behind.floor);
+    }
+    return at.own.ceiling;
+}
+
+Seen wall(const Arrival& at, const Surface& surface, WallPart part) {
+    const double u = at.hit.along * at.wall.length / surface.tile_m.x;
+    const double v = (peg_height(at, surface.peg) - at.climb * at.hit.depth) / surface.tile_m.y;
+    return painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth);
+}
+
+Seen end_of_chain(const Arrival& at) {
+    const std::uint32_t rgb = at.scene.map.render.recursion_color;
+    const std::uint32_t color = 0xFF000000u | (rgb & 0xFFu) << 16 | (rgb & 0xFF00u) | rgb >> 16;
+    return {kRecursionEnd, at.hit.depth, {}, color, false};
+}
+
+/// A step without a texture, or from sky to sky, is open: one sees past it.
+bool has_upper_step(const Arrival& at) {
+    const bool sky_to_sky = at.sector.ceiling.sky && at.scene.map[at.wall.behind].ceiling.sky;
+    return at.wall.upper.texture && !sky_to_sky;
+}
+
+}  // namespace
+
+Seen look(const Scene& scene, RayPath& path, double slope, double climb) {
+    bool ambiguous = false;
+    const auto answer = [&](Seen seen) { return seen.ambiguous = ambiguous, seen; };
+    for (std::size_t i = 0;; ++i) {
+        const RayHit& hit = path[i];
+        const Wall& met = scene.map[hit.wall];
+        const Opening own = opening_of(scene, hit.sector, hit.space.eye_z);
+        Arrival at{scene, hit, met, scene.map[hit.sector], slope, climb, own, own};
+        ambiguous |= hit.ambiguous || is_close_to(at, own.ceiling) || is_close_to(at, own.floor);
+
+        if (reaches(at, own.ceiling)) return answer(flat(at, at.sector.ceiling, own.ceiling, ceiling_id(hit.sector)));
+        if (!reaches(at, own.floor)) return answer(flat(at, at.sector.floor, own.floor, floor_id(hit.sector)));
+        if (met.kind == WallKind::solid) return answer(wall(at, met.texture, WallPart::middle));
+        if (met.kind == WallKind::portal) {
+            at.behind = opening_of(scene, met.behind, scene.map.passage(met).apply_height(hit.space.eye_z));
+            ambiguous |= is_close_to(at, at.behind.ceiling) || is_close_to(at, at.behind.floor);
+            if (reaches(at, at.behind.ceiling)) {
+                if (has_upper_step(at)) return answer(wall(at, met.upper, WallPart::upper));
+            } else if (!reaches(at, at.behind.floor)) {
+                if (met.lower.texture) return answer(wall(at, met.lower, WallPart::lower));
+            }
+        }
+        const bool is_linked = met.link != Wall::kNoLink;
+        if (is_linked && hit.space.links >= scene.map.render.max_depth) return answer(end_of_chain(at));
+    }
+}
+
+}  // namespace enfilade

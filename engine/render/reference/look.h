@@ -1,0 +1,32 @@
+// What one ray sees: which surface, how far away, which texel, in which colour.
+#pragma once
+#include <cstdint>
+
+#include "map/textures.h"
+#include "render/frame.h"
+#include "render/reference/ray_path.h"
+#include "world/snapshot.h"
+
+namespace enfilade {
+
+/// What there is to see.
+struct Scene {
+    const Map& map;
+    const TextureSet& textures;
+    const Snapshot& snapshot;
+};
+
+/// What a ray ends on.
+struct Seen {
+    SurfaceId id = kNothing;
+    double depth = 0;         ///< along `forward` [m]; sky: infinity
+    TexelPosition texel;      ///< 0, 0 at the end of a chain of links
+    std::uint32_t color = 0;  ///< 0xAABBGGRR, shaded
+    bool ambiguous = false;   ///< a decision on the way was closer than kAmbiguous
+};
+
+/// Follows the ray with this path in the plane that climbs `climb` metres per metre of depth.
+/// path and slope belong together.
+Seen look(const Scene& scene, RayPath& path, double slope, double climb);
+
+}  // namespace enfilade

@@ -1,0 +1,197 @@
+#include "render/reference/ray_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/check.h"
+
+namespace enfilade {
+namespace {
+
+/// Steps of the ray's normal per unit: with slopes up to tan(89.5 degrees) it fits 62 bits.
+constexpr double kNormalSteps = 0x1p55;
+/// What offset() counts in, as metres.
+constexpr double kOffsetUnit = 0x1p-87;
+
+/// Where wall w lies as seen from the line of another: 1 on its right, -1 on its left (touching allowed), 0 on both
+/// sides or all on the line. Walls of a sector never cross: where this is 0 one way round, it is not the other,
+/// unless both are on one line.
+int side_of_wall(const Wall& line, const Wall& w) {
+    const int a = corner(line.a, line.b, w.a), b = corner(line.a, line.b, w.b);
+    if (a * b < 0) return 0;
+    return (a + b > 0) - (a + b < 0);
+}
+
+/// Both face the eye and cover the ray: is `wall` met before `other`?
+bool is_in_front(const Wall& wall, const Wall& other) {
+    const int side = side_of_wall(wall, other);
+    return side != 0 ? side < 0 : side_of_wall(other, wall) > 0;
+}
+
+bool faces(const Wall& wall, Vec2 eye) { return side_of_line(wall.a, wall.b, eye) > 0; }
+
+/// Nearer to each other than anybody should rely on. Two walls that both pass through the eye are at depth 0 exactly.
+bool are_close(double depth, double other) {
+    return std::fabs(depth - other) < kAmbiguous && (depth != 0 || other != 0);
+}
+
+EyeSpace through(const Rigid& link, const EyeSpace& space) {
+    return {snap_to_point_grid(link.apply(space.eye)), link.apply_height(space.eye_z), link.turn(space.forward),
+            space.flip * link.flip, space.links + 1};
+}
+
+}  // namespace
+
+RayPath::RayPath(const Map& map, const View& view, double slope)
+    : map_(map),
+      slope_(slope),
+      first_sector_(view.sector),
+      first_space_{view.eye, view.eye_z, view.forward, view.flip, 0} {}
+
+const RayHit& RayPath::operator[](std::size_t i) {
+    while (hits_.size() <= i) add_next();
+    return hits_[i];
+}
+
+void RayPath::add_next() {
+    if (hits_.empty()) {
+        start_step(first_space_);
+        hits_.push_back(next_hit(first_space_, first_sector_));
+        return;
+    }
+    // A straight line crosses a wall at most once, so between two links no wall is met twice.
+    ENFILADE_CHECK(hits_.size() <= map_.walls.size() * (static_cast<std::size_t>(map_.render.max_depth) + 2));
+    const RayHit last = hits_.back();
+    const Wall& wall = map_[last.wall];
+    ENFILADE_CHECK(wall.kind != WallKind::solid);
+    const bool is_mirror = wall.kind == WallKind::mirror;
+    const bool is_linked = wall.link != Wall::kNoLink;
+    entry_ = is_mirror ? last.wall : wall.exit;
+    entry_depth_ = last.depth;
+    const EyeSpace space = is_linked ? through(map_.passage(wall), last.space) : last.space;
+    if (is_linked) start_step(space);
+    hits_.push_back(next_hit(space, is_mirror ? last.sector : wall.behind));
+}
+
+void RayPath::start_step(const EyeSpace& space) {
+    const Vec2 normal = space.forward * slope_ - right_of(space.forward) * space.flip;
+    normal_x_ = std::llround(normal.x * kNormalSteps);
+    normal_y_ = std::llround(normal.y * kNormalSteps);
+    // With the eye at eye + (e, e^2) every offset changes by -(normal_x e + normal_y e^2).
+    side_of_tie_ = normal_x_ != 0 ? (normal_x_ < 0 ? 1 : -1) : (normal_y_ < 0 ? 1 : -1);
+}
+
+/// How far the vertex is to the left of the ray, times the normal's length: slope * z - x of view space, exactly.
+Int128 RayPath::offset(Vec2 vertex, Vec2 eye) const {
+    return Int128{normal_x_} * (to_grid_units(vertex.x) - to_grid_units(eye.x)) +
+           Int128{normal_y_} * (to_grid_units(vertex.y) - to_grid_units(eye.y));
+}
+
+/// 1 left of the ray, -1 right of it. Never 0.
+int RayPath::side(Vec2 vertex, Vec2 eye) const {
+    const Int128 o = offset(vertex, eye);
+    return o != 0 ? (o > 0 ? 1 : -1) : side_of_tie_;
+}
+
+/// For a wall that faces the eye: does the ray, ahead of the eye, run between its ends? Facing, its a is the left end,
+/// in a mirror the right one; behind the eye left and right change places, which is why nothing else need be asked.
+bool RayPath::covers(const Wall& wall, const EyeSpace& space) const {
+    const bool mirrored = space.flip < 0;
+    const Vec2 left = mirrored ? wall.b : wall.a, right = mirrored ? wall.a : wall.b;
+    return side(left, space.eye) > 0 && side(right, space.eye) < 0;
+}
+
+/// For a wall that faces the eye and covers the ray.
+double RayPath::depth_of(const Wall& wall, const EyeSpace& space) const {
+    const Int128 across = offset(wall.a, space.eye) - offset(wall.b, space.eye);
+    return exact_cross(wall.a, wall.b, space.eye) / (static_cast<double>(across) * kOffsetUnit * space.flip);
+}
+
+/// Of two walls of a sector, the entry being met from behind and `wall` from the front: is `wall` met later?
+bool RayPath::is_beyond_entry(const Wall& wall) const {
+    if (entry_.is_none()) return true;
+    const Wall& entry = map_[entry_];
+    const int side = side_of_wall(entry, wall);
+    return side != 0 ? side > 0 : side_of_wall(wall, entry) > 0;
+}
+
+WallId RayPath::nearest_covering(const EyeSpace& space, SectorId sector) const {
+    const Sector& s = map_[sector];
+    WallId nearest;
+    for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
+        const Wall& wall = map_.walls[i];
+        if (!faces(wall, space.eye) || !covers(wall, space) || !is_beyond_entry(wall)) continue;
+        if (nearest.is_none() || is_in_front(wall, map_[nearest])) nearest = WallId(i);
+    }
+    return nearest;
+}
+
+/// The wall that is nearest to being covered. Rounding the eye onto the grid behind a link can put a ray that came in
+/// at the very edge of a doorway just outside it, where a narrow room has no wall for it. Some wall of a closed outline
+/// always faces the eye, so there always is an answer.
+WallId RayPath::least_missed(const EyeSpace& space, SectorId sector) const {
+    const Sector& s = map_[sector];
+    WallId best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
+        const Wall& wall = map_.walls[i];
+        if (!faces(wall, space.eye)) continue;
+        const double a = static_cast<double>(offset(wall.a, space.eye)) * space.flip;
+        const double b = static_cast<double>(offset(wall.b, space.eye)) * space.flip;
+        const double missed = std::max({-a, b, 0.0}) + (is_beyond_entry(wall) ? 0.0 : kWorldLimit / kOffsetUnit);
+        if (missed < least) {
+            least = missed;
+            best = WallId(i);
+        }
+    }
+    return best;
+}
+
+RayHit RayPath::next_hit(const EyeSpace& space, SectorId sector) const {
+    RayHit hit{space, sector, nearest_covering(space, sector), 0, 0, false};
+    const bool is_lost = hit.wall.is_none();
+    if (is_lost) hit.wall = least_missed(space, sector);
+    const Wall& wall = map_[hit.wall];
+    const auto a = static_cast<double>(offset(wall.a, space.eye)), b = static_cast<double>(offset(wall.b, space.eye));
+    hit.along = a != b ? std::clamp(a / (a - b), 0.0, 1.0) : 0.0;
+    if (is_lost) {
+        const Vec2 place = wall.a + (wall.b - wall.a) * hit.along;
+        hit.depth = std::max(entry_depth_, dot(space.forward, place - space.eye));
+    } else {
+        hit.depth = depth_of(wall, space);
+    }
+    hit.ambiguous = is_lost || is_ambiguous(hit);
+    return hit;
+}
+
+/// Could the ray, moved by kAmbiguous, meet another wall of the sector first? Then the end of a wall that faces the
+/// eye is that near to the ray between the entry and the hit, or another wall is that near to the entry or the hit. An
+/// end at the very eye, a wall through the very eye and the other side of the entry are decided exactly in any
+/// renderer.
+bool RayPath::is_ambiguous(const RayHit& hit) const {
+    const EyeSpace& space = hit.space;
+    const double normal_length = std::sqrt(1 + slope_ * slope_);
+    const auto is_near_ray = [&](Vec2 vertex) {
+        const Vec2 to_vertex = vertex - space.eye;
+        const double ahead = dot(space.forward, to_vertex);
+        const double beside = static_cast<double>(offset(vertex, space.eye)) * kOffsetUnit / normal_length;
+        return std::fabs(beside) < kAmbiguous && ahead > entry_depth_ - kAmbiguous && ahead < hit.depth + kAmbiguous &&
+               to_vertex != Vec2{};
+    };
+    const Wall* entry = entry_.is_none() ? nullptr : &map_[entry_];
+    if (entry && are_close(entry_depth_, hit.depth)) return true;
+    const Sector& s = map_[hit.sector];
+    for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
+        const Wall& wall = map_.walls[i];
+        if (!faces(wall, space.eye)) continue;
+        if (is_near_ray(wall.a) || is_near_ray(wall.b)) return true;
+        const bool is_back_of_entry = entry && ((wall.a == entry->b && wall.b == entry->a) || i == entry_.index);
+        if (WallId(i) == hit.wall || is_back_of_entry || !covers(wall, space)) continue;
+        const double depth = depth_of(wall, space);
+        if (are_close(depth, hit.depth) || (entry && are_close(depth, entry_depth_))) return true;
+    }
+    return false;
+}
+
+}  // namespace enfilade

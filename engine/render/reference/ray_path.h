@@ -1,0 +1,78 @@
+// The walls a ray meets in the plane, one after the other: through portals, links and mirrors, decided exactly.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "map/map.h"
+#include "math/predicates.h"
+#include "render/view.h"
+
+namespace enfilade {
+
+/// The eye and its look, carried through every link passed so far into the space where the ray now is.
+struct EyeSpace {
+    Vec2 eye;            ///< on the point grid [m]
+    double eye_z = 0;    ///< [m]
+    Vec2 forward{1, 0};  ///< unit vector
+    double flip = 1;     ///< -1: an odd number of mirrors was passed
+    int links = 0;       ///< linked portals and mirrors passed
+
+    /// Direction in the plane of the ray with this slope; its length along `forward` is 1.
+    Vec2 direction(double slope) const { return forward + right_of(forward) * (flip * slope); }
+};
+
+/// One wall met by a ray, and where.
+struct RayHit {
+    EyeSpace space;
+    SectorId sector;         ///< the one the ray was in
+    WallId wall;             ///< of that sector
+    double along = 0;        ///< 0 at the wall's a, 1 at its b [1]
+    double depth = 0;        ///< along `forward`; 0 where the eye is on the wall's line [m]
+    bool ambiguous = false;  ///< a vertex or another wall was within kAmbiguous of changing the answer
+};
+
+/// A decision that a shift of this much would have changed is called ambiguous [m]. Far above the rounding of any
+/// renderer that computes in double (1e-9 at the edge of the world), far below what anyone can see.
+inline constexpr double kAmbiguous = 1e-7;
+
+/// The path of the rays of one pixel column. All pixels of a column meet the same walls in the same order; they only
+/// differ in how far up or down they are when they get there, so the path is found once and as far as somebody asks.
+///
+/// The ray's normal is rounded once to a grid of 2^-55. From then on which wall it meets is decided in whole numbers,
+/// for an eye at eye + (e, e^2) (math/predicates.h) in every space: no crack, no double cover, no tolerance.
+/// Cost: each step looks at all walls of one sector.
+class RayPath {
+public:
+    /// view.sector contains view.eye. The map is kept by reference.
+    RayPath(const Map& map, const View& view, double slope);
+
+    /// The i-th wall met, i counting from 0. All before it must be portals or mirrors, as what is behind a solid wall
+    /// is not defined. The reference is valid until the next call.
+    const RayHit& operator[](std::size_t i);
+
+private:
+    void start_step(const EyeSpace& space);
+    void add_next();
+    RayHit next_hit(const EyeSpace& space, SectorId sector) const;
+    WallId nearest_covering(const EyeSpace& space, SectorId sector) const;
+    WallId least_missed(const EyeSpace& space, SectorId sector) const;
+    bool is_ambiguous(const RayHit& hit) const;
+    bool is_beyond_entry(const Wall& wall) const;
+
+    Int128 offset(Vec2 vertex, Vec2 eye) const;
+    int side(Vec2 vertex, Vec2 eye) const;
+    bool covers(const Wall& wall, const EyeSpace& space) const;
+    double depth_of(const Wall& wall, const EyeSpace& space) const;
+
+    const Map& map_;
+    double slope_;
+    SectorId first_sector_;
+    EyeSpace first_space_;
+    WallId entry_;                              ///< wall the ray came into the present sector by, or none
+    double entry_depth_ = 0;                    ///< [m]
+    std::int64_t normal_x_ = 0, normal_y_ = 0;  ///< slope * forward - right [2^-55]
+    int side_of_tie_ = 1;                       ///< what side() says of a vertex exactly on the ray
+    std::vector<RayHit> hits_;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,102 @@
+#include "render/reference/reference_renderer.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "base/check.h"
+#include "base/parallel.h"
+#include "render/reference/look.h"
+
+namespace enfilade {
+namespace {
+
+/// Linear light of the 256 values of a channel (IEC 61966-2-1, "sRGB"), 0..1.
+std::array<double, 256> linear_light_table() {
+    std::array<double, 256> table{};
+    for (int i = 0; i < 256; ++i) {
+        const double c = i / 255.0;
+        table[static_cast<std::size_t>(i)] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    }
+    return table;
+}
+
+std::uint32_t channel_of(double light) {
+    const double c = light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+    return static_cast<std::uint32_t>(c * 255 + 0.5);
+}
+
+/// The mean of colours, as the eye or a camera out of focus would mix them.
+class LightMean {
+public:
+    void add(const std::array<double, 256>& linear, std::uint32_t color) {
+        red_ += linear[color & 0xFF];
+        green_ += linear[color >> 8 & 0xFF];
+        blue_ += linear[color >> 16 & 0xFF];
+    }
+    std::uint32_t color(double count) const {
+        return 0xFF000000u | channel_of(blue_ / count) << 16 | channel_of(green_ / count) << 8 |
+               channel_of(red_ / count);
+    }
+
+private:
+    double red_ = 0, green_ = 0, blue_ = 0;
+};
+
+/// One ray a pixel: the centre's.
+void render_column(Frame& frame, FrameFacts* facts, const Scene& scene, const View& view, const Projection& projection,
+                   int x) {
+    const double slope = projection.slope(x);
+    RayPath path(scene.map, view, slope);
+    for (int y = 0; y < frame.height; ++y) {
+        const Seen seen = look(scene, path, slope, projection.climb(y));
+        const std::size_t i =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x);
+        frame.pixels[i] = seen.color;
+        if (!facts) continue;
+        facts->ids[i] = seen.id;
+        facts->depths[i] = seen.depth;
+        facts->texels[i] = seen.texel;
+        facts->writes[i] = 1;
+        facts->ambiguous[i] = seen.ambiguous;
+    }
+}
+
+/// Replaces the colours of a column by means of samples x samples rays a pixel. `fine` is the projection of a
+/// picture that many times larger, whose pixel centres are the samples.
+void supersample_column(Frame& frame, const Scene& scene, const View& view, const Projection& fine, int samples,
+                        int x) {
+    static const std::array<double, 256> linear = linear_light_table();
+    std::vector<LightMean> means(static_cast<std::size_t>(frame.height));
+    for (int sub_x = x * samples; sub_x < (x + 1) * samples; ++sub_x) {
+        const double slope = fine.slope(sub_x);
+        RayPath path(scene.map, view, slope);
+        for (int sub_y = 0; sub_y < frame.height * samples; ++sub_y)
+            means[static_cast<std::size_t>(sub_y / samples)].add(linear,
+                                                                 look(scene, path, slope, fine.climb(sub_y)).color);
+    }
+    for (int y = 0; y < frame.height; ++y)
+        frame
+            .pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x)] =
+            means[static_cast<std::size_t>(y)].color(samples * samples);
+}
+
+}  // namespace
+
+void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
+                      const Snapshot& snapshot, const View& view, const ReferenceOptions& options) {
+    ENFILADE_CHECK(options.samples >= 1 && options.workers >= 1 && snapshot.sectors.size() == map.sectors.size());
+    const Projection projection(view, frame.width, frame.height);
+    const Projection fine(view, frame.width * options.samples, frame.height * options.samples);
+    const Scene scene{map, textures, snapshot};
+    frame.resize(frame.width, frame.height);
+    if (facts) reset(*facts, frame.width, frame.height);
+    const auto column = [&](std::size_t index, std::size_t) {
+        const int x = static_cast<int>(index);
+        if (facts || options.samples == 1) render_column(frame, facts, scene, view, projection, x);
+        if (options.samples > 1) supersample_column(frame, scene, view, fine, options.samples, x);
+    };
+    parallel_for(static_cast<std::size_t>(frame.width), static_cast<std::size_t>(options.workers), column);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,27 @@
+// The slow renderer that is simply right: what the other two are measured against.
+#pragma once
+#include "map/textures.h"
+#include "render/frame.h"
+#include "render/view.h"
+#include "world/snapshot.h"
+
+namespace enfilade {
+
+/// How the reference renders.
+struct ReferenceOptions {
+    /// The colour of a pixel is the mean, in linear light, of samples x samples rays spread evenly over it.
+    /// >= 1; samples times the frame's sides must not be over kMaxPictureSide.
+    int samples = 1;
+    int workers = 1;  ///< threads, >= 1; the picture does not depend on them
+};
+
+/// Draws the whole frame, whose size is set. What a pixel shows is decided in whole numbers, but for its height at a
+/// wall, which is one product in double. Shares no drawing code with the other renderers.
+///
+/// facts: filled where not null, always from the ray through the pixel's centre; ambiguous is 1 where a shift of
+///        kAmbiguous (render/reference/ray_path.h) would have changed the answer: there another renderer may differ
+/// Cost: about 1 microsecond a pixel and sample, and for each column all walls of the sectors it looks into.
+void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
+                      const Snapshot& snapshot, const View& view, const ReferenceOptions& options = {});
+
+}  // namespace enfilade
