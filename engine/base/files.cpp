@@ -28,13 +28,23 @@ Status write_all(std::FILE* f, const std::string& path, std::span<const std::byt
     return {};
 }
 
+/// Why the path cannot be read as a file, without opening it: opening a pipe could wait for ever.
+Status not_a_file(const std::string& path) {
+    std::error_code failed;
+    switch (std::filesystem::status(path, failed).type()) {
+        case std::filesystem::file_type::regular: return {};
+        case std::filesystem::file_type::not_found: return Error{path, "no such file"};
+        case std::filesystem::file_type::none: return Error{path, "cannot look at the file: " + failed.message()};
+        case std::filesystem::file_type::directory: return Error{path, "expected a file, found a folder"};
+        default: return Error{path, "expected a file, found a device or a pipe"};
+    }
+}
+
 }  // namespace
 
 Result<Bytes> read_file(const std::string& path) {
+    if (auto wrong = not_a_file(path)) return *wrong;
     std::error_code failed;
-    if (!std::filesystem::is_regular_file(path, failed))
-        return Error{path, failed || !std::filesystem::exists(path, failed) ? "no such file"
-                                                                            : "expected a file, found something else"};
     const auto size = std::filesystem::file_size(path, failed);
     if (failed) return Error{path, "cannot tell the file's size: " + failed.message()};
     if (size > kMaxFileBytes)

@@ -25,6 +25,9 @@ public:
         for (char c : text) add(std::uint64_t{static_cast<unsigned char>(c)});
     }
 
+    /// A literal is text too; without this it would be taken for a bool.
+    void add(const char* text) { add(std::string_view(text)); }
+
     std::uint64_t value() const {
         std::uint64_t x = state_;
         x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;

@@ -21,7 +21,7 @@ public:
         return static_cast<std::uint64_t>((static_cast<unsigned __int128>(bits()) * count) >> 64);
     }
 
-    /// Uniform in [low, high).
+    /// Uniform in [low, high); high itself only where rounding the sum leads there.
     double uniform(double low, double high) {
         return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
     }

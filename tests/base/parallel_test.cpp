@@ -1,0 +1,69 @@
+// parallel_for: every index once, any number of workers, and a worker's number is a safe index to scratch memory.
+#include "base/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <numeric>
+#include <thread>
+#include <vector>
+
+namespace enfilade {
+namespace {
+
+TEST(ParallelFor, OfNothingCallsNothing) {
+    for (std::size_t workers : {1u, 2u, 7u})
+        parallel_for(0, workers, [](std::size_t, std::size_t) { FAIL() << "called"; });
+}
+
+TEST(ParallelFor, CallsEveryIndexOnceForAnyNumberOfWorkers) {
+    for (std::size_t workers : {1u, 2u, 3u, 8u, 33u})
+        for (std::size_t count : {1u, 2u, 7u, 1000u}) {
+            std::vector<int> calls(count, 0);
+            parallel_for(count, workers, [&](std::size_t i, std::size_t) { ++calls[i]; });
+            EXPECT_EQ(calls, std::vector<int>(count, 1)) << workers << " workers";
+        }
+}
+
+TEST(ParallelFor, WithOneWorkerRunsInOrderOnTheCallersThread) {
+    std::vector<std::size_t> order;
+    parallel_for(5, 1, [&](std::size_t i, std::size_t worker) {
+        order.push_back(i);
+        EXPECT_EQ(worker, 0u);
+    });
+    EXPECT_EQ(order, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+}
+
+/// Long enough for the other workers to start and take a task of their own.
+void dwell() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
+
+TEST(ParallelFor, NeverRunsTwoCallsOfOneWorkerAtTheSameTime) {
+    constexpr std::size_t kWorkers = 4;
+    std::vector<std::atomic<int>> busy(kWorkers);
+    std::vector<std::uint64_t> scratch(kWorkers, 0);  // without locks: the thread sanitizer sees a broken promise
+    parallel_for(100, kWorkers, [&](std::size_t i, std::size_t worker) {
+        ASSERT_LT(worker, kWorkers);
+        EXPECT_EQ(busy[worker].fetch_add(1, std::memory_order_relaxed), 0);
+        dwell();
+        scratch[worker] += i;
+        busy[worker].fetch_sub(1, std::memory_order_relaxed);
+    });
+    EXPECT_EQ(std::accumulate(scratch.begin(), scratch.end(), std::uint64_t{0}), 4950u);
+}
+
+TEST(ParallelFor, IsDoneWhenItReturns) {
+    std::atomic<int> done{0};
+    parallel_for(8, 8, [&](std::size_t, std::size_t) {
+        dwell();
+        done.fetch_add(1, std::memory_order_relaxed);
+    });
+    EXPECT_EQ(done.load(), 8);
+}
+
+TEST(ParallelForDeathTest, WithoutWorkersIsABrokenContract) {
+    EXPECT_DEATH(parallel_for(1, 0, [](std::size_t, std::size_t) {}), "workers >= 1");
+}
+
+}  // namespace
+}  // namespace enfilade

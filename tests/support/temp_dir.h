@@ -1,0 +1,35 @@
+// A fresh folder for one test, gone when the test ends.
+#pragma once
+#include <stdlib.h>
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "base/check.h"
+
+namespace enfilade::testing {
+
+/// Makes an empty folder below the system's folder for temporary files, and removes it with all it holds.
+class TempDir {
+public:
+    TempDir() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "enfilade-XXXXXX").string();
+        ENFILADE_CHECK(::mkdtemp(pattern.data()) != nullptr);
+        path_ = pattern;
+    }
+    TempDir(const TempDir&) = delete;
+    TempDir& operator=(const TempDir&) = delete;
+    ~TempDir() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+
+    /// The path of `name` inside the folder; of the folder itself without a name.
+    std::string path(const std::string& name = "") const { return (path_ / name).string(); }
+
+private:
+    std::filesystem::path path_;
+};
+
+}  // namespace enfilade::testing
