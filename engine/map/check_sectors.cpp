@@ -1,0 +1,68 @@
+// What a sector must be whatever its shape: a name of its own, a ceiling that is not below its floor.
+#include <cmath>
+#include <vector>
+
+#include "map/draft.h"
+#include "map/names.h"
+#include "map/say.h"
+#include "math/grid.h"
+
+namespace enfilade {
+namespace {
+
+TextPlace place_of(const FlatRecord& flat, const SectorRecord& sector) {
+    return flat.place.line != 0 ? flat.place : sector.place;
+}
+
+void check_height(Draft& draft, const SectorRecord& sector, const FlatRecord& flat, const char* which) {
+    if (std::abs(flat.z) <= kWorldLimit) return;
+    draft.error(place_of(flat, sector), "height-out-of-range",
+                std::string("expected a ") + which + " between -32768 and 32768 m, found " + to_text(flat.z) +
+                    " in sector " + quoted(sector.name));
+}
+
+void check_heights(Draft& draft, const SectorRecord& sector) {
+    check_height(draft, sector, sector.floor, "floor");
+    check_height(draft, sector, sector.ceiling, "ceiling");
+    if (!(sector.ceiling.z < sector.floor.z)) return;
+    draft.error(place_of(sector.ceiling, sector), "ceiling-below-floor",
+                "the ceiling of sector " + quoted(sector.name) + " at " + to_text(sector.ceiling.z) +
+                    " m is below its floor at " + to_text(sector.floor.z) +
+                    " m; raise it, or make them equal for a closed door");
+}
+
+std::string line_text(TextPlace place) {
+    return place.line != 0 ? " in line " + std::to_string(place.line) : std::string();
+}
+
+void check_sector_names(Draft& draft) {
+    std::vector<ScopedName> names;
+    for (std::uint32_t i = 0; i < draft.sectors.size(); ++i)
+        if (!draft.sectors[i].record->name.empty()) names.push_back({0, draft.sectors[i].record->name, i});
+    for (const auto& [first, again] : NameIndex(std::move(names)).duplicates())
+        draft.error(draft.sectors[again].record->place, "duplicate-sector",
+                    "expected a name no other sector has, found " + quoted(draft.sectors[again].record->name) +
+                        " again; it is first used" + line_text(draft.sectors[first].record->place));
+}
+
+void check_wall_names(Draft& draft) {
+    std::vector<ScopedName> names;
+    for (std::uint32_t i = 0; i < draft.walls.size(); ++i)
+        if (!draft.walls[i].record->name.empty())
+            names.push_back({draft.map.walls[i].sector.index, draft.walls[i].record->name, i});
+    for (const auto& [first, again] : NameIndex(std::move(names)).duplicates())
+        draft.error(draft.walls[again].place, "duplicate-wall",
+                    "expected a name no other wall of the sector has, found " +
+                        quoted(draft.walls[again].record->name) + " again; it is first used" +
+                        line_text(draft.walls[first].place));
+}
+
+}  // namespace
+
+void check_sectors(Draft& draft) {
+    for (const SectorDraft& sector : draft.sectors) check_heights(draft, *sector.record);
+    check_sector_names(draft);
+    check_wall_names(draft);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,72 @@
+// What the steps of build_map hand on to each other: the map as far as it is built, and where each part was written.
+// Private to map/.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/finding.h"
+#include "map/map.h"
+#include "map/textures.h"
+
+namespace enfilade {
+
+/// A closed loop of a sector: its walls are [first_wall, first_wall + wall_count) of Map::walls.
+struct Loop {
+    const LoopRecord* record;
+    std::uint32_t first_wall;
+    std::uint32_t wall_count;
+};
+
+/// What is known beside a sector while it is built.
+struct SectorDraft {
+    const SectorRecord* record;
+    std::uint32_t first_loop = 0;  ///< its loops are [first_loop, first_loop + loop_count) of Draft::loops
+    std::uint32_t loop_count = 0;
+    bool measurable = true;  ///< every vertex is in range and belongs to one wall, so that geometry may be asked
+};
+
+/// Where a wall was written.
+struct WallDraft {
+    const WallRecord* record;
+    TextPlace place;  ///< of its first vertex, or the nearest place that is known
+};
+
+struct Draft {
+    const MapFile& file;
+    const TextureSet& textures;
+    Findings& findings;
+    Map map;
+    std::vector<SectorDraft> sectors;  ///< indexed by SectorId
+    std::vector<Loop> loops;
+    std::vector<WallDraft> walls;  ///< indexed by WallId
+
+    /// True for the enfilade dialect: what was ambiguous in the tutorial's is an error here.
+    bool is_strict() const { return file.format != 0; }
+    void error(TextPlace place, std::string_view code, std::string sentence) {
+        findings.push_back({place, Severity::error, std::string(code), std::move(sentence)});
+    }
+    void warning(TextPlace place, std::string_view code, std::string sentence) {
+        findings.push_back({place, Severity::warning, std::string(code), std::move(sentence)});
+    }
+};
+
+// The steps, in order. Each reports what it finds and leaves the draft fit for the next.
+
+/// Sectors, loops and walls, their vertices on the grid (place_walls.cpp).
+void place_walls(Draft& draft);
+/// Heights and names (check_sectors.cpp).
+void check_sectors(Draft& draft);
+/// No two edges of a sector cross, and every edge has its sector on its right (check_loops.cpp).
+void check_loops(Draft& draft);
+/// Which sector each portal leads into and which wall it comes out of (resolve_portals.cpp).
+void resolve_portals(Draft& draft);
+/// What linked portals and mirrors do to whatever passes (links.cpp).
+void link_walls(Draft& draft);
+/// How pictures lie on walls and flats (surfaces.cpp).
+void lay_surfaces(Draft& draft);
+/// The player and the things (inhabitants.cpp).
+void place_inhabitants(Draft& draft);
+
+}  // namespace enfilade

@@ -1,0 +1,43 @@
+// Names of sectors and walls: finding one, and the nearest one where there is none.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace enfilade {
+
+/// A name within a scope (walls are named within their sector; sectors all have scope 0).
+struct ScopedName {
+    std::uint32_t scope;
+    std::string_view name;
+    std::uint32_t id;
+};
+
+/// Looks names up. The texts must outlive it.
+class NameIndex {
+public:
+    explicit NameIndex(std::vector<ScopedName> names);
+
+    /// The lowest id of that name. Cost: log of the number of names.
+    std::optional<std::uint32_t> find(std::uint32_t scope, std::string_view name) const;
+
+    /// The name of the scope that takes the fewest changed letters, if it is near enough to be meant; else empty.
+    /// Gives up (empty) after a fixed number of comparisons in the index's life, so that a file full of unknown
+    /// names cannot cost more than linear time.
+    std::string_view nearest(std::uint32_t scope, std::string_view name) const;
+
+    /// Every name after the first that is equal to another of its scope: (the first, the further one).
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> duplicates() const;
+
+private:
+    std::vector<ScopedName> names_;  ///< by scope, name, id
+    mutable std::size_t comparisons_left_;
+};
+
+/// " (did you mean 'name'?)" for the nearest name, or nothing.
+std::string did_you_mean(std::string_view nearest);
+
+}  // namespace enfilade

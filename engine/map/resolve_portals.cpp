@@ -1,0 +1,123 @@
+// Portals: which sector each leads into, and which of its walls one comes out of.
+#include <vector>
+
+#include "map/draft.h"
+#include "map/names.h"
+#include "map/say.h"
+#include "map/twins.h"
+
+namespace enfilade {
+namespace {
+
+NameIndex sector_names(const Draft& draft) {
+    std::vector<ScopedName> names;
+    names.reserve(draft.map.sectors.size());
+    for (std::uint32_t i = 0; i < draft.map.sectors.size(); ++i) names.push_back({0, draft.map.sectors[i].name, i});
+    return NameIndex(std::move(names));
+}
+
+NameIndex wall_names(const Draft& draft) {
+    std::vector<ScopedName> names;
+    for (std::uint32_t i = 0; i < draft.walls.size(); ++i)
+        if (!draft.walls[i].record->name.empty())
+            names.push_back({draft.map.walls[i].sector.index, draft.walls[i].record->name, i});
+    return NameIndex(std::move(names));
+}
+
+TextPlace known(TextPlace place, TextPlace otherwise) { return place.line != 0 ? place : otherwise; }
+
+/// One pass over all portals with the indexes it needs.
+class Resolver {
+public:
+    explicit Resolver(Draft& draft)
+        : draft_(draft), sectors_(sector_names(draft)), walls_(wall_names(draft)), twins_(draft.map) {}
+
+    void resolve(WallId id) {
+        const WallRecord& record = *draft_.walls[id.index].record;
+        if (record.mirror) return resolve_mirror(id);
+        if (record.next.empty()) return refuse_stray_link(id);
+        Wall& wall = draft_.map.walls[id.index];
+        wall.behind = sector_behind(id);
+        if (wall.behind.is_none() || !draft_.sectors[wall.behind.index].measurable) return;
+        wall.kind = WallKind::portal;
+        if (record.via.empty())
+            wall.exit = twin_of(id);
+        else
+            wall.exit = named_exit(id);
+    }
+
+private:
+    void resolve_mirror(WallId id) {
+        Wall& wall = draft_.map.walls[id.index];
+        const WallDraft& written = draft_.walls[id.index];
+        if (!written.record->next.empty() || !written.record->via.empty())
+            draft_.error(written.place, "mirror-portal",
+                         "a wall is a mirror or a portal, this one is both; drop mirror or next");
+        wall.kind = WallKind::mirror;
+        wall.behind = wall.sector;
+        wall.exit = id;
+    }
+
+    void refuse_stray_link(WallId id) {
+        const WallDraft& written = draft_.walls[id.index];
+        if (!written.record->via.empty())
+            draft_.error(known(written.record->via_place, written.place), "via-without-next",
+                         "via names a wall of the sector in next, but there is no next; add next = \"its sector\"");
+    }
+
+    SectorId sector_behind(WallId id) {
+        const WallDraft& written = draft_.walls[id.index];
+        const std::string& name = written.record->next;
+        if (const auto found = sectors_.find(0, name)) return SectorId(*found);
+        draft_.error(
+            known(written.record->next_place, written.place), "unknown-sector",
+            "expected the name of a sector in next, found " + quoted(name) + did_you_mean(sectors_.nearest(0, name)));
+        return {};
+    }
+
+    WallId named_exit(WallId id) {
+        const SectorId behind = draft_.map[id].behind;
+        const WallDraft& written = draft_.walls[id.index];
+        const std::string& name = written.record->via;
+        if (const auto found = walls_.find(behind.index, name)) return WallId(*found);
+        draft_.error(known(written.record->via_place, written.place), "unknown-wall",
+                     "expected the name of a wall of sector " + quoted(draft_.map[behind].name) + " in via, found " +
+                         quoted(name) + did_you_mean(walls_.nearest(behind.index, name)));
+        return {};
+    }
+
+    WallId twin_of(WallId id) {
+        const Wall& wall = draft_.map[id];
+        if (wall.a == wall.b) return {};
+        if (const WallId twin = twins_.find(wall.behind, wall.a, wall.b)) return twin;
+        // The tutorial never looks at the neighbour's edge; one that is longer still takes whoever passes in.
+        const WallId longer = draft_.is_strict() ? WallId() : twins_.covering(wall.behind, wall.a, wall.b);
+        report_missing_twin(id, longer);
+        return longer;
+    }
+
+    void report_missing_twin(WallId id, WallId longer) {
+        const Wall& wall = draft_.map[id];
+        const std::string& behind = draft_.map[wall.behind].name;
+        std::string sentence = "expected an edge " + edge_text(wall.b, wall.a) + " in sector " + quoted(behind) +
+                               ", which this portal leads into, found none";
+        if (const WallId near = twins_.nearest(wall.behind, wall.a, wall.b))
+            sentence += "; its nearest edge is " + edge_text(draft_.map[near].a, draft_.map[near].b);
+        sentence += "; give both sectors the same vertices, or link the walls by name with via";
+        const Severity severity = longer ? Severity::warning : Severity::error;
+        draft_.findings.push_back({draft_.walls[id.index].place, severity, "missing-twin", std::move(sentence)});
+    }
+
+    Draft& draft_;
+    NameIndex sectors_, walls_;
+    TwinIndex twins_;
+};
+
+}  // namespace
+
+void resolve_portals(Draft& draft) {
+    Resolver resolver(draft);
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) resolver.resolve(WallId(i));
+}
+
+}  // namespace enfilade

@@ -1,0 +1,114 @@
+// How pictures lie on walls and flats: texture specs become tiles and offsets, and each direction its contrast.
+#include <cmath>
+#include <string>
+
+#include "map/draft.h"
+#include "map/say.h"
+
+namespace enfilade {
+namespace {
+
+/// The part of x after the point, in [0, 1); 0 where there is none.
+double fraction_of(double x) {
+    const double f = x - std::floor(x);
+    return f >= 0 && f < 1 ? f : 0;
+}
+
+bool is_scale(double x) { return std::isfinite(x) && x > 0; }
+
+/// What all surfaces of one wall or flat have in common.
+struct Lay {
+    Draft& draft;
+    std::optional<double> size;  ///< texels per metre, instead of metres per tile
+    TextPlace place;             ///< where the spec does not know its own
+
+    Vec2 tile(const TextureSpec& spec, const Texture& texture) const {
+        if (size) return {texture.width / *size, texture.height / *size};
+        return spec.tile_m.value_or(Vec2{1, 1});
+    }
+
+    Surface surface(const std::optional<TextureSpec>& spec, Peg peg) const {
+        Surface s;
+        s.peg = peg;
+        if (!spec) return s;
+        s.texture = spec->name == "-" ? TextureId() : draft.textures.find(spec->name);
+        const Texture& texture = draft.textures[s.texture];
+        s.tile_m = tile(*spec, texture);
+        if (!is_scale(s.tile_m.x) || !is_scale(s.tile_m.y)) refuse_scale(*spec, s.tile_m);
+        s.offset_tiles = {fraction_of(spec->offset_tx.x / texture.width),
+                          fraction_of(spec->offset_tx.y / texture.height)};
+        return s;
+    }
+
+    void refuse_scale(const TextureSpec& spec, Vec2 tile_m) const {
+        draft.error(
+            spec.place.line != 0 ? spec.place : place, "bad-scale",
+            "expected a texture scale above 0, found " + to_text(tile_m) + " metres per tile of " + quoted(spec.name));
+    }
+};
+
+/// Smooth light: from 0.8 on walls along x to 1 on walls along y, by the square of the normal's x. Classic light:
+/// Doom's "fake contrast" (id Software, r_segs.c, 1993): only walls exactly along an axis differ.
+double contrast_of(LightModel model, Vec2 edge) {
+    constexpr double kDark = 0.8, kBright = 1.2;
+    if (model == LightModel::classic) return edge.y == 0 ? kDark : edge.x == 0 ? kBright : 1;
+    return kDark + (1 - kDark) * (edge.y * edge.y / dot(edge, edge));
+}
+
+void lay_wall(Draft& draft, WallId id) {
+    Wall& wall = draft.map.walls[id.index];
+    const WallDraft& written = draft.walls[id.index];
+    const WallRecord& record = *written.record;
+    const Lay lay{draft, record.size, written.place};
+    if (wall.a != wall.b) wall.contrast = contrast_of(draft.file.render.light, wall.b - wall.a);
+    if (wall.kind != WallKind::portal) {
+        wall.texture = lay.surface(record.texture, record.texture_peg);
+        return;
+    }
+    wall.upper = lay.surface(record.upper ? record.upper : record.texture, record.upper_peg);
+    wall.lower = lay.surface(record.lower ? record.lower : record.texture, record.lower_peg);
+    wall.middle = lay.surface(record.middle, record.middle_peg);
+}
+
+void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record, Flat& flat) {
+    const TextPlace place = record.place.line != 0 ? record.place : sector.record->place;
+    // A sky's two numbers are wraps and a tangent, which texels per metre say nothing about.
+    const Lay lay{draft, record.parallax ? std::nullopt : record.size, place};
+    flat.surface = lay.surface(record.texture, Peg::ceiling);
+    flat.sky = record.parallax;
+    if (record.is_relative && sector.loop_count > 0)
+        flat.origin = draft.map.walls[draft.loops[sector.first_loop].first_wall].a;
+}
+
+void warn_of_bare_wall(Draft& draft, WallId id) {
+    const WallDraft& written = draft.walls[id.index];
+    if (draft.map[id].kind != WallKind::solid || !written.record->next.empty() || written.record->texture) return;
+    draft.warning(written.place, "no-texture",
+                  "this solid wall of sector " + quoted(draft.map[draft.map[id].sector].name) +
+                      " has no texture; a placeholder is drawn (texture = \"-\" if that is what you want)");
+}
+
+void warn_of_bare_flat(Draft& draft, const SectorRecord& sector, const FlatRecord& flat, const char* which) {
+    if (flat.texture) return;
+    draft.warning(flat.place.line != 0 ? flat.place : sector.place, "no-texture",
+                  std::string("the ") + which + " of sector " + quoted(sector.name) +
+                      " has no texture; a placeholder is drawn (texture = \"-\" if that is what you want)");
+}
+
+}  // namespace
+
+void lay_surfaces(Draft& draft) {
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) {
+        lay_wall(draft, WallId(i));
+        warn_of_bare_wall(draft, WallId(i));
+    }
+    for (std::size_t i = 0; i < draft.map.sectors.size(); ++i) {
+        const SectorDraft& sector = draft.sectors[i];
+        lay_flat(draft, sector, sector.record->floor, draft.map.sectors[i].floor);
+        lay_flat(draft, sector, sector.record->ceiling, draft.map.sectors[i].ceiling);
+        warn_of_bare_flat(draft, *sector.record, sector.record->floor, "floor");
+        warn_of_bare_flat(draft, *sector.record, sector.record->ceiling, "ceiling");
+    }
+}
+
+}  // namespace enfilade
