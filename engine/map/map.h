@@ -42,7 +42,9 @@ struct Wall {
     SectorId behind;               ///< portal: the sector it leads into; else none
     WallId exit;                   ///< portal: the wall of `behind` one comes out of; equals -edge for plain adjacency
     std::uint32_t link = kNoLink;  ///< index into Map::links, or kNoLink where nothing is transformed
-    double contrast = 1;           ///< light factor by direction, [0.8, 1]: so that corners can be seen
+    /// Light by direction, so that corners can be seen. Smooth light: a factor, from 0.8 along x to 1 along y. Classic
+    /// light: 0.8 exactly along x (one step darker), 1.2 exactly along y (one step brighter), else 1.
+    double contrast = 1;
     Surface texture;               ///< solid
     Surface upper, lower, middle;  ///< portal
     static constexpr std::uint32_t kNoLink = 0xFFFFFFFFu;

@@ -13,8 +13,8 @@ constexpr double kReachAtHalf = 9;     ///< smooth: depth at which light 1/2 has
 constexpr double kFarthest = 1e9;      ///< stands for infinity, which times 0 would be no number [m]
 
 Shade classic(double light, double contrast, double depth) {
-    const double step = contrast >= 1 ? 0 : 1;  // one step of light darker, as Doom does with east-west walls
-    const double number = std::clamp(std::floor(light * (kClassicLights - 1) + 0.5) - step, 0.0, kClassicLights - 1);
+    const double step = contrast < 1 ? -1 : contrast > 1 ? 1 : 0;  // walls along x darker, along y brighter
+    const double number = std::clamp(std::floor(light * (kClassicLights - 1) + 0.5) + step, 0.0, kClassicLights - 1);
     const double level = 4 * (kClassicLights - 1 - number) - std::floor(kClassicDepth / std::max(depth, 0.01));
     return static_cast<Shade>((kClassicLevels - std::clamp(level, 0.0, kClassicLevels - 1)) * (256 / kClassicLevels));
 }
@@ -23,7 +23,7 @@ Shade smooth(double light, double contrast, double depth) {
     // 1 / reach: 0 at full light, 1 / kReachAtHalf at half light.
     const double nearness = (1 - light) * 2 / kReachAtHalf * std::min(depth, kFarthest);
     const double falloff = 1 / (1 + nearness * nearness);
-    return static_cast<Shade>(256 * light * contrast * falloff + 0.5);
+    return static_cast<Shade>(256 * std::min(light * contrast, 1.0) * falloff + 0.5);
 }
 
 }  // namespace
