@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/rooms.h"
+#include "support/rooms.h"
 #include "render/shade.h"
 
 namespace enfilade {

@@ -6,6 +6,8 @@ namespace enfilade::column {
 
 int first_row_below(const Screen& screen, double height, double depth, int top, int bottom) {
     const double height_px = height * screen.focal_y;
+    // A wall through the eye is met an instant after the start: level with the eye, only up or down counts.
+    if (depth == 0 && height == 0) depth = 1;
     const auto is_below = [&](int y) { return screen.row_rises[y] * depth < height_px; };
     const double guess = std::ceil(screen.horizon - 0.5 - height_px / depth);
     int y = !(guess > top) ? top : guess >= bottom ? bottom : static_cast<int>(guess);

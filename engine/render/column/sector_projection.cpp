@@ -20,13 +20,20 @@ Vec2 to_view(Vec2 vertex, const Pose& pose) {
     return {dot(pose.right, d), dot(pose.forward, d)};
 }
 
+/// Whether the ray of a column runs to the right of a vertex. For a vertex exactly on it the tie rule decides: the eye
+/// at eye + (e, e^2) adds -(n.x e + n.y e^2), n = slope * forward - right, to the edge functions of all vertices alike.
+/// Any rule of the vertex's own would lose the ray of an eye that stands on a doorway's line and looks along it.
+bool runs_right_of(Vec2 vertex_v, double slope, const Pose& pose) {
+    const double e = edge(vertex_v, slope);
+    if (e != 0) return e > 0;
+    const Vec2 normal = pose.forward * slope - pose.right;
+    return normal.x != 0 ? normal.x < 0 : normal.y < 0;
+}
+
 /// The first column of those to the right of the vertex's own ray (for a vertex behind the eye: of the ray's other
 /// half, where the edge function turns negative). The division only guesses; the edge function decides.
-int split_column(Vec2 v, const Screen& screen) {
-    const auto is_right = [&](int x) {
-        const double e = edge(v, screen.slopes[x]);
-        return v.y >= 0 ? e >= 0 : e < 0;
-    };
+int split_column(Vec2 v, const Pose& pose, const Screen& screen) {
+    const auto is_right = [&](int x) { return runs_right_of(v, screen.slopes[x], pose) == (v.y >= 0); };
     const double guess = std::ceil((v.x / v.y) * screen.column_scale + 0.5 * (screen.width - 1));
     int x = !(guess > 0) ? 0 : guess >= screen.width ? screen.width : static_cast<int>(guess);
     while (x > 0 && is_right(x - 1)) --x;
@@ -34,9 +41,9 @@ int split_column(Vec2 v, const Screen& screen) {
     return x;
 }
 
-/// Columns where e_L >= 0 and e_R < 0, given where each changes its sign.
-void set_columns(ProjectedWall& w, const Screen& screen) {
-    const int left = split_column(w.left_v, screen), right = split_column(w.right_v, screen);
+/// Columns whose rays run to the right of L and to the left of R, given where each changes.
+void set_columns(ProjectedWall& w, const Pose& pose, const Screen& screen) {
+    const int left = split_column(w.left_v, pose, screen), right = split_column(w.right_v, pose, screen);
     const bool left_ahead = w.left_v.y >= 0, right_ahead = w.right_v.y >= 0;
     w.begin = std::max(left_ahead ? left : 0, right_ahead ? 0 : right);
     w.end = std::min(left_ahead ? screen.width : left, right_ahead ? right : screen.width);
@@ -72,7 +79,7 @@ void project(const Map& map, SectorId sector, const Pose& pose, const Screen& sc
         w.swapped = pose.flip < 0;
         w.left_v = to_view(w.swapped ? wall.b : wall.a, pose);
         w.right_v = to_view(w.swapped ? wall.a : wall.b, pose);
-        set_columns(w, screen);
+        set_columns(w, pose, screen);
         if (w.begin >= w.end) continue;
         w.cross = std::max(exact_cross(wall.a, wall.b, pose.eye), 0.0);
         w.inverse_cross = 1 / w.cross;

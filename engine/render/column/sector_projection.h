@@ -9,8 +9,9 @@
 namespace enfilade::column {
 
 /// A wall that faces the eye, as columns see it. With e_V(s) = s V.z - V.x, a function of the vertex V alone, the
-/// wall from left end L to right end R covers column slope s where e_L(s) >= 0 and e_R(s) < 0: neighbours share a
-/// vertex, so they meet without gap or overlap, and nothing has to be clipped at a near plane.
+/// wall from left end L to right end R covers column slope s where e_L(s) > 0 > e_R(s): neighbours share a vertex, so
+/// they meet without gap or overlap, and nothing has to be clipped at a near plane. On which side 0 counts is a
+/// property of the ray alone (the tie rule, math/predicates.h).
 struct ProjectedWall {
     WallId wall;
     int begin = 0, end = 0;  ///< columns covered, within the screen
@@ -27,10 +28,10 @@ struct WallHit {
     double along = 0;  ///< position on the wall from a to b, 0..1
 };
 
-/// e_V(slope): not negative where the ray passes at or to the right of a vertex ahead of the eye.
+/// e_V(slope): positive where the ray passes to the right of a vertex ahead of the eye.
 inline double edge(Vec2 vertex_v, double slope) { return slope * vertex_v.y - vertex_v.x; }
 
-/// e_L - e_R: positive wherever the wall covers the column, because there e_L >= 0 > e_R.
+/// e_L - e_R: positive wherever the wall covers the column, because e_L and e_R are not both 0 there.
 inline double edge_span(const ProjectedWall& w, double slope) { return edge(w.left_v, slope) - edge(w.right_v, slope); }
 
 /// 1 / depth at slope s: linear in s, infinite where the eye is on the wall's line.

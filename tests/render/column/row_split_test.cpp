@@ -51,6 +51,11 @@ TEST(FirstRowBelow, PutsAnEyeInTheWallsPlaneBetweenItsHeights) {
     EXPECT_EQ(first_row_below(screen, 0.0, 0, 10, 90), 90);   // the eye exactly at the height
 }
 
+TEST(FirstRowBelow, DividesTheRowsOfAnEyeAtAHeightOfTheWallItStandsInAtTheHorizon) {
+    const Screen screen = screen_of(320, 200);
+    EXPECT_EQ(first_row_below(screen, 0.0, 0, 10, 190), 100);
+}
+
 TEST(SplitRows, CoversTheOpenRowsInOrderForAnyHeights) {
     const Screen screen = screen_of(200, 160, -0.5);
     Random random(7);

@@ -94,17 +94,18 @@ TEST(Project, CoversEachColumnOnceFromRandomPlacesInAConvexRoom) {
 TEST(Project, CoversEachColumnOnceFromWallsAndVertices) {
     const std::vector<Vec2> outline{{-4, -4}, {0, -4}, {4, -4}, {4, 4}, {-2, 4}, {-4, 2}};
     const Map map = room(outline);
-    const Screen screen = screen_of(320);
-    for (std::size_t i = 0; i < outline.size(); ++i)
-        for (Vec2 eye : {outline[i], (outline[i] + outline[(i + 1) % outline.size()]) * 0.5})
-            for (std::uint32_t eighth = 0; eighth < 8; ++eighth) {
-                // Under the tie rule an eye on a wall is in the room or not; only inside has it a full view.
-                const Pose pose = pose_at(eye, Angle{eighth << 29});
-                int winding_right = 0;
-                for (const Wall& wall : map.walls) winding_right += side_of_line(wall.a, wall.b, eye) > 0;
-                if (winding_right != static_cast<int>(map.walls.size())) continue;
-                EXPECT_TRUE(all_ones(coverage(map, pose, screen))) << eye.x << "," << eye.y << " eighth " << eighth;
-            }
+    for (int width : {320, 117})  // an odd width has a ray straight ahead, along the wall the eye stands on
+        for (std::size_t i = 0; i < outline.size(); ++i)
+            for (Vec2 eye : {outline[i], (outline[i] + outline[(i + 1) % outline.size()]) * 0.5})
+                for (std::uint32_t eighth = 0; eighth < 8; ++eighth) {
+                    // Under the tie rule an eye on a wall is in the room or not; only inside has it a full view.
+                    const Pose pose = pose_at(eye, Angle{eighth << 29});
+                    const Screen screen = screen_of(width);
+                    int winding_right = 0;
+                    for (const Wall& wall : map.walls) winding_right += side_of_line(wall.a, wall.b, eye) > 0;
+                    if (winding_right != static_cast<int>(map.walls.size())) continue;
+                    EXPECT_TRUE(all_ones(coverage(map, pose, screen))) << eye.x << "," << eye.y << " eighth " << eighth;
+                }
 }
 
 TEST(Hit, NeverLeavesTheWallHoweverGrazingTheLook) {

@@ -1,4 +1,4 @@
-#include "render/rooms.h"
+#include "support/rooms.h"
 
 #include <algorithm>
 #include <cmath>

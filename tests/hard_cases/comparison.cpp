@@ -1,0 +1,121 @@
+#include "hard_cases/comparison.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <vector>
+
+#include "base/parallel.h"
+#include "render/column/column_renderer.h"
+#include "render/reference/reference_renderer.h"
+
+namespace enfilade::test {
+namespace {
+
+constexpr std::size_t kThreads = 2;
+
+std::string text_of(const Map& map, SurfaceId id) {
+    if (id == kNothing) return "nothing";
+    if (id == kRecursionEnd) return "the end of a chain of links";
+    const auto first_wall = static_cast<SurfaceId>(1 + 2 * map.sectors.size());
+    if (id < first_wall) return (id % 2 ? "the floor of '" : "the ceiling of '") + map.sectors[(id - 1) / 2].name + "'";
+    const SurfaceId wall = (id - first_wall) / 3;
+    const char* const part[] = {"", "upper step of ", "lower step of "};
+    char text[200];
+    const Wall& w = map.walls[wall];
+    std::snprintf(text, sizeof text, "wall %u (%.10g,%.10g -> %.10g,%.10g)", wall, w.a.x, w.a.y, w.b.x, w.b.y);
+    return std::string(part[(id - first_wall) % 3]) + text + " of '" + map[w.sector].name + "'";
+}
+
+double yaw_degrees(const View& view) { return std::atan2(view.forward.y, view.forward.x) * 180 / std::numbers::pi; }
+
+struct BothPictures {
+    Frame column, reference;
+    FrameFacts column_facts, reference_facts;
+};
+
+void note_pixel(const Map& map, const BothPictures& both, std::size_t i, Comparison& result) {
+    const SurfaceId shown = both.column_facts.ids[i], truth = both.reference_facts.ids[i];
+    const int writes = both.column_facts.writes[i];
+    const bool is_sure = both.reference_facts.ambiguous[i] == 0;
+    result.unwritten += writes == 0;
+    result.written_twice += writes > 1;
+    result.ambiguous += !is_sure;
+    result.wrong += shown != truth && is_sure;
+    result.other_color += shown == truth && both.column.pixels[i] != both.reference.pixels[i];
+    if (result.is_faultless() || !result.first_fault.empty()) return;
+    const std::size_t width = static_cast<std::size_t>(both.column.width);
+    result.first_fault = "pixel (" + std::to_string(i % width) + ", " + std::to_string(i / width) + "), written " +
+                         std::to_string(writes) + " times, shows " + text_of(map, shown) + " instead of " +
+                         text_of(map, truth);
+}
+
+}  // namespace
+
+Comparison& Comparison::operator+=(const Comparison& other) {
+    pixels += other.pixels;
+    unwritten += other.unwritten;
+    written_twice += other.written_twice;
+    wrong += other.wrong;
+    ambiguous += other.ambiguous;
+    other_color += other.other_color;
+    if (first_fault.empty()) first_fault = other.first_fault;
+    return *this;
+}
+
+std::string describe(const Comparison& c) {
+    char text[300];
+    const auto per_million = [&](std::uint64_t n) {
+        return 1e6 * static_cast<double>(n) / static_cast<double>(c.pixels);
+    };
+    std::snprintf(text, sizeof text,
+                  "of %.3g million pixels %llu unwritten, %llu written twice, %llu wrong; %.3g per million "
+                  "ambiguous, %.3g of another colour\n  ",
+                  static_cast<double>(c.pixels) * 1e-6, static_cast<unsigned long long>(c.unwritten),
+                  static_cast<unsigned long long>(c.written_twice), static_cast<unsigned long long>(c.wrong),
+                  per_million(c.ambiguous), per_million(c.other_color));
+    return text + c.first_fault;
+}
+
+std::string command_line(const std::string& map_name, const Map& map, const View& view, PictureSize size) {
+    char text[600];
+    std::snprintf(text, sizeof text,
+                  "enfilade render %s --view %.17g,%.17g,%.17g,%.17g,%.17g --sector '%s' --size %dx%d --fov %.17g "
+                  "--stretch %.17g --renderer reference --out fault.png",
+                  map_name.c_str(), view.eye.x, view.eye.y, view.eye_z, yaw_degrees(view),
+                  std::atan(view.pitch_tangent) * 180 / std::numbers::pi, map[view.sector].name.c_str(), size.width,
+                  size.height, view.fov_degrees, view.stretch);
+    return text;
+}
+
+Comparison compare(const Subject& subject, const Snapshot& snapshot, const View& view, PictureSize size) {
+    BothPictures both;
+    both.column.resize(size.width, size.height);
+    both.reference.resize(size.width, size.height);
+    reset(both.column_facts, size.width, size.height);
+    ColumnRenderer renderer;
+    renderer.render(both.column, &both.column_facts, subject.map, subject.textures, snapshot, view);
+    render_reference(both.reference, &both.reference_facts, subject.map, subject.textures, snapshot, view);
+    Comparison result;
+    result.pixels = both.column.pixels.size();
+    for (std::size_t i = 0; i < result.pixels; ++i) note_pixel(subject.map, both, i, result);
+    if (!result.first_fault.empty()) result.first_fault += "\n  " + command_line(subject.name, subject.map, view, size);
+    return result;
+}
+
+Comparison compare_poses(const Subject& subject, PoseKind kind, int count, PictureSize size, std::uint64_t seed) {
+    const Snapshot snapshot = at_rest(subject.map);
+    Random random(seed);
+    std::vector<View> views;
+    for (int i = 0; i < count; ++i)
+        views.push_back(kind == PoseKind::random ? random_pose(subject.map, random)
+                                                 : lattice_pose(subject.map, size, random));
+    std::vector<Comparison> results(views.size());
+    parallel_for(views.size(), kThreads,
+                 [&](std::size_t i, std::size_t) { results[i] = compare(subject, snapshot, views[i], size); });
+    Comparison sum;
+    for (const Comparison& result : results) sum += result;
+    return sum;
+}
+
+}  // namespace enfilade::test
