@@ -9,7 +9,7 @@ namespace enfilade {
 /// A place in a text file. Lines and columns count from 1; 0 means "the file as a whole".
 struct TextPlace {
     std::uint32_t line = 0;
-    std::uint32_t column = 0;  ///< [bytes], as compilers count
+    std::uint32_t column = 0;  ///< [characters], as editors count; a tab is one
 
     auto operator<=>(const TextPlace&) const = default;
 };

@@ -17,6 +17,8 @@ struct TextureSpec {
     std::optional<Vec2> tile_m;  ///< SU, SV: metres per tile; sky: wraps per turn, tangent of its height. Absent: 1, 1
     Vec2 offset_tx;              ///< OU, OV: subtracted [texels]
     TextPlace place;
+
+    bool operator==(const TextureSpec&) const = default;
 };
 
 /// Which height a texture hangs from (its top row there) or stands on (its bottom row there).
@@ -75,7 +77,7 @@ struct SectorRecord {
     std::string name;
     double light = 1;
     FlatRecord floor;
-    FlatRecord ceiling;  ///< z is 2 where the author gave none
+    FlatRecord ceiling{2, {}, {}, false, false, {}};
     std::vector<LoopRecord> loops;
     std::vector<PanelRecord> panels;
     std::optional<DoomRecord> doom;

@@ -15,13 +15,21 @@ struct MapReading {
     Findings findings;  ///< sorted by place
 };
 
-/// Reads a map in either dialect; the dialect is told by the top-level key `format`. Never throws; any bytes are
-/// safe. Texts over kMaxMapBytes, or nested over 64 deep, are refused before memory is taken for them.
+/// Reads a map in either dialect. Every number of the records is finite and in its range, every loop has as many
+/// walls as vertices, and a required key that is missing leaves its default: findings say so, none of it need be
+/// checked again. Names, geometry and everything that two records must agree on are not looked at.
+///
+/// The dialect is told by the top-level key `format`. Never throws; any bytes are safe. Texts over kMaxMapBytes or
+/// kMaxMapValues, or nested over 64 deep, are refused before memory is taken for them.
 /// Cost: about 50 ns a byte.
 MapReading read_map(std::string_view text);
 
 /// Largest map text that is read [bytes]. Memory needed is about 20 times the text (toml++'s tree).
 inline constexpr std::size_t kMaxMapBytes = std::size_t{40} << 20;
+
+/// Most values (numbers, strings, arrays, tables) in one map. A sector with ten walls has about 80; memory needed is
+/// 100 to 250 bytes for each.
+inline constexpr std::size_t kMaxMapValues = std::size_t{6} << 20;
 
 /// The map as text in the enfilade dialect: the same records give the same bytes, and read_map gives the same
 /// records back (places aside). Numbers are written with the fewest digits that read back exactly.

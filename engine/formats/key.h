@@ -1,0 +1,181 @@
+// One list of keys for each kind of record: reading, writing, messages, and the tests of schema and manual use it.
+#pragma once
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "formats/quoted.h"
+#include "formats/reading.h"
+#include "formats/table_text.h"
+
+namespace enfilade {
+
+enum class Need : std::uint8_t { optional, required };
+
+/// A key that a record's table may have.
+template <class Record>
+struct Key {
+    std::string_view name;
+    Dialect since = Dialect::tutorial;  ///< enfilade: an error in a tutorial file
+    Need need = Need::optional;
+    Range range;
+    void (*read)(Reading&, const NamedValue&, Range, Record&) = nullptr;
+    /// Adds the key unless the field is as in `defaults`; null: written elsewhere, or an alias that is not written.
+    void (*write)(TableText&, const Key&, const Record&, const Record& defaults) = nullptr;
+};
+
+/// Where a message lists keys, the record's name comes with its article: "a wall".
+template <class Record>
+struct KeyList {
+    std::string_view record;
+    std::span<const Key<Record>> keys;
+};
+
+/// The keys of a kind of record, in the order they are written. Defined once for each, beside its keys.
+template <class Record>
+const KeyList<Record>& keys_of();
+
+/// What is wrong with a record as a whole, once its keys are read. For most kinds nothing.
+template <class Record>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, Record&) {}
+
+template <class Record>
+void unknown_key(Reading& reading, const TomlEntry& entry, const KeyList<Record>& list) {
+    std::vector<std::string_view> known;
+    for (const Key<Record>& key : list.keys) known.push_back(key.name);
+    reading.error(entry.key_place, "unknown-key",
+                  std::string(list.record) + " has no key " + quoted(entry.key) + suggestion(entry.key, known));
+}
+
+void needs_format_1(Reading& reading, const TomlEntry& entry);
+void missing_key(Reading& reading, TextPlace place, std::string_view record, std::string_view key);
+
+/// Reads a table into a record with the record's list of keys.
+template <class Record>
+void read_record(Reading& reading, TomlNode table, Record& record) {
+    const KeyList<Record>& list = keys_of<Record>();
+    const std::vector<TomlEntry> entries = table.entries();
+    if constexpr (requires { record.place; }) record.place = table.place();
+    for (const TomlEntry& entry : entries) {
+        const auto has_name = [&](const Key<Record>& key) { return key.name == entry.key; };
+        const auto key = std::find_if(list.keys.begin(), list.keys.end(), has_name);
+        if (key == list.keys.end())
+            unknown_key(reading, entry, list);
+        else if (key->since > reading.dialect)
+            needs_format_1(reading, entry);
+        else
+            key->read(reading, {entry.key, entry.value}, key->range, record);
+    }
+    for (const Key<Record>& key : list.keys) {
+        const auto is_given = [&](const TomlEntry& entry) { return entry.key == key.name; };
+        if (key.need == Need::required && std::none_of(entries.begin(), entries.end(), is_given))
+            missing_key(reading, table.place(), list.record, key.name);
+    }
+    check_record(reading, table, entries, record);
+}
+
+template <class T>
+inline constexpr bool is_vector = false;
+template <class T>
+inline constexpr bool is_vector<std::vector<T>> = true;
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+/// Whether read_value has an overload for the type; the others are records, or vectors or optionals of them.
+template <class T>
+concept Plain =
+    requires(Reading& reading, const NamedValue& value, T& field) { read_value(reading, value, Range{}, field); };
+
+template <class Field>
+void read_field(Reading& reading, const NamedValue& value, Range range, Field& field) {
+    if constexpr (Plain<Field>) {
+        read_value(reading, value, range, field);
+    } else if constexpr (is_optional<Field>) {
+        read_field(reading, value, range, field.emplace());
+    } else if constexpr (is_vector<Field>) {
+        if (!expect(reading, value, TomlKind::array)) return;
+        field.reserve(value.node.size());
+        for (std::size_t i = 0; i < value.node.size(); ++i)
+            read_field(reading, {value.name, value.node.at(i)}, range, field.emplace_back());
+    } else if (expect(reading, value, TomlKind::table)) {
+        read_record(reading, value.node, field);
+    }
+}
+
+/// The record as "key = value" pairs, without what is as in `defaults`.
+template <class Record>
+std::string record_text(const Record& record, const Record& defaults, TableText::Style style) {
+    TableText table(style);
+    for (const Key<Record>& key : keys_of<Record>().keys)
+        if (key.write) key.write(table, key, record, defaults);
+    return table.text();
+}
+
+template <class Field>
+std::string field_text(const Field& field, const Field& defaults) {
+    if constexpr (Plain<Field> && !is_optional<Field>) {
+        return value_text(field);
+    } else if constexpr (is_optional<Field>) {
+        return field_text(*field, defaults ? *defaults : typename Field::value_type{});
+    } else if constexpr (is_vector<Field>) {
+        std::string lines = "[\n";
+        for (const auto& record : field) lines += "  " + field_text(record, {}) + ",\n";
+        return lines + "]";
+    } else {
+        return record_text(field, defaults, TableText::Style::braces);
+    }
+}
+
+/// Whether there is nothing to write about a field.
+template <class Field>
+bool is_as_in(const Field& field, const Field& defaults) {
+    if constexpr (is_optional<Field>)
+        return !field;
+    else if constexpr (Plain<Field>)
+        return field == defaults;
+    else if constexpr (is_vector<Field>)
+        return field.empty();
+    else
+        return field_text(field, defaults) == "{}";
+}
+
+template <class Pointer>
+struct MemberPointer;
+template <class R, class Field>
+struct MemberPointer<Field R::*> {
+    using Record = R;
+};
+/// A key for the field that a path of member pointers leads to: key<&ThingRecord::position, &Vec2::x>("x", …).
+template <auto first, auto... rest>
+constexpr auto key(std::string_view name, Dialect since, Need need = Need::optional, Range range = {}) {
+    using Record = typename MemberPointer<decltype(first)>::Record;
+    return Key<Record>{name,
+                       since,
+                       need,
+                       range,
+                       [](Reading& reading, const NamedValue& value, Range within, Record& record) {
+                           read_field(reading, value, within, ((record.*first).*....*rest));
+                       },
+                       [](TableText& table, const Key<Record>& k, const Record& record, const Record& defaults) {
+                           const auto& field = ((record.*first).*....*rest);
+                           const auto& usual = ((defaults.*first).*....*rest);
+                           if (k.need == Need::required || !is_as_in(field, usual))
+                               table.add(k.name, field_text(field, usual));
+                       }};
+}
+
+/// The same for arrays of tables with headers of their own, which write_map lays out.
+template <auto member>
+constexpr auto header_key(std::string_view name, Dialect since, Need need = Need::optional) {
+    auto only_read = key<member>(name, since, need);
+    only_read.write = nullptr;
+    return only_read;
+}
+
+}  // namespace enfilade

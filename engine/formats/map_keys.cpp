@@ -1,0 +1,85 @@
+#include "formats/map_keys.h"
+
+#include <algorithm>
+
+#include "formats/number_text.h"
+
+namespace enfilade {
+namespace {
+
+/// Widest line of vertices [characters].
+constexpr std::size_t kLineWidth = 100;
+
+template <class Record>
+void add_keys(std::vector<KeyInfo>& all, const std::string& prefix) {
+    for (const Key<Record>& key : keys_of<Record>().keys)
+        all.push_back({prefix + std::string(key.name), key.since == Dialect::tutorial, key.need == Need::required});
+}
+
+}  // namespace
+
+void needs_format_1(Reading& reading, const TomlEntry& entry) {
+    reading.error(entry.key_place, "needs-format-1",
+                  quoted(entry.key) + " belongs to the enfilade dialect; put 'format = 1' at the top of the file");
+}
+
+void missing_key(Reading& reading, TextPlace place, std::string_view record, std::string_view key) {
+    reading.error(place, "missing-key", std::string(record) + " needs " + quoted(key) + ", found none");
+}
+
+const TomlEntry* find_entry(std::span<const TomlEntry> entries, std::string_view key) {
+    const auto it = std::find_if(entries.begin(), entries.end(), [&](const TomlEntry& e) { return e.key == key; });
+    return it == entries.end() ? nullptr : &*it;
+}
+
+void refuse_both(Reading& reading, std::span<const TomlEntry> entries, std::string_view one, std::string_view other,
+                 std::string_view code) {
+    const TomlEntry* first = find_entry(entries, one);
+    const TomlEntry* second = find_entry(entries, other);
+    if (!first || !second) return;
+    reading.error(std::max(first->key_place, second->key_place), code,
+                  quoted(one) + " and " + quoted(other) + " say the same thing; give only one of them");
+}
+
+void refuse_tile_and_size(Reading& reading, const TextureSpec& spec) {
+    if (spec.tile_m)
+        reading.error(spec.place, "tile-and-size",
+                      "the texture gives metres per tile, and 'size' gives texels per metre; give only one of them "
+                      "(an offset alone is \"NAME - OU,OV\")");
+}
+
+std::string vertices_text(std::span<const Vec2> vertices) {
+    std::string text = "[";
+    std::size_t line_start = 0;
+    for (const Vec2& v : vertices) {
+        const std::string pair = number_text(v.x) + ", " + number_text(v.y);
+        if (&v != &vertices.front()) {
+            const bool is_full = text.size() + pair.size() - line_start > kLineWidth;
+            text += is_full ? ",\n     " : ",  ";
+            if (is_full) line_start = text.size() - 5;
+        }
+        text += pair;
+    }
+    return text + "]";
+}
+
+std::vector<KeyInfo> map_keys() {
+    std::vector<KeyInfo> all;
+    add_keys<MapFile>(all, "");
+    add_keys<RenderRecord>(all, "render.");
+    add_keys<PlayerRecord>(all, "player.");
+    add_keys<SectorRecord>(all, "sectors.");
+    add_keys<FlatRecord>(all, "sectors.floor.");
+    add_keys<FlatRecord>(all, "sectors.ceiling.");
+    add_keys<DoomRecord>(all, "sectors.doom.");
+    add_keys<LoopRecord>(all, "sectors.loops.");
+    add_keys<WallRecord>(all, "sectors.loops.walls.");
+    add_keys<DoomRecord>(all, "sectors.loops.walls.doom.");
+    add_keys<PanelRecord>(all, "sectors.panels.");
+    add_keys<ThingRecord>(all, "things.");
+    add_keys<SpriteFrameRecord>(all, "things.frames.");
+    add_keys<DoomRecord>(all, "things.doom.");
+    return all;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,93 @@
+// What the lists of a map's keys share: ranges, checks, and the list of lists.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/key.h"
+#include "formats/map_file.h"
+#include "math/grid.h"
+
+namespace enfilade {
+
+/// Vertices are rounded to the grid before they are checked; half a step beyond the limit still rounds to it [m].
+inline constexpr Range kVertices{-kWorldLimit - kVertexGrid / 2, kWorldLimit + kVertexGrid / 2};
+
+/// Positions in the plane [m].
+inline constexpr Range kPositions{-kWorldLimit, kWorldLimit};
+
+/// Heights, absolute and differences: as far as the world reaches sideways [m].
+inline constexpr Range kHeights{-kWorldLimit, kWorldLimit};
+
+/// Sizes of pictures, in their own pixels [texels per metre]; see kMinTile.
+inline constexpr Range kTexelsPerMetre{0x1p-16, 0x1p16};
+
+/// Angles: enough turns for anybody, few enough to stay exact [degrees or radians].
+inline constexpr Range kAngles{-0x1p30, 0x1p30};
+
+inline constexpr Range kLight{0, 1};
+
+/// The member of that name, or null.
+const TomlEntry* find_entry(std::span<const TomlEntry> entries, std::string_view key);
+
+/// Notes an error at the later of two keys that must not both be given.
+void refuse_both(Reading& reading, std::span<const TomlEntry> entries, std::string_view one, std::string_view other,
+                 std::string_view code);
+
+/// Notes tile-and-size if the specification says metres per tile: `size` was given as well.
+void refuse_tile_and_size(Reading& reading, const TextureSpec& spec);
+
+/// "[x0, y0,  x1, y1, …]", broken into lines where it gets long.
+std::string vertices_text(std::span<const Vec2> vertices);
+
+// Each kind of record has its list in the file named after it.
+template <>
+const KeyList<WallRecord>& keys_of();
+template <>
+const KeyList<LoopRecord>& keys_of();
+template <>
+const KeyList<FlatRecord>& keys_of();
+template <>
+const KeyList<PanelRecord>& keys_of();
+template <>
+const KeyList<SectorRecord>& keys_of();
+template <>
+const KeyList<DoomRecord>& keys_of();
+template <>
+const KeyList<SpriteFrameRecord>& keys_of();
+template <>
+const KeyList<ThingRecord>& keys_of();
+template <>
+const KeyList<PlayerRecord>& keys_of();
+template <>
+const KeyList<RenderRecord>& keys_of();
+template <>
+const KeyList<MapFile>& keys_of();
+
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, WallRecord&);
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, LoopRecord&);
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, FlatRecord&);
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, PanelRecord&);
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, SectorRecord&);
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, ThingRecord&);
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, PlayerRecord&);
+
+/// One key, for tests that hold the schema and the manual to the readers.
+struct KeyInfo {
+    std::string path;  ///< "sectors.loops.walls.next"
+    bool tutorial;     ///< may stand in a tutorial file
+    bool required;
+};
+
+/// Every key of a map file, in the order of the lists.
+std::vector<KeyInfo> map_keys();
+
+}  // namespace enfilade

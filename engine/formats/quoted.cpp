@@ -1,0 +1,60 @@
+#include "formats/quoted.h"
+
+#include <vector>
+
+namespace enfilade {
+namespace {
+
+/// Longest part of a file's word that a message repeats [bytes].
+constexpr std::size_t kShownBytes = 60;
+
+/// How many letters must be put in, taken out, replaced or swapped with their neighbour to turn one word into the
+/// other (optimal string alignment; Damerau, "A technique for computer detection and correction of spelling errors",
+/// 1964). Cost: the product of the lengths.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> two_ago(b.size() + 1), previous(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::swap(two_ago, previous);
+        std::swap(previous, row);
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = previous[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j] = std::min({replaced, previous[j] + 1, row[j - 1] + 1});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], two_ago[j - 2] + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+}  // namespace
+
+std::string quoted(std::string_view word) {
+    std::size_t length = std::min(word.size(), kShownBytes);
+    while (length < word.size() && length > 0 && (static_cast<unsigned char>(word[length]) & 0xC0) == 0x80) --length;
+    std::string shown = "'";
+    for (char c : word.substr(0, length)) {
+        const auto byte = static_cast<unsigned char>(c);
+        shown += byte < 0x20 || byte == 0x7F ? '?' : c;
+    }
+    return shown + (length < word.size() ? "…'" : "'");
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
+    std::size_t best = word.size() > kShownBytes ? 0 : 1 + word.size() / 3;
+    std::string_view nearest;
+    for (std::string_view candidate : known) {
+        const std::size_t distance = best == 0 ? 1 : edit_distance(word, candidate);
+        if (distance > best || distance == 0 || (distance == best && !nearest.empty())) continue;
+        best = distance;
+        nearest = candidate;
+    }
+    if (!nearest.empty()) return "; did you mean '" + std::string(nearest) + "'?";
+    std::string list = "; known here: ";
+    for (std::string_view candidate : known) list += std::string(candidate) + ", ";
+    list.resize(list.size() - 2);
+    return list;
+}
+
+}  // namespace enfilade

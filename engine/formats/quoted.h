@@ -1,0 +1,16 @@
+// Words of a hostile file, fit to be shown in a message.
+#pragma once
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace enfilade {
+
+/// The word in single quotes; control characters become '?', and what is longer than 60 bytes is cut.
+std::string quoted(std::string_view word);
+
+/// "; did you mean 'X'?" with the known word nearest to this one, or "; known here: A, B, C" where none is near.
+std::string suggestion(std::string_view word, std::span<const std::string_view> known);
+
+}  // namespace enfilade

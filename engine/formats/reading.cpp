@@ -1,0 +1,149 @@
+#include "formats/reading.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "formats/number_text.h"
+#include "formats/quoted.h"
+#include "formats/texture_spec.h"
+#include "formats/words.h"
+
+namespace enfilade {
+namespace {
+
+std::string is_to_be(const NamedValue& value, std::string_view expected) {
+    return quoted(value.name) + " must be " + std::string(expected);
+}
+
+/// A limit in a message: six digits say enough, and hide the half grid step that vertices may round away.
+std::string limit_text(double limit) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, limit, std::chars_format::general, 6).ptr};
+}
+
+void out_of_range(Reading& reading, const NamedValue& value, Range range, double found) {
+    std::string expected;
+    if (range.high == Range{}.high)
+        expected = "at least " + limit_text(range.low);
+    else
+        expected = "from " + limit_text(range.low) + " to " + limit_text(range.high);
+    reading.error(value.node.place(), "out-of-range", is_to_be(value, expected) + ", found " + number_text(found));
+}
+
+/// The number in its range, or none with a finding.
+std::optional<double> number_in(Reading& reading, const NamedValue& value, Range range) {
+    if (value.node.kind() != TomlKind::integer && value.node.kind() != TomlKind::real) {
+        wrong_type(reading, value, "a number");
+        return {};
+    }
+    const double number = value.node.number();
+    if (!std::isfinite(number)) {
+        reading.error(value.node.place(), "bad-number",
+                      is_to_be(value, "a finite number") + (std::isnan(number) ? ", found nan" : ", found infinity"));
+        return {};
+    }
+    if (number < range.low || number > range.high) out_of_range(reading, value, range, number);
+    return std::clamp(number, range.low, range.high);
+}
+
+template <class Word>
+void read_word(Reading& reading, const NamedValue& value, Word& field) {
+    if (!expect(reading, value, TomlKind::string)) return;
+    const auto& words = words_of(field);
+    const auto it = std::find(words.begin(), words.end(), value.node.text());
+    if (it == words.end()) return unknown_word(reading, value, words);
+    field = static_cast<Word>(it - words.begin());
+}
+
+}  // namespace
+
+void Reading::error(TextPlace place, std::string_view code, std::string sentence) {
+    if (findings.size() > kMaxFindings) return;
+    if (findings.size() == kMaxFindings)
+        findings.push_back({place, Severity::error, "too-many-findings",
+                            "there is more wrong than these " + std::to_string(kMaxFindings) + " findings"});
+    else
+        findings.push_back({place, Severity::error, std::string(code), std::move(sentence)});
+}
+
+void wrong_type(Reading& reading, const NamedValue& value, std::string_view expected) {
+    reading.error(value.node.place(), "wrong-type",
+                  is_to_be(value, expected) + ", found " + std::string(name_of(value.node.kind())));
+}
+
+bool expect(Reading& reading, const NamedValue& value, TomlKind kind) {
+    if (value.node.kind() == kind) return true;
+    wrong_type(reading, value, name_of(kind));
+    return false;
+}
+
+void unknown_word(Reading& reading, const NamedValue& value, std::span<const std::string_view> words) {
+    std::string list;
+    for (std::string_view word : words) list += (list.empty() ? "\"" : ", \"") + std::string(word) + "\"";
+    reading.error(value.node.place(), "unknown-word",
+                  is_to_be(value, "one of " + list) + ", found " + quoted(value.node.text()));
+}
+
+void read_value(Reading& reading, const NamedValue& value, Range range, double& field) {
+    if (const auto number = number_in(reading, value, range)) field = *number;
+}
+
+void read_value(Reading& reading, const NamedValue& value, Range range, std::optional<double>& field) {
+    if (const auto number = number_in(reading, value, range)) field = *number;
+}
+
+void read_value(Reading& reading, const NamedValue& value, Range range, int& field) {
+    const Range whole{std::max(range.low, -2147483648.0), std::min(range.high, 2147483647.0)};
+    if (!expect(reading, value, TomlKind::integer)) return;
+    if (const auto number = number_in(reading, value, whole)) field = static_cast<int>(*number);
+}
+
+void read_value(Reading& reading, const NamedValue& value, Range, bool& field) {
+    if (expect(reading, value, TomlKind::boolean)) field = value.node.boolean();
+}
+
+void read_value(Reading& reading, const NamedValue& value, Range range, Vec2& field) {
+    if (value.node.kind() != TomlKind::array || value.node.size() != 2)
+        return wrong_type(reading, value, "an array of two numbers");
+    read_value(reading, {value.name, value.node.at(0)}, range, field.x);
+    read_value(reading, {value.name, value.node.at(1)}, range, field.y);
+}
+
+void read_value(Reading& reading, const NamedValue& value, Range, std::string& field) {
+    if (!expect(reading, value, TomlKind::string)) return;
+    if (value.node.text().empty())
+        return reading.error(value.node.place(), "empty-string", is_to_be(value, "a string that is not empty"));
+    field = value.node.text();
+}
+
+void read_value(Reading& reading, const NamedValue& value, Range range, std::vector<std::string>& field) {
+    if (!expect(reading, value, TomlKind::array)) return;
+    field.clear();
+    for (std::size_t i = 0; i < value.node.size(); ++i)
+        read_value(reading, {value.name, value.node.at(i)}, range, field.emplace_back());
+}
+
+void read_value(Reading& reading, const NamedValue& value, Range, TextureSpec& field) {
+    field.place = value.node.place();
+    if (!expect(reading, value, TomlKind::string)) return;
+    Result<TextureSpec> spec = parse_texture_spec(value.node.text());
+    if (!spec)
+        return reading.error(value.node.place(), "bad-texture-spec", quoted(value.name) + ": " + spec.error().what);
+    field = std::move(spec).value();
+    field.place = value.node.place();
+}
+
+void read_value(Reading& reading, const NamedValue& value, Range range, std::optional<TextureSpec>& field) {
+    TextureSpec spec;
+    read_value(reading, value, range, spec);
+    if (!spec.name.empty()) field = std::move(spec);
+}
+
+void read_value(Reading& reading, const NamedValue& value, Range, Peg& field) { read_word(reading, value, field); }
+
+void read_value(Reading& reading, const NamedValue& value, Range, LightModel& field) {
+    read_word(reading, value, field);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,55 @@
+#include "formats/table_text.h"
+
+#include "formats/number_text.h"
+#include "formats/texture_spec.h"
+
+namespace enfilade {
+namespace {
+
+std::string escaped(char c) {
+    constexpr std::string_view kDigits = "0123456789ABCDEF";
+    switch (c) {
+        case '"': return "\\\"";
+        case '\\': return "\\\\";
+        case '\n': return "\\n";
+        case '\t': return "\\t";
+        default: break;
+    }
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte != 0x7F) return {c};
+    return std::string("\\u00") + kDigits[byte >> 4] + kDigits[byte & 15];
+}
+
+}  // namespace
+
+std::string string_text(std::string_view text) {
+    std::string quoted = "\"";
+    for (char c : text) quoted += escaped(c);
+    return quoted + '"';
+}
+
+std::string value_text(double number) { return number_text(number); }
+std::string value_text(int number) { return std::to_string(number); }
+std::string value_text(bool truth) { return truth ? "true" : "false"; }
+std::string value_text(const std::string& text) { return string_text(text); }
+std::string value_text(Vec2 pair) { return "[" + number_text(pair.x) + ", " + number_text(pair.y) + "]"; }
+std::string value_text(const TextureSpec& spec) { return string_text(to_text(spec)); }
+
+std::string value_text(const std::vector<std::string>& texts) {
+    std::string list;
+    for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + string_text(text);
+    return "[" + list + "]";
+}
+
+void TableText::add(std::string_view key, std::string_view value) {
+    if (style_ == Style::braces && !pairs_.empty()) pairs_ += ", ";
+    pairs_.append(key).append(" = ").append(value);
+    if (style_ == Style::lines) pairs_ += '\n';
+}
+
+std::string TableText::text() const {
+    if (style_ == Style::lines) return pairs_;
+    return pairs_.empty() ? "{}" : "{ " + pairs_ + " }";
+}
+
+}  // namespace enfilade

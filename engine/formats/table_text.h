@@ -1,0 +1,43 @@
+// Values and tables as TOML text, laid out as a person would.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/map_file.h"
+#include "formats/words.h"
+#include "math/vec.h"
+
+namespace enfilade {
+
+/// A TOML string in quotes, everything escaped that must be.
+std::string string_text(std::string_view text);
+
+std::string value_text(double number);
+std::string value_text(int number);
+std::string value_text(bool truth);
+std::string value_text(const std::string& text);
+std::string value_text(Vec2 pair);
+std::string value_text(const std::vector<std::string>& texts);
+std::string value_text(const TextureSpec& spec);
+inline std::string value_text(Peg peg) { return string_text(kPegWords[static_cast<std::size_t>(peg)]); }
+inline std::string value_text(LightModel m) { return string_text(kLightModelWords[static_cast<std::size_t>(m)]); }
+
+/// Collects "key = value" pairs, as lines or for braces.
+class TableText {
+public:
+    enum class Style { lines, braces };
+    explicit TableText(Style style) : style_(style) {}
+
+    void add(std::string_view key, std::string_view value);
+    bool empty() const { return pairs_.empty(); }
+    /// Lines, each with its end; or "{ a = 1, b = 2 }" without one.
+    std::string text() const;
+
+private:
+    Style style_;
+    std::string pairs_;
+};
+
+}  // namespace enfilade

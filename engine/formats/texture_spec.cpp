@@ -1,0 +1,126 @@
+#include "formats/texture_spec.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "formats/number_text.h"
+#include "formats/quoted.h"
+
+namespace enfilade {
+namespace {
+
+constexpr std::string_view kShape = "expected \"NAME [SU,SV [OU,OV]]\"";
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Takes the next word off the front of the text. A comma ends a word and is one by itself.
+std::string_view take_word(std::string_view& text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    std::size_t length = 0;
+    while (length < text.size() && !is_blank(text[length]) && text[length] != ',') ++length;
+    if (length == 0 && !text.empty()) length = 1;
+    const std::string_view word = text.substr(0, length);
+    text.remove_prefix(length);
+    return word;
+}
+
+/// Like take_word, but commas belong to names.
+std::string_view take_name(std::string_view& text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    std::size_t length = 0;
+    while (length < text.size() && !is_blank(text[length])) ++length;
+    const std::string_view word = text.substr(0, length);
+    text.remove_prefix(length);
+    return word;
+}
+
+bool leaves_its_folder(std::string_view name) {
+    if (name.starts_with('/')) return true;
+    for (std::size_t start = 0; start <= name.size();) {
+        const std::size_t end = std::min(name.find('/', start), name.size());
+        if (name.substr(start, end - start) == "..") return true;
+        start = end + 1;
+    }
+    return false;
+}
+
+bool has_control_character(std::string_view name) {
+    for (char c : name)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) return true;
+    return false;
+}
+
+Error bad_spec(std::string what) { return {"", std::move(what)}; }
+
+Result<Vec2> take_pair(std::string_view& text, std::string_view what) {
+    Vec2 pair;
+    for (double* number : {&pair.x, &pair.y}) {
+        const std::string_view word = take_word(text);
+        const auto value = parse_number(word);
+        if (!value)
+            return bad_spec(std::string(kShape) + ": " + std::string(what) + " is a pair of numbers, found " +
+                            (word.empty() ? "the end" : quoted(word)));
+        *number = *value;
+        if (number == &pair.x && take_word(text) != ",")
+            return bad_spec(std::string(kShape) + ": " + std::string(what) +
+                            " is a pair, the second number is missing");
+    }
+    return pair;
+}
+
+bool is_tile(double metres) { return std::abs(metres) >= kMinTile && std::abs(metres) <= kMaxTile; }
+
+bool only_blanks(std::string_view text) { return text.find_first_not_of(" \t") == std::string_view::npos; }
+
+std::string number_pair(Vec2 pair) { return number_text(pair.x) + "," + number_text(pair.y); }
+
+Status take_tile(std::string_view& text, TextureSpec& spec) {
+    std::string_view rest = text;
+    if (take_word(rest) == "-") {
+        text = rest;
+        return only_blanks(text) ? Status(bad_spec(std::string(kShape) + ": behind '-' the offset is missing"))
+                                 : Status();
+    }
+    const Result<Vec2> tile = take_pair(text, "SU,SV");
+    if (!tile) return tile.error();
+    if (!is_tile(tile.value().x) || !is_tile(tile.value().y))
+        return bad_spec("SU and SV are metres per tile: expected sizes from 2^-16 to 2^16, found " +
+                        number_pair(tile.value()));
+    spec.tile_m = tile.value();
+    return {};
+}
+
+Status take_offset(std::string_view& text, TextureSpec& spec) {
+    const Result<Vec2> offset = take_pair(text, "OU,OV");
+    if (!offset) return offset.error();
+    spec.offset_tx = offset.value();
+    if (std::abs(spec.offset_tx.x) <= kMaxTextureOffset && std::abs(spec.offset_tx.y) <= kMaxTextureOffset) return {};
+    return bad_spec("OU and OV are texels: expected at most 2^20, found " + number_pair(spec.offset_tx));
+}
+
+}  // namespace
+
+Result<TextureSpec> parse_texture_spec(std::string_view text) {
+    TextureSpec spec;
+    spec.name = take_name(text);
+    if (spec.name.empty()) return bad_spec(std::string(kShape) + ", found an empty string");
+    if (leaves_its_folder(spec.name) || has_control_character(spec.name))
+        return bad_spec("expected a picture's name, found " + quoted(spec.name));
+    if (only_blanks(text)) return spec;
+    if (Status wrong = take_tile(text, spec)) return *wrong;
+    if (only_blanks(text)) return spec;
+    if (Status wrong = take_offset(text, spec)) return *wrong;
+    if (!only_blanks(text)) return bad_spec(std::string(kShape) + ", found more behind it");
+    return spec;
+}
+
+std::string to_text(const TextureSpec& spec) {
+    std::string text = spec.name;
+    const bool has_offset = !(spec.offset_tx == Vec2{});
+    if (spec.tile_m) text += " " + number_pair(*spec.tile_m);
+    if (has_offset) text += (spec.tile_m ? " " : " - ") + number_pair(spec.offset_tx);
+    return text;
+}
+
+}  // namespace enfilade

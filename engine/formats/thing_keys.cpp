@@ -1,0 +1,68 @@
+// The keys of things and of the pictures they show.
+#include <array>
+
+#include "formats/map_keys.h"
+
+namespace enfilade {
+namespace {
+
+constexpr auto kNew = Dialect::enfilade;
+
+/// Origins of sprites may lie outside the picture, but not further than the largest picture is wide [texels].
+constexpr Range kOrigins{-0x1p14, 0x1p14};
+
+/// A picture may stay for a day [s].
+constexpr Range kFrameSeconds{0, 86400};
+
+/// A thing's radius and height [m].
+constexpr Range kThingSizes{0, 1024};
+
+constexpr std::array kFrameKeys{
+    key<&SpriteFrameRecord::texture>("texture", kNew, Need::required),
+    key<&SpriteFrameRecord::seconds>("seconds", kNew, Need::optional, kFrameSeconds),
+    key<&SpriteFrameRecord::origin_tx>("origin", kNew, Need::optional, kOrigins),
+};
+
+constexpr std::array kThingKeys{
+    key<&ThingRecord::name>("name", kNew),
+    key<&ThingRecord::kind>("class", kNew),
+    key<&ThingRecord::sector>("sector", kNew),
+    key<&ThingRecord::position, &Vec2::x>("x", kNew, Need::required, kPositions),
+    key<&ThingRecord::position, &Vec2::y>("y", kNew, Need::required, kPositions),
+    key<&ThingRecord::z>("z", kNew, Need::optional, kHeights),
+    key<&ThingRecord::yaw_degrees>("yaw", kNew, Need::optional, kAngles),
+    key<&ThingRecord::radius>("radius", kNew, Need::optional, kThingSizes),
+    key<&ThingRecord::height>("height", kNew, Need::optional, kThingSizes),
+    key<&ThingRecord::solid>("solid", kNew),
+    key<&ThingRecord::hanging>("hanging", kNew),
+    key<&ThingRecord::rotations>("rotations", kNew, Need::optional, {1, 8}),
+    key<&ThingRecord::size>("size", kNew, Need::optional, kTexelsPerMetre),
+    key<&ThingRecord::light>("light", kNew, Need::optional, kLight),
+    key<&ThingRecord::frames>("frames", kNew),
+    key<&ThingRecord::doom>("doom", kNew),
+};
+
+constexpr KeyList<SpriteFrameRecord> kFrameList{"a sprite's frame", kFrameKeys};
+constexpr KeyList<ThingRecord> kThingList{"a thing", kThingKeys};
+
+}  // namespace
+
+template <>
+const KeyList<SpriteFrameRecord>& keys_of() {
+    return kFrameList;
+}
+
+template <>
+const KeyList<ThingRecord>& keys_of() {
+    return kThingList;
+}
+
+template <>
+void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, ThingRecord& thing) {
+    if (thing.rotations == 1 || thing.rotations == 8) return;
+    reading.error(find_entry(entries, "rotations")->value.place(), "out-of-range",
+                  "'rotations' must be 1 or 8, found " + std::to_string(thing.rotations));
+    thing.rotations = 1;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,148 @@
+#include "formats/toml.h"
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+
+#include "base/check.h"
+#include "formats/toml_guard.h"
+
+// toml++ 3.3.0 states what it believes as assertions, and with NDEBUG as promises to the optimiser; fuzzing shows
+// that texts like "[=]" break some of them. Without NDEBUG and with an empty TOML_ASSERT they are neither, and the
+// code after them gives a proper error.
+#undef NDEBUG
+#define TOML_ASSERT(expr) static_cast<void>(0)
+#define TOML_EXCEPTIONS 1
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/impl/preprocessor.h>
+
+namespace {
+[[noreturn]] void reached_the_unreachable() { throw std::logic_error("a character that is not expected here"); }
+}  // namespace
+
+// The same for places it thinks it cannot reach (with letters beyond ASCII it can): an error instead of anything.
+#undef TOML_UNREACHABLE
+#define TOML_UNREACHABLE reached_the_unreachable()
+#include <toml++/toml.h>
+
+namespace enfilade {
+namespace {
+
+TextPlace place_of(const toml::source_position& position) {
+    return {static_cast<std::uint32_t>(position.line), static_cast<std::uint32_t>(position.column)};
+}
+
+TomlKind kind_of(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::string: return TomlKind::string;
+        case toml::node_type::integer: return TomlKind::integer;
+        case toml::node_type::floating_point: return TomlKind::real;
+        case toml::node_type::boolean: return TomlKind::boolean;
+        case toml::node_type::array: return TomlKind::array;
+        case toml::node_type::table: return TomlKind::table;
+        case toml::node_type::none: return TomlKind::absent;
+        default: return TomlKind::date;
+    }
+}
+
+const toml::node& as_node(const void* node) {
+    ENFILADE_CHECK(node != nullptr);
+    return *static_cast<const toml::node*>(node);
+}
+
+/// The node as the library's type for one kind of value.
+template <class T>
+const T& as(const void* node) {
+    const T* typed = as_node(node).as<T>();
+    ENFILADE_CHECK(typed != nullptr);
+    return *typed;
+}
+
+Finding syntax_error(TextPlace place, std::string_view description) {
+    std::string sentence(description);
+    if (sentence.starts_with('E')) sentence.front() = 'e';  // the library's sentences start with "Error while"
+    return {place, Severity::error, "bad-toml", "not valid TOML: " + sentence};
+}
+
+}  // namespace
+
+/// Makes nodes for TomlNode, whose header must not know the library.
+struct TomlAccess {
+    static TomlNode look_at(const toml::node& node) { return {&node, kind_of(node)}; }
+};
+
+struct TomlDocument::Tree {
+    toml::table root;
+};
+
+std::string_view name_of(TomlKind kind) {
+    switch (kind) {
+        case TomlKind::absent: return "nothing";
+        case TomlKind::string: return "a string";
+        case TomlKind::integer: return "a whole number";
+        case TomlKind::real: return "a number";
+        case TomlKind::boolean: return "true or false";
+        case TomlKind::date: return "a date or time";
+        case TomlKind::array: return "an array";
+        case TomlKind::table: return "a table";
+    }
+    return "";
+}
+
+TextPlace TomlNode::place() const { return node_ ? place_of(as_node(node_).source().begin) : TextPlace{}; }
+
+std::string_view TomlNode::text() const { return as<toml::value<std::string>>(node_).get(); }
+
+std::int64_t TomlNode::integer() const { return as<toml::value<std::int64_t>>(node_).get(); }
+
+double TomlNode::number() const {
+    return kind_ == TomlKind::integer ? static_cast<double>(integer()) : as<toml::value<double>>(node_).get();
+}
+
+bool TomlNode::boolean() const { return as<toml::value<bool>>(node_).get(); }
+
+std::size_t TomlNode::size() const {
+    return kind_ == TomlKind::array ? as<toml::array>(node_).size() : as<toml::table>(node_).size();
+}
+
+TomlNode TomlNode::at(std::size_t index) const {
+    const auto& array = as<toml::array>(node_);
+    ENFILADE_CHECK(index < array.size());
+    return TomlAccess::look_at(array[index]);
+}
+
+std::vector<TomlEntry> TomlNode::entries() const {
+    const auto& table = as<toml::table>(node_);
+    std::vector<TomlEntry> entries;
+    entries.reserve(table.size());
+    for (const auto& [key, value] : table)
+        entries.push_back({key.str(), place_of(key.source().begin), TomlAccess::look_at(value)});
+    std::sort(entries.begin(), entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
+        return a.key_place != b.key_place ? a.key_place < b.key_place : a.key < b.key;
+    });
+    return entries;
+}
+
+TomlDocument::TomlDocument(std::unique_ptr<Tree> tree) : tree_(std::move(tree)) {}
+TomlDocument::TomlDocument(TomlDocument&&) noexcept = default;
+TomlDocument& TomlDocument::operator=(TomlDocument&&) noexcept = default;
+TomlDocument::~TomlDocument() = default;
+
+TomlNode TomlDocument::root() const { return TomlAccess::look_at(tree_->root); }
+
+std::optional<TomlDocument> TomlDocument::parse(std::string_view text, const TomlLimits& limits, Findings& findings) {
+    if (auto problem = reason_to_refuse(text, limits)) {
+        findings.push_back(std::move(*problem));
+        return {};
+    }
+    try {
+        return TomlDocument(std::make_unique<Tree>(Tree{toml::parse(text)}));
+    } catch (const toml::parse_error& error) {
+        findings.push_back(syntax_error(place_of(error.source().begin), error.description()));
+    } catch (const std::logic_error& error) {
+        findings.push_back(syntax_error({}, error.what()));
+    }
+    return {};
+}
+
+}  // namespace enfilade

@@ -1,0 +1,81 @@
+// TOML text as a tree to look at. The one door to the TOML library: nothing else in the house includes it.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/finding.h"
+
+namespace enfilade {
+
+enum class TomlKind : std::uint8_t { absent, string, integer, real, boolean, date, array, table };
+
+/// How a message calls it: "a string", "a whole number", …
+std::string_view name_of(TomlKind kind);
+
+struct TomlEntry;
+
+/// A look at one value of a document, without a copy: two words, valid as long as the document. Asking for what the
+/// kind does not have is a broken contract.
+class TomlNode {
+public:
+    TomlNode() = default;  ///< absent
+
+    TomlKind kind() const { return kind_; }
+    TextPlace place() const;
+
+    std::string_view text() const;  ///< string
+    double number() const;          ///< integer or real; may be infinite or NaN
+    std::int64_t integer() const;   ///< integer
+    bool boolean() const;           ///< boolean
+
+    std::size_t size() const;              ///< array or table: how many members
+    TomlNode at(std::size_t index) const;  ///< array; index < size()
+    /// table: its members in the order of the text. Cost: O(n log n), one allocation.
+    std::vector<TomlEntry> entries() const;
+
+private:
+    friend class TomlDocument;
+    friend struct TomlAccess;
+    TomlNode(const void* node, TomlKind kind) : node_(node), kind_(kind) {}
+
+    const void* node_ = nullptr;
+    TomlKind kind_ = TomlKind::absent;
+};
+
+/// A member of a table.
+struct TomlEntry {
+    std::string_view key;  ///< as meant, without its quotes
+    TextPlace key_place;
+    TomlNode value;
+};
+
+/// What is read before it is refused. The tree takes up to 250 bytes of memory a value.
+struct TomlLimits {
+    std::size_t bytes = std::size_t{1} << 20;
+    std::size_t values = std::size_t{1} << 16;
+};
+
+/// A parsed text. Does not refer to the text any more.
+class TomlDocument {
+public:
+    /// The document, or none and one more finding: too-large, not-utf8, too-deep or bad-toml. Any bytes are safe.
+    /// Cost: about 50 ns and 10 to 20 bytes of memory for a byte of text.
+    static std::optional<TomlDocument> parse(std::string_view text, const TomlLimits& limits, Findings& findings);
+
+    TomlDocument(TomlDocument&&) noexcept;
+    TomlDocument& operator=(TomlDocument&&) noexcept;
+    ~TomlDocument();
+
+    TomlNode root() const;  ///< a table
+
+private:
+    struct Tree;
+    explicit TomlDocument(std::unique_ptr<Tree> tree);
+    std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace enfilade

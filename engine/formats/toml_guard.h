@@ -1,0 +1,28 @@
+// What is refused before the TOML library sees a text: bytes that are not UTF-8, and texts that would take memory,
+// stack or time out of proportion.
+#pragma once
+#include <optional>
+#include <string_view>
+
+#include "base/finding.h"
+#include "formats/toml.h"
+
+namespace enfilade {
+
+/// How deep tables and arrays may be nested, dotted keys and headers included. The deepest honest file (a wall's
+/// table in a loop in a sector) needs 7; the library recurses, so this also bounds the stack.
+inline constexpr int kMaxTomlDepth = 64;
+
+/// Dots in keys (`floor.z = 0`), in a whole file. The library looks each such key up in a list of all of them, which
+/// takes time with the square of their number: 65536 are half a second.
+inline constexpr std::size_t kMaxDottedKeys = std::size_t{1} << 16;
+
+/// Headers of tables with a dot (`[sectors.floor]`), in a whole file, for the same reason; enough for 131072 sectors
+/// with two of them each.
+inline constexpr std::size_t kMaxDottedHeaders = std::size_t{1} << 18;
+
+/// The first reason not to parse the text: too-large, not-utf8, too-deep, or bad-toml for what the library does not
+/// survive. A text that passes may still be wrong. Cost: a few ns a byte, no memory.
+std::optional<Finding> reason_to_refuse(std::string_view text, const TomlLimits& limits);
+
+}  // namespace enfilade

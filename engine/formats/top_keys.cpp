@@ -1,0 +1,113 @@
+// The keys of a map file as a whole, of the player's start and of the picture.
+#include <array>
+#include <charconv>
+
+#include "formats/map_keys.h"
+
+namespace enfilade {
+namespace {
+
+constexpr auto kBoth = Dialect::tutorial;
+constexpr auto kNew = Dialect::enfilade;
+
+/// Radians to degrees.
+constexpr double kDegreesPerRadian = 57.29577951308232;
+
+/// The tutorial's `angle`, in radians.
+void read_angle(Reading& reading, const NamedValue& value, Range range, PlayerRecord& player) {
+    double radians = 0;
+    read_value(reading, value, range, radians);
+    player.yaw_degrees = radians * kDegreesPerRadian;
+}
+
+constexpr std::array kPlayerKeys{
+    key<&PlayerRecord::sector>("sector", kBoth),
+    key<&PlayerRecord::position, &Vec2::x>("x", kBoth, Need::required, kPositions),
+    key<&PlayerRecord::position, &Vec2::y>("y", kBoth, Need::required, kPositions),
+    key<&PlayerRecord::eye_z>("z", kBoth, Need::required, kHeights),
+    key<&PlayerRecord::yaw_degrees>("yaw", kNew, Need::optional, kAngles),
+    Key<PlayerRecord>{"angle", kBoth, Need::optional, kAngles, read_angle},
+};
+
+/// "#rrggbb", or the number 0xrrggbb.
+void read_color(Reading& reading, const NamedValue& value, Range, RenderRecord& render) {
+    const TomlNode node = value.node;
+    if (node.kind() == TomlKind::integer && node.integer() >= 0 && node.integer() <= 0xFFFFFF) {
+        render.recursion_color = static_cast<std::uint32_t>(node.integer());
+        return;
+    }
+    const std::string_view text = node.kind() == TomlKind::string ? node.text() : "";
+    std::uint32_t color = 0;
+    if (text.size() == 7 && text[0] == '#') {
+        const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, color, 16);
+        if (error == std::errc() && end == text.data() + 7) {
+            render.recursion_color = color;
+            return;
+        }
+    }
+    reading.error(node.place(), "bad-color", quoted(value.name) + " must be a colour like \"#ff00ff\"");
+}
+
+void write_color(TableText& table, const Key<RenderRecord>& key, const RenderRecord& render,
+                 const RenderRecord& usual) {
+    if (render.recursion_color == usual.recursion_color) return;
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text = "#";
+    for (int shift = 20; shift >= 0; shift -= 4) text += kDigits[(render.recursion_color >> shift) & 15];
+    table.add(key.name, string_text(text));
+}
+
+constexpr std::array kRenderKeys{
+    key<&RenderRecord::stretch>("stretch", kNew, Need::optional, {0.125, 8}),
+    key<&RenderRecord::light>("light", kNew),
+    Key<RenderRecord>{"recursion_color", kNew, Need::optional, {}, read_color, write_color},
+    key<&RenderRecord::max_depth>("max_depth", kNew, Need::optional, {0, 1024}),
+};
+
+void read_format(Reading& reading, const NamedValue& value, Range, MapFile& map) {
+    map.format = 1;
+    if (value.node.kind() != TomlKind::integer || value.node.integer() != 1)
+        reading.error(value.node.place(), "unknown-format", "'format' must be 1, the only one there is so far");
+}
+
+void write_format(TableText& table, const Key<MapFile>& key, const MapFile&, const MapFile&) {
+    table.add(key.name, "1");
+}
+
+constexpr std::array kMapKeys{
+    Key<MapFile>{"format", kBoth, Need::optional, {}, read_format, write_format},
+    key<&MapFile::name>("name", kBoth),
+    key<&MapFile::textures>("textures", kBoth),
+    header_key<&MapFile::render>("render", kNew),
+    header_key<&MapFile::player>("player", kBoth),
+    header_key<&MapFile::sectors>("sectors", kBoth, Need::required),
+    header_key<&MapFile::things>("things", kNew),
+};
+
+constexpr KeyList<PlayerRecord> kPlayerList{"the player", kPlayerKeys};
+constexpr KeyList<RenderRecord> kRenderList{"'render'", kRenderKeys};
+constexpr KeyList<MapFile> kMapList{"a map", kMapKeys};
+
+}  // namespace
+
+template <>
+const KeyList<PlayerRecord>& keys_of() {
+    return kPlayerList;
+}
+
+template <>
+const KeyList<RenderRecord>& keys_of() {
+    return kRenderList;
+}
+
+template <>
+const KeyList<MapFile>& keys_of() {
+    return kMapList;
+}
+
+template <>
+void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, PlayerRecord&) {
+    refuse_both(reading, entries, "yaw", "angle", "yaw-and-angle");
+}
+
+}  // namespace enfilade

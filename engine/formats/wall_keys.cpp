@@ -1,0 +1,102 @@
+// The keys of walls and loops.
+#include <array>
+
+#include "formats/map_keys.h"
+
+namespace enfilade {
+namespace {
+
+constexpr auto kBoth = Dialect::tutorial;
+constexpr auto kNew = Dialect::enfilade;
+
+/// A name of something else, whose place is kept so that a check can point at it.
+template <auto name, auto place>
+constexpr Key<WallRecord> reference(std::string_view key_name, Dialect since) {
+    Key<WallRecord> with_place = key<name>(key_name, since);
+    with_place.read = [](Reading& reading, const NamedValue& value, Range range, WallRecord& wall) {
+        wall.*place = value.node.place();
+        read_value(reading, value, range, wall.*name);
+    };
+    return with_place;
+}
+
+constexpr std::array kWallKeys{
+    key<&WallRecord::name>("name", kNew),
+    key<&WallRecord::texture>("texture", kBoth),
+    reference<&WallRecord::next, &WallRecord::next_place>("next", kBoth),
+    reference<&WallRecord::via, &WallRecord::via_place>("via", kNew),
+    key<&WallRecord::rise>("rise", kNew, Need::optional, kHeights),
+    key<&WallRecord::mirror>("mirror", kNew),
+    key<&WallRecord::upper>("upper", kBoth),
+    key<&WallRecord::lower>("lower", kBoth),
+    key<&WallRecord::middle>("middle", kNew),
+    key<&WallRecord::texture_peg>("peg", kNew),
+    key<&WallRecord::upper_peg>("upper_peg", kNew),
+    key<&WallRecord::lower_peg>("lower_peg", kNew),
+    key<&WallRecord::middle_peg>("middle_peg", kNew),
+    key<&WallRecord::size>("size", kNew, Need::optional, kTexelsPerMetre),
+    key<&WallRecord::doom>("doom", kNew),
+    header_key<&WallRecord::upper>("up", kBoth),
+    header_key<&WallRecord::lower>("down", kBoth),
+};
+
+/// "v = [x0, y0, x1, y1, …]".
+void read_vertices(Reading& reading, const NamedValue& value, Range range, LoopRecord& loop) {
+    if (!expect(reading, value, TomlKind::array)) return;
+    const std::size_t count = value.node.size();
+    if (count % 2 != 0)
+        reading.error(value.node.place(), "odd-vertices",
+                      "'v' must have an x and a y for each vertex, found " + std::to_string(count) + " numbers");
+    loop.vertices.resize(count / 2);
+    loop.vertex_places.resize(count / 2);
+    for (std::size_t i = 0; i < count / 2; ++i) {
+        loop.vertex_places[i] = value.node.at(2 * i).place();
+        read_value(reading, {value.name, value.node.at(2 * i)}, range, loop.vertices[i].x);
+        read_value(reading, {value.name, value.node.at(2 * i + 1)}, range, loop.vertices[i].y);
+    }
+}
+
+void write_vertices(TableText& table, const Key<LoopRecord>& key, const LoopRecord& loop, const LoopRecord&) {
+    table.add(key.name, vertices_text(loop.vertices));
+}
+
+constexpr std::array kLoopKeys{
+    key<&LoopRecord::name>("name", kBoth),
+    Key<LoopRecord>{"v", kBoth, Need::required, kVertices, read_vertices, write_vertices},
+    key<&LoopRecord::walls>("walls", kBoth, Need::required),
+};
+
+constexpr KeyList<WallRecord> kWallList{"a wall", kWallKeys};
+constexpr KeyList<LoopRecord> kLoopList{"a loop", kLoopKeys};
+
+}  // namespace
+
+template <>
+const KeyList<WallRecord>& keys_of() {
+    return kWallList;
+}
+
+template <>
+const KeyList<LoopRecord>& keys_of() {
+    return kLoopList;
+}
+
+template <>
+void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, WallRecord& wall) {
+    refuse_both(reading, entries, "upper", "up", "given-twice");
+    refuse_both(reading, entries, "lower", "down", "given-twice");
+    for (const auto* spec : {&wall.texture, &wall.upper, &wall.lower, &wall.middle})
+        if (*spec && wall.size) refuse_tile_and_size(reading, **spec);
+}
+
+template <>
+void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, LoopRecord& loop) {
+    const TomlEntry* walls = find_entry(entries, "walls");
+    if (walls && find_entry(entries, "v") && loop.walls.size() != loop.vertices.size())
+        reading.error(walls->value.place(), "walls-vertices-mismatch",
+                      "a loop has one wall for each vertex: found " + std::to_string(loop.vertices.size()) +
+                          " vertices and " + std::to_string(loop.walls.size()) + " walls");
+    loop.walls.resize(loop.vertices.size());
+}
+
+}  // namespace enfilade
