@@ -1,0 +1,67 @@
+// A flythrough as its author wrote it: a map, a picture, and what the camera does, leg by leg. flight/ plays it.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/finding.h"
+#include "math/vec.h"
+
+namespace enfilade {
+
+/// How a leg gets from its start to its end: with even speed, or starting and stopping gently.
+enum class Ease : std::uint8_t { smooth, linear };
+
+/// What the camera's hand does at the moment a leg starts.
+enum class Press : std::uint8_t { none, use };
+
+/// One span of time. Whatever a leg does not mention stays as the leg before left it. Coordinates are in the space
+/// where the camera is when the leg starts; if it passes linked portals on the way, the leg goes on in the space
+/// behind them, and the next leg starts there.
+struct LegRecord {
+    double seconds = 0;      ///< how long it takes, >= 0; 0 is a cut: a jump to the end, which must then need no way
+    std::optional<Vec2> to;  ///< where the eye goes, in a straight line [m]
+    std::optional<double> to_z;           ///< height the eye goes to, absolute [m]; absent: keeps its height
+    std::optional<double> look_degrees;   ///< yaw at the end, reached the shorter way round (right on a tie)
+    std::optional<double> turn_degrees;   ///< turned during the leg, right positive; may be more than a full turn
+    std::optional<Vec2> look_at;          ///< point that is looked at when the leg ends, reached the shorter way round
+    std::optional<double> pitch_degrees;  ///< pitch at the end, up positive
+    Press press = Press::none;
+    Ease ease = Ease::smooth;
+    TextPlace place;
+};
+
+/// Where the camera starts; what is absent is as at the player's start.
+struct StartRecord {
+    std::string sector;          ///< empty: the player's, or where x and y are given, found from them
+    std::optional<double> x, y;  ///< both or none [m]
+    std::optional<double> z;     ///< of the eye [m]
+    std::optional<double> yaw_degrees, pitch_degrees;
+    TextPlace place;
+};
+
+enum class RendererChoice : std::uint8_t { column, stencil, reference };
+
+/// The whole file. Frame n shows the time n / rate, so that it can be drawn without the frames before it.
+struct ScriptFile {
+    std::string map;                ///< path, relative to the script
+    int width = 640, height = 400;  ///< 1..16384 [px]
+    int rate = 30;                  ///< frames a second, 1..1000
+    RendererChoice renderer = RendererChoice::column;
+    double fov_degrees = 90;  ///< horizontal, 1..179
+    std::string accuracy;     ///< name of a set of dials; empty: the renderer's own
+    std::string tape;         ///< path of recorded input, relative to the script, instead of legs; empty: none
+    StartRecord start;
+    std::vector<LegRecord> legs;  ///< empty exactly where there is a tape
+    TextPlace map_place, tape_place;
+};
+
+/// Seconds all legs take together.
+inline double seconds_of(const ScriptFile& script) {
+    double seconds = 0;
+    for (const LegRecord& leg : script.legs) seconds += leg.seconds;
+    return seconds;
+}
+
+}  // namespace enfilade
