@@ -14,7 +14,8 @@ Painter octagons(const Marble& field, const Marble& inset, int seed) {
         const double cut = (50 - px - py) * 0.707;  // distance to the octagon's slanting side
         const bool is_inset = cut < 0;
         const double edge = is_inset ? -cut : std::min(cut, 32 - std::max(px, py));
-        const int piece = is_inset ? wrap(static_cast<int>(std::floor(x / 64 + 0.5)), 4) * 5 + wrap(static_cast<int>(std::floor(y / 64 + 0.5)), 4) * 9
+        const int piece = is_inset ? wrap(static_cast<int>(std::floor(x / 64 + 0.5)), 4) * 5 +
+                                         wrap(static_cast<int>(std::floor(y / 64 + 0.5)), 4) * 9
                                    : column * 7 + row * 13;
         const double tint = random(piece, 1, seed);
         Color c = marble_at(is_inset ? inset : field, u, v, std::floor(tint * 9), seed);
@@ -81,7 +82,8 @@ Surface cobbles(double, double, double u, double v) {
     const Cell c = cell_at(u, v, 9, 9, 0.35, 101);
     const double grain = cloud(u, v, 32, 32, 3, 102), stain = cloud(u, v, 2, 2, 3, 103);
     const double top = 1 - clamp01(c.edge / 0.40), dome = std::sqrt(1 - top * top) + 0.4 * ramp(0.6, 0, c.nearest);
-    const Color stone = mix(rgb(0x8b867d), rgb(0x6f6a66), c.tint) * (0.9 + 0.16 * fraction(c.tint * 9) + 0.08 * grain + 0.1 * stain);
+    const Color stone =
+        mix(rgb(0x8b867d), rgb(0x6f6a66), c.tint) * (0.9 + 0.16 * fraction(c.tint * 9) + 0.08 * grain + 0.1 * stain);
     return {mix(rgb(0x4a4338), stone, ramp(0.03, 0.12, c.edge)), 4.5 * dome + 0.4 * grain};
 }
 

@@ -16,15 +16,16 @@ Painter ashlar(Color stone, Color other, Color mortar, int per_row, int rows, in
         Color c = mix(stone, other, clamp01(b.tint * 1.1 - 0.05 + 0.3 * stain));
         c = c * (1 + 0.05 * grain + 0.08 * stain - 0.12 * pit + 0.12 * (fraction(b.tint * 7) - 0.5));
         c = c * (1 + 0.06 * (1 - ramp(0, b.height, b.y)));  // the light comes from above
-        return Surface{mix(mortar * (1 + 0.06 * grain), c, ramp(0.2, 1.8, b.edge)), 2.6 * face + 0.35 * grain - 0.7 * pit};
+        return Surface{mix(mortar * (1 + 0.06 * grain), c, ramp(0.2, 1.8, b.edge)),
+                       2.6 * face + 0.35 * grain - 0.7 * pit};
     };
 }
 
 // Brick in running bond, every brick burnt differently, some blackened.
 Painter brick(Color light, Color dark, Color mortar, double soot, int seed) {
     return [=](double x, double y, double u, double v) {
-        const Block b = block_at(x + 0.9 * cloud(u, v, 16, 16, 2, seed), y + 0.7 * cloud(u, v, 16, 16, 2, seed + 4), 256, 256,
-                                 6, 18, 0.5, 0.12, seed);
+        const Block b = block_at(x + 0.9 * cloud(u, v, 16, 16, 2, seed), y + 0.7 * cloud(u, v, 16, 16, 2, seed + 4),
+                                 256, 256, 6, 18, 0.5, 0.12, seed);
         const double grain = cloud(u, v, 40, 40, 3, seed + 1), stain = cloud(u, v, 2, 3, 4, seed + 2);
         const double burnt = ramp(0.82, 1.0, b.tint) * soot;
         Color c = mix(light, dark, clamp01(b.tint + 0.25 * grain)) * (1 + 0.09 * grain + 0.1 * stain);
@@ -43,7 +44,8 @@ Painter rubble(Color warm, Color cool, Color mortar, int seed) {
         const double grain = cloud(u, v, 24, 24, 4, seed + 1), stain = cloud(u, v, 2, 2, 3, seed + 2);
         const double face = ramp(0.05, 0.13, c.edge), dome = ramp(0.05, 0.42, c.edge);
         const Color stone = mix(warm, cool, c.tint) * (0.86 + 0.2 * fraction(c.tint * 7) + 0.13 * grain + 0.08 * stain);
-        return Surface{mix(mortar * (0.95 + 0.08 * grain + 0.08 * stain), stone, face), 3.2 * face + 3 * dome + 0.9 * grain};
+        return Surface{mix(mortar * (0.95 + 0.08 * grain + 0.08 * stain), stone, face),
+                       3.2 * face + 3 * dome + 0.9 * grain};
     };
 }
 
@@ -63,7 +65,8 @@ Painter broken_plaster(const Painter& whole, const Painter& behind, int seed) {
         const double hole = cloud(u, v, 3, 2, 5, seed) - 0.16;
         const Surface a = whole(x, y, u, v), b = behind(x, y, u, v);
         const double t = ramp(0.0, 0.03, hole);
-        return Surface{mix(a.color * (1 - 0.1 * ramp(-0.08, 0, hole)), b.color * 0.92, t), a.height + (b.height - 2.5 - a.height) * t};
+        return Surface{mix(a.color * (1 - 0.1 * ramp(-0.08, 0, hole)), b.color * 0.92, t),
+                       a.height + (b.height - 2.5 - a.height) * t};
     };
 }
 
@@ -75,7 +78,8 @@ Surface majolica(double x, double y, double u, double v) {
     const double straight = std::min(ax, ay), diagonal = std::abs(ax - ay) * 0.707;
     const double leaf_a = ramp(0.8, 0, straight - 1.9 * wave(clamp01((r - 1.5) / 9) / 2));
     const double leaf_b = ramp(0.8, 0, diagonal - 1.4 * wave(clamp01((r - 2) / 7) / 2));
-    const double ring = ramp(0.9, 0.2, std::abs(r - 11.5)), flower = ramp(5.6, 4.8, corner) - 0.75 * ramp(3.2, 2.4, corner);
+    const double ring = ramp(0.9, 0.2, std::abs(r - 11.5)),
+                 flower = ramp(5.6, 4.8, corner) - 0.75 * ramp(3.2, 2.4, corner);
     const double tone = cloud(u, v, 4, 3, 3, 71), tint = random(static_cast<int>(x / 24), static_cast<int>(y / 24), 72);
     Color c = mix(rgb(0xe9e6d8), rgb(0xd9dcd8), tint) * (1 + 0.03 * tone);
     c = mix(c, rgb(0x24458c), clamp01(std::max(leaf_a, ring) + flower) * (0.85 + 0.15 * tone));

@@ -5,10 +5,10 @@ namespace draw_textures {
 namespace {
 
 struct Sky {
-    Color zenith, middle, horizon;     // clear air
-    Color cloud_light, cloud_shade;    // the lit and the dark side of the clouds
-    Color hills;                       // the farthest land
-    Color glow;                        // around the sun's bearing
+    Color zenith, middle, horizon;   // clear air
+    Color cloud_light, cloud_shade;  // the lit and the dark side of the clouds
+    Color hills;                     // the farthest land
+    Color glow;                      // around the sun's bearing
     double glow_strength, cover;
     int seed;
 };
@@ -29,7 +29,8 @@ Painter sky(const Sky& sky) {
         c = mix(c, sky.horizon, ramp(0.45, 0.0, rise));
         c = mix(c, sky.glow, sky.glow_strength * toward_sun * toward_sun * low);
 
-        const double high = layer(cosine, sine, rise, 2.6, 5, sky.seed) * 0.8 + 0.35 * layer(cosine, sine, rise, 9, 3, sky.seed + 9);
+        const double high =
+            layer(cosine, sine, rise, 2.6, 5, sky.seed) * 0.8 + 0.35 * layer(cosine, sine, rise, 9, 3, sky.seed + 9);
         const double veil = ramp(0.0, 0.7, high + 0.25) * 0.35 * ramp(1.2, 0.8, rise);
         c = mix(c, sky.cloud_light, veil);
 
@@ -43,7 +44,8 @@ Painter sky(const Sky& sky) {
         c = mix(c, puff, body);
 
         for (int range = 0; range < 3; ++range) {  // hills, the nearest last
-            const double crest = 0.050 - 0.013 * range + 0.030 * cloud(u, 0.37, 7 + 6 * range, 1, 5, sky.seed + 40 + range);
+            const double crest =
+                0.050 - 0.013 * range + 0.030 * cloud(u, 0.37, 7 + 6 * range, 1, 5, sky.seed + 40 + range);
             const Color hill = mix(sky.horizon, sky.hills, 0.35 + 0.25 * range);
             c = mix(c, mix(hill, sky.horizon, 0.35 * ramp(crest, 0, rise)), ramp(0.004, 0.0, rise - crest));
         }
@@ -54,8 +56,12 @@ Painter sky(const Sky& sky) {
 }  // namespace
 
 void draw_sky(const Album& album) {
-    album.add("sky_day", 2048, 384, sky({rgb(0x2f66b0), rgb(0x5f97d2), rgb(0xd3e2ea), rgb(0xfbf8ee), rgb(0x93a5ba), rgb(0x58748a), rgb(0xfff1cf), 0.5, 0.02, 501}));
-    album.add("sky_dusk", 2048, 384, sky({rgb(0x232a52), rgb(0x5d4a78), rgb(0xe89a62), rgb(0xf3a67c), rgb(0x57436a), rgb(0x3a2f4e), rgb(0xffc46b), 0.9, 0.06, 541}));
+    album.add("sky_day", 2048, 384,
+              sky({rgb(0x2f66b0), rgb(0x5f97d2), rgb(0xd3e2ea), rgb(0xfbf8ee), rgb(0x93a5ba), rgb(0x58748a),
+                   rgb(0xfff1cf), 0.5, 0.02, 501}));
+    album.add("sky_dusk", 2048, 384,
+              sky({rgb(0x232a52), rgb(0x5d4a78), rgb(0xe89a62), rgb(0xf3a67c), rgb(0x57436a), rgb(0x3a2f4e),
+                   rgb(0xffc46b), 0.9, 0.06, 541}));
 }
 
 }  // namespace draw_textures

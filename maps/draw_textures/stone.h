@@ -23,7 +23,8 @@ inline Color marble_at(const Marble& m, double u, double v, double shift, int se
     const double su = u + shift * 7.3, sv = v + shift * 3.1;
     const double broad = cloud(su, sv, 3, 3, 5, seed);
     const double bend = 0.55 * cloud(su, sv, 2, 2, 5, seed + 10), ripple = 0.5 * cloud(su, sv, 3, 3, 5, seed + 20);
-    const double wide = ramp(0.5, 0.0, std::abs(wave(su + sv + bend))), fine = ramp(0.10, 0.0, std::abs(wave(su - 2 * sv + ripple)));
+    const double wide = ramp(0.5, 0.0, std::abs(wave(su + sv + bend))),
+                 fine = ramp(0.10, 0.0, std::abs(wave(su - 2 * sv + ripple)));
     const double strength = 0.5 + 0.5 * cloud(su, sv, 2, 2, 3, seed + 30);
     Color c = mix(m.base, m.cloud, clamp01(0.5 + 0.9 * broad));
     c = mix(c, m.vein, 0.45 * fine * strength);
@@ -33,7 +34,8 @@ inline Color marble_at(const Marble& m, double u, double v, double shift, int se
 // Gilding: bright where it stands out, brown where the leaf is rubbed.
 inline Color gilding(double u, double v, double shine, int seed) {
     const double rubbed = cloud(u, v, 12, 12, 3, seed);
-    return mix(kGoldShade, kGold, clamp01(0.55 + 0.45 * shine + 0.25 * rubbed)) + Color{1, 0.9, 0.6} * (0.18 * ramp(0.6, 1, shine));
+    return mix(kGoldShade, kGold, clamp01(0.55 + 0.45 * shine + 0.25 * rubbed)) +
+           Color{1, 0.9, 0.6} * (0.18 * ramp(0.6, 1, shine));
 }
 
 }  // namespace draw_textures

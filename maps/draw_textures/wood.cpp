@@ -38,7 +38,7 @@ Surface herringbone(double x, double y, double, double) {
     const double edge = std::min(std::min(along, kLength - along), std::min(across, 1 - across)) * kUnit;
     Color c = timber_at(kOak, a, b, piece, 123) * (0.92 + 0.16 * piece);
     c = c * (lying ? 1.05 : 0.96);
-    return {mix(rgb(0x2f1e12), c, ramp(0.1, 0.8, edge)), 0.7 * ramp(0.1, 1.0, edge)};
+    return {mix(rgb(0x54361f), c, ramp(0.0, 0.7, edge)), 0.45 * ramp(0.1, 1.0, edge)};
 }
 
 // Square panels with a woven inside, as in the great rooms of Versailles.
@@ -50,7 +50,8 @@ Surface woven_parquet(double x, double y, double u, double v) {
         const bool upright = std::min(px, 128 - px) < std::min(py, 128 - py);
         a = upright ? v : u;
         b = upright ? u : v;
-        piece = random(static_cast<int>(x / 128) * 2 + (px > 64), static_cast<int>(y / 128) * 2 + (py > 64), upright ? 131 : 132);
+        piece = random(static_cast<int>(x / 128) * 2 + (px > 64), static_cast<int>(y / 128) * 2 + (py > 64),
+                       upright ? 131 : 132);
         edge = std::min(std::min(frame, 14 - frame), std::abs(std::min(px, 128 - px) - std::min(py, 128 - py)) * 0.7);
     } else {
         const double s = (px + py) / 25, t = (px - py) / 25 + 16;  // the weave lies cornerwise
@@ -60,21 +61,25 @@ Surface woven_parquet(double x, double y, double u, double v) {
         a = over ? t / 12 : s / 12;
         b = over ? s / 12 : t / 12;
         piece = random(is, it, 133);
-        const double side = over ? std::min(fs, 1 - fs) : std::min(ft, 1 - ft), end = over ? std::min(ft, 1 - ft) : std::min(fs, 1 - fs);
+        const double side = over ? std::min(fs, 1 - fs) : std::min(ft, 1 - ft),
+                     end = over ? std::min(ft, 1 - ft) : std::min(fs, 1 - fs);
         edge = std::min(std::min(side, end) * 17.6, frame - 14);
     }
     Color c = timber_at({rgb(0xb98a52), rgb(0x8a5f36)}, a, b, piece, 134) * (0.93 + 0.13 * piece);
-    return {mix(rgb(0x3a2616), c, ramp(0.1, 0.9, edge)), 0.7 * ramp(0.1, 1.1, edge)};
+    return {mix(rgb(0x6b482a), c, ramp(0.0, 0.8, edge)), 0.35 * ramp(0.1, 1.1, edge)};
 }
 
 // Floor boards with nails at their ends.
 Painter boards(const Timber& timber, int seed) {
     return [=](double x, double y, double u, double v) {
         const Block b = block_at(y, x, 256, 256, 2, 8, 0.41, 0.4, seed);  // boards run down the picture
-        const double nail = std::sqrt((b.y - 8) * (b.y - 8) + (b.x - 5) * (b.x - 5)), edge = std::min(b.edge, b.width - b.x);
-        Color c = timber_at(timber, v, u, b.tint, seed + 1) * (0.86 + 0.22 * b.tint + 0.06 * cloud(u, v, 2, 2, 3, seed + 5));
+        const double nail = std::sqrt((b.y - 8) * (b.y - 8) + (b.x - 5) * (b.x - 5)),
+                     edge = std::min(b.edge, b.width - b.x);
+        Color c =
+            timber_at(timber, v, u, b.tint, seed + 1) * (0.86 + 0.22 * b.tint + 0.06 * cloud(u, v, 2, 2, 3, seed + 5));
         c = mix(c, rgb(0x2a211b), ramp(2, 1.2, nail));
-        return Surface{mix(rgb(0x1d1510), c, ramp(0.2, 1.4, edge)), 1.2 * ramp(0.2, 2.2, edge) - 0.6 * ramp(2.5, 1.5, nail)};
+        return Surface{mix(rgb(0x1d1510), c, ramp(0.2, 1.4, edge)),
+                       1.2 * ramp(0.2, 2.2, edge) - 0.6 * ramp(2.5, 1.5, nail)};
     };
 }
 
@@ -134,18 +139,22 @@ Surface books(double x, double y, double u, double v) {
     if (py < top || (x > left && left + width > 251)) {
         return {rgb(0x150f0b), -3};
     }
-    const Color leathers[6] = {rgb(0x7a3326), rgb(0x5b3a22), rgb(0x8a6a3f), rgb(0x2f4436), rgb(0x2d3850), rgb(0xb9a884)};
-    Color c = leathers[static_cast<int>(tint * 6)] * (0.8 + 0.35 * random(k, shelf, 165)) * (1 + 0.1 * cloud(u, v, 32, 32, 3, 166));
+    const Color leathers[6] = {rgb(0x7a3326), rgb(0x5b3a22), rgb(0x8a6a3f),
+                               rgb(0x2f4436), rgb(0x2d3850), rgb(0xb9a884)};
+    Color c = leathers[static_cast<int>(tint * 6)] * (0.8 + 0.35 * random(k, shelf, 165)) *
+              (1 + 0.1 * cloud(u, v, 32, 32, 3, 166));
     const double down = (py - top) / (45 - top), band = std::min(std::abs(down - 0.16), std::abs(down - 0.84));
     const double label = ramp(0.09, 0.07, std::abs(down - 0.34)) * ramp(1, 2, edge);
     c = mix(c, fraction(tint * 17) < 0.5 ? rgb(0x5d1b1b) : rgb(0x2a1c14), 0.7 * label);
-    c = mix(c, kGold, 0.7 * std::max(ramp(0.03, 0.018, band), ramp(0.02, 0.01, std::abs(std::abs(down - 0.34) - 0.08))));
+    c = mix(c, kGold,
+            0.7 * std::max(ramp(0.03, 0.018, band), ramp(0.02, 0.01, std::abs(std::abs(down - 0.34) - 0.08))));
     return {c, 3.2 * wave(clamp01(across) / 2) * ramp(0, 2, py - top + 1)};
 }
 
 // Heavy beams under a boarded ceiling.
 Surface beams(double x, double y, double u, double v) {
-    const double px = fraction(x / 64) * 64, edge = std::min(px, 64 - px) - 18;  // positive: the boards between two beams
+    const double px = fraction(x / 64) * 64,
+                 edge = std::min(px, 64 - px) - 18;  // positive: the boards between two beams
     const int beam = wrap(static_cast<int>(std::floor(x / 64 + 0.5)), 4);
     if (edge < 0) {
         const Color c = timber_at(kWalnut, v, u, random(beam, 1, 171), 172) * (1.0 + 0.08 * cloud(u, v, 4, 4, 3, 173));
