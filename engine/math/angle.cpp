@@ -54,8 +54,8 @@ double turn_of_slope(double t) {
 }  // namespace
 
 Angle Angle::from_degrees(double degrees) {
-    const double turns = degrees / 360.0;
-    const double fraction = turns - std::floor(turns);
+    const double turn = std::fmod(degrees, 360.0) / 360.0;  // fmod is exact, on every machine: so are whole turns
+    const double fraction = turn < 0 ? turn + 1 : turn;
     return {static_cast<std::uint32_t>(static_cast<std::uint64_t>(fraction * 4294967296.0 + 0.5))};
 }
 

@@ -11,7 +11,7 @@ namespace enfilade {
 struct Angle {
     std::uint32_t steps = 0;
 
-    /// The nearest step; any finite number of degrees, also negative or beyond a turn. |degrees| < 2^40.
+    /// The nearest step; any finite number of degrees, also negative or beyond a turn.
     static Angle from_degrees(double degrees);
     static Angle from_radians(double radians);
     /// In [0, 360).
@@ -30,7 +30,7 @@ Vec2 direction(Angle angle);
 /// tan of the angle in (-90, 90) degrees: sin / cos of direction().
 double tangent(Angle angle);
 
-/// The fraction of a full turn, in [0, 1), by which `v` is turned right from +x. Error below 1e-11 turn.
+/// The fraction of a full turn, in [0, 1), by which `v` is turned right from +x. Error below 1e-15 turn.
 /// v = (0, 0) gives 0.
 double turn_of(Vec2 v);
 

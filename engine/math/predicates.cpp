@@ -86,7 +86,7 @@ int compare(const PathFraction& s, const PathFraction& t) {
 }
 
 bool path_leaves_through(Vec2 p, Vec2 q, Vec2 a, Vec2 b) {
-    if (p == q) return false;
+    // Where p == q the first two contradict each other, so side_of_path() is never asked about a point.
     return side_of_line(a, b, p) > 0 && side_of_line(a, b, q) < 0 && side_of_path(p, q, a) < 0 &&
            side_of_path(p, q, b) > 0;
 }
