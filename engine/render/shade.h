@@ -13,7 +13,7 @@ using Shade = std::uint32_t;
 
 /// How light falls off. Both models start from the sector's light and darken with depth, dark sectors sooner:
 ///   classic: Doom's 32 levels, levels = 4 (15 - 16 light) - 40 / depth, each 1/32 darker (id Software, r_main.c 1993,
-///            formulas only); a wall's contrast moves it by one sixteenth of light, as Doom's "fake contrast" does
+///            formulas only); contrast below or above 1 moves light by one sixteenth, Doom's "fake contrast"
 ///   smooth:  light * contrast / (1 + (depth / reach)^2), reach growing without bound as light goes to 1
 ///
 /// light: 0..1, clamped. contrast: Wall::contrast, 1 for flats. depth: >= 0 [m], infinity allowed.

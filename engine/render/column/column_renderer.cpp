@@ -75,7 +75,7 @@ std::vector<ViewportOutline> ColumnRenderer::viewports() const {
     const ViewportPool& pool = scratch_->state.pool;
     for (std::size_t i = 0; i < pool.used(); ++i) {
         const Viewport& v = pool[i];
-        ViewportOutline outline{v.sector, v.depth, v.begin, v.end, {}, {}};
+        ViewportOutline outline{v.sector, v.depth, v.begin, v.end, {}, {}, v.boundary};
         for (const OpenRows& rows : v.rows) {
             outline.top.push_back(rows.top);
             outline.bottom.push_back(rows.bottom);

@@ -29,6 +29,7 @@ struct ViewportOutline {
     int depth = 0;                 ///< portals looked through
     int begin = 0, end = 0;        ///< columns
     std::vector<int> top, bottom;  ///< open rows by column when it was drawn [end - begin]
+    std::vector<double> boundary;  ///< by column: 1 / depth of the portal looked through; infinite in the eye's sector
 };
 
 /// Work done for the last frame.

@@ -8,14 +8,15 @@
 
 namespace enfilade::column {
 
-void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, double height, double light,
-                        SurfaceId id) {
+void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height,
+                        double light, SurfaceId id) {
     pose_ = &pose;
     flat_ = &flat;
     texture_ = &scene.textures[flat.surface.texture];
     id_ = id;
     height_ = height;
     light_ = light;
+    is_extended_ = side == FlatSide::floor ? height >= 0 : height <= 0;
     const Surface& surface = flat.surface;
     base_u_ = fraction((pose.eye.x - flat.origin.x) / surface.tile_m.x - surface.offset_tiles.x);
     base_v_ = fraction((pose.eye.y - flat.origin.y) / surface.tile_m.y - surface.offset_tiles.y);
@@ -32,6 +33,7 @@ void FlatPainter::paint(const Scene& scene, int x, int top, int bottom, double w
 
 void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, double wall_depth) {
     prepare_rows(scene, top, bottom);
+    if (is_extended_) shade_extended_rows(scene, top, bottom, wall_depth);
     const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
     const Vec2 tile = flat_->surface.tile_m;
     const FlatRun flat{texture_,           base_u_,           base_v_, ray.x / tile.x, ray.y / tile.y, wall_depth,
@@ -77,6 +79,13 @@ void FlatPainter::prepare_row(const Scene& scene, int row) {
     // Behind the eye or nowhere: only where the eye is above the ceiling or below the floor it looks at.
     row_depths_[row] = depth >= 0 ? depth : depth < 0 ? 0 : std::numeric_limits<double>::infinity();
     row_shades_[row] = shade_at(scene.map.render.light, light_, 1, row_depths_[row]);
+}
+
+/// A flat seen from its wrong side (past a step that is not drawn, or by an eye outside the room's heights) never comes
+/// nearer than the wall it is stretched to: its rows are lit as far away as they are drawn, column by column.
+void FlatPainter::shade_extended_rows(const Scene& scene, int top, int bottom, double wall_depth) {
+    for (int y = top; y < bottom; ++y)
+        row_shades_[y] = shade_at(scene.map.render.light, light_, 1, std::min(row_depths_[y], wall_depth));
 }
 
 }  // namespace enfilade::column

@@ -7,12 +7,15 @@
 
 namespace enfilade::column {
 
+enum class FlatSide : unsigned char { floor, ceiling };
+
 /// Draws one flat of one viewport, column by column. What depends on the row alone (depth and light of a level plane)
 /// is worked out once for all columns, for those rows that are really seen.
 class FlatPainter {
 public:
     /// What the next calls of paint() draw. height: of the flat above the eye [m].
-    void start(const Scene& scene, const Pose& pose, const Flat& flat, double height, double light, SurfaceId id);
+    void start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height, double light,
+               SurfaceId id);
 
     /// Rows [top, bottom) of column x. wall_depth: of the wall behind, nothing of the flat is farther [m].
     void paint(const Scene& scene, int x, int top, int bottom, double wall_depth);
@@ -22,12 +25,14 @@ private:
     void paint_sky(const Scene& scene, int x, int top, int bottom);
     void prepare_rows(const Scene& scene, int top, int bottom);
     void prepare_row(const Scene& scene, int row);
+    void shade_extended_rows(const Scene& scene, int top, int bottom, double wall_depth);
 
     const Pose* pose_ = nullptr;
     const Flat* flat_ = nullptr;
     const Texture* texture_ = nullptr;
     SurfaceId id_ = kNothing;
     double height_ = 0, light_ = 1;
+    bool is_extended_ = false;        ///< a floor not below the eye, or a ceiling not above it
     double base_u_ = 0, base_v_ = 0;  ///< tile position under the eye, in [0, 1)
     std::vector<double> row_depths_;  ///< valid for rows [prepared_top_, prepared_bottom_)
     std::vector<Shade> row_shades_;

@@ -1,15 +1,23 @@
 #include "render/column/row_split.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace enfilade::column {
 
+namespace {
+
+/// A wall that passes through the eye is met an instant after the start: nearer than any height matters, but not so
+/// near that an eye at the very height of a ceiling would find all rows above it.
+constexpr double kAnInstant = 0x1p-1000;
+
+}  // namespace
+
 int first_row_below(const Screen& screen, double height, double depth, int top, int bottom) {
     const double height_px = height * screen.focal_y;
-    // A wall through the eye is met an instant after the start: level with the eye, only up or down counts.
-    if (depth == 0 && height == 0) depth = 1;
-    const auto is_below = [&](int y) { return screen.row_rises[y] * depth < height_px; };
-    const double guess = std::ceil(screen.horizon - 0.5 - height_px / depth);
+    const double met = std::max(depth, kAnInstant);
+    const auto is_below = [&](int y) { return screen.row_rises[y] * met < height_px; };
+    const double guess = std::ceil(screen.horizon - 0.5 - height_px / met);
     int y = !(guess > top) ? top : guess >= bottom ? bottom : static_cast<int>(guess);
     while (y > top && is_below(y - 1)) --y;
     while (y < bottom && !is_below(y)) ++y;

@@ -37,8 +37,9 @@ void ViewportDrawer::start_viewport(const Scene& scene, FrameState& state, Viewp
     const Sector& sector = scene.map[viewport.sector];
     const SectorSnapshot& now = scene.snapshot[viewport.sector];
     here_ = heights_above(now, pose_.eye_z);
-    floor_.start(scene, pose_, sector.floor, here_.floor, now.light, floor_id(viewport.sector));
-    ceiling_.start(scene, pose_, sector.ceiling, here_.ceiling, now.light, ceiling_id(viewport.sector));
+    floor_.start(scene, pose_, sector.floor, FlatSide::floor, here_.floor, now.light, floor_id(viewport.sector));
+    ceiling_.start(scene, pose_, sector.ceiling, FlatSide::ceiling, here_.ceiling, now.light,
+                   ceiling_id(viewport.sector));
     openings_.assign(walls_->size(), {});
     wall_index_ = NearestWalls::kNoWall;
 }

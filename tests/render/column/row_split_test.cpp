@@ -46,9 +46,9 @@ TEST(FirstRowBelow, GivesRowCentresOnTheEdgeToTheSurfaceBelowIt) {
 
 TEST(FirstRowBelow, PutsAnEyeInTheWallsPlaneBetweenItsHeights) {
     const Screen screen = screen_of(320, 200);
-    EXPECT_EQ(first_row_below(screen, 1.0, 0, 10, 90), 10);   // the ceiling is above the eye: no row shows it
-    EXPECT_EQ(first_row_below(screen, -1.0, 0, 10, 90), 90);  // the floor is below: no row shows it
-    EXPECT_EQ(first_row_below(screen, 0.0, 0, 10, 90), 90);   // the eye exactly at the height
+    EXPECT_EQ(first_row_below(screen, 1.0, 0, 10, 90), 10);    // the ceiling is above the eye: no row shows it
+    EXPECT_EQ(first_row_below(screen, -1.0, 0, 10, 90), 90);   // the floor is below: no row shows it
+    EXPECT_EQ(first_row_below(screen, 0.0, 0, 10, 190), 100);  // at the very height: from the horizon on
 }
 
 TEST(FirstRowBelow, DividesTheRowsOfAnEyeAtAHeightOfTheWallItStandsInAtTheHorizon) {

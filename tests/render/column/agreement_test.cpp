@@ -1,0 +1,241 @@
+// The column renderer against the reference, in small maps made for what is hard: steps, windows, pillars, closed
+// doors, open steps, rooms over rooms, links. (tests/hard_cases does the same for the authored maps.)
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/random.h"
+#include "math/grid.h"
+#include "render/column/column_renderer.h"
+#include "render/column/strips.h"
+#include "render/reference/reference_renderer.h"
+#include "space/locate.h"
+#include "support/count_allocations.h"
+#include "support/map_builder.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+/// A map and its pictures.
+struct World {
+    Map map;
+    TextureSet textures;
+    Snapshot snapshot;
+
+    explicit World(const MapFile& file) : map(built(file)), textures(textures_for(file)), snapshot(at_rest(map)) {}
+};
+
+/// Nine rooms of different heights, a pillar, a pit, a closed door, a window and a yard under the sky.
+MapFile palace() {
+    MapFile file = map_of({
+        box_room("hall", 0, 0, 8, 8, 0, 4),
+        box_room("step", 8, 2, 9, 6, 0.5, 3),
+        box_room("high", 9, 0, 15, 8, 1, 6),
+        box_room("pit", 0, 8, 4, 12, -2, 3),
+        box_room("door", 4, 8, 5, 9, 0, 0),
+        box_room("vault", 4, 9, 8, 13, 0, 2.5),
+        box_room("window", 15, 3, 15.5, 5, 2, 3),
+        box_room("yard", 15.5, -4, 24, 12, 0, 7),
+        room("nook", {{0, 0}, {0, 8}, {-4, 8}, {-3, 5}, {-5, 3}, {-3, -2}}, 0.25, 2),
+    });
+    cut_pillar(sector(file, "hall"), 3, 3, 4, 5);
+    cut_pillar(sector(file, "yard"), 18, 1, 19, 2);
+    sector(file, "yard").ceiling.parallax = true;
+    sector(file, "high").light = 0.5;
+    sector(file, "vault").light = 0.25;
+    split_and_join(file);
+    return file;
+}
+
+View random_view(const Map& map, Random& random) {
+    View view;
+    const Sector* sector = nullptr;
+    do {
+        view.sector = SectorId(random.below(map.sectors.size()));
+        sector = &map[view.sector];
+        view.eye = {random.uniform(sector->min.x, sector->max.x), random.uniform(sector->min.y, sector->max.y)};
+        if (random.below(2) == 0) view.eye = {double(int(view.eye.x * 2)) / 2, double(int(view.eye.y * 2)) / 2};
+        view.eye = snap_to_point_grid(view.eye);
+    } while (!contains(map, view.sector, view.eye));
+    view.eye_z = random.uniform(sector->floor.z, sector->ceiling.z);
+    view.forward = direction(random.below(2) ? Angle{static_cast<std::uint32_t>(random.bits())}
+                                             : Angle{static_cast<std::uint32_t>(random.below(8)) << 29});
+    view.pitch_tangent = random.below(2) ? 0 : random.uniform(-1, 1);
+    view.fov_degrees = random.below(2) ? 90 : random.uniform(20, 150);
+    return view;
+}
+
+struct Comparison {
+    std::size_t not_once = 0;      ///< pixels not written exactly once
+    std::size_t wrong_ids = 0;     ///< outside the marked pixels
+    std::size_t wrong_colors = 0;  ///< differ by more than 2 of 255 where ids agree, off texel edges
+    std::size_t ambiguous = 0;
+    std::size_t pixels = 0;
+};
+
+bool alike(std::uint32_t a, std::uint32_t b) {
+    for (int shift : {0, 8, 16}) {
+        const int difference = int(a >> shift & 0xFF) - int(b >> shift & 0xFF);
+        if (difference > 2 || difference < -2) return false;
+    }
+    return true;
+}
+
+/// True where the texel position is so near a texel's edge that rounding may choose either side. The pictures are 64
+/// x 64.
+bool on_texel_edge(TexelPosition p) {
+    constexpr float kSide = 64, kNear = 1e-3f;  // [texels]; facts are floats, good to 64 * 2^-24 texels
+    const auto near_edge = [](float tiles) { return std::fabs(tiles * kSide - std::round(tiles * kSide)) < kNear; };
+    return near_edge(p.u) || near_edge(p.v);
+}
+
+void compare(const World& world, const View& view, int width, int height, Comparison& sum) {
+    static ColumnRenderer columns;
+    Frame a, b;
+    FrameFacts facts_a, facts_b;
+    a.resize(width, height);
+    b.resize(width, height);
+    reset(facts_a, width, height);
+    reset(facts_b, width, height);
+    columns.render(a, &facts_a, world.map, world.textures, world.snapshot, view);
+    render_reference(b, &facts_b, world.map, world.textures, world.snapshot, view);
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        sum.not_once += facts_a.writes[i] != 1;
+        sum.ambiguous += facts_b.ambiguous[i];
+        ++sum.pixels;
+        if (facts_b.ambiguous[i]) continue;
+        const bool same_id = facts_a.ids[i] == facts_b.ids[i];
+        sum.wrong_ids += !same_id;
+        sum.wrong_colors += same_id && !alike(a.pixels[i], b.pixels[i]) && !on_texel_edge(facts_b.texels[i]);
+    }
+}
+
+void expect_agreement(const MapFile& file, std::uint64_t seed, int poses) {
+    const World world(file);
+    Random random(seed);
+    Comparison sum;
+    for (int trial = 0; trial < poses; ++trial) {
+        const View view = random_view(world.map, random);
+        const Comparison before = sum;
+        compare(world, view, 160, 100, sum);
+        EXPECT_TRUE(sum.not_once == before.not_once && sum.wrong_ids == before.wrong_ids)
+            << "trial " << trial << ": sector " << world.map[view.sector].name << " eye " << view.eye.x << ","
+            << view.eye.y << "," << view.eye_z << " forward " << view.forward.x << "," << view.forward.y << " fov "
+            << view.fov_degrees << " pitch " << view.pitch_tangent << ": " << sum.not_once - before.not_once
+            << " not written once, " << sum.wrong_ids - before.wrong_ids << " wrong ids";
+        if (testing::Test::HasFailure()) break;
+    }
+    EXPECT_EQ(sum.wrong_colors, 0u);
+    EXPECT_LE(sum.ambiguous * 100, sum.pixels) << "marks must stay rare";
+    std::printf("%zu pixels, %zu marked, %zu colours differ\n", sum.pixels, sum.ambiguous, sum.wrong_colors);
+}
+
+TEST(ColumnRenderer, AgreesWithTheReferenceInAPalace) { expect_agreement(palace(), 1, 400); }
+
+TEST(ColumnRenderer, AgreesWithTheReferenceWhereStepsAreOpen) {
+    MapFile file = palace();
+    for (SectorRecord& s : file.sectors)
+        for (WallRecord& w : s.loops[0].walls)
+            if (!w.next.empty()) w.texture.reset();
+    expect_agreement(file, 2, 200);
+}
+
+TEST(ColumnRenderer, DrawsStripsThatEqualTheWholePicture) {
+    const World world(palace());
+    Random random(5);
+    for (int trial = 0; trial < 40; ++trial) {
+        const View view = random_view(world.map, random);
+        const int width = 3 + static_cast<int>(random.below(200));
+        Frame whole, parts;
+        whole.resize(width, 90);
+        parts.resize(width, 90);
+        ColumnRenderer renderer;
+        renderer.render(whole, nullptr, world.map, world.textures, world.snapshot, view);
+        const int cut = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(width - 2)));
+        for (ColumnRange range : {ColumnRange{0, cut}, ColumnRange{cut, cut + 1}, ColumnRange{cut + 1, width}})
+            renderer.render_columns(parts, nullptr, world.map, world.textures, world.snapshot, view, range);
+        ASSERT_EQ(whole.pixels, parts.pixels) << "trial " << trial;
+    }
+}
+
+TEST(ColumnStrips, DrawTheSamePictureOnAnyNumberOfThreads) {
+    const World world(palace());
+    Random random(6);
+    for (int trial = 0; trial < 10; ++trial) {
+        const View view = random_view(world.map, random);
+        Frame one, many;
+        one.resize(211, 97);
+        many.resize(211, 97);
+        ColumnStrips(1).render(one, nullptr, world.map, world.textures, world.snapshot, view);
+        for (std::size_t threads : {2u, 3u, 8u, 211u, 500u}) {
+            ColumnStrips(threads).render(many, nullptr, world.map, world.textures, world.snapshot, view);
+            ASSERT_EQ(one.pixels, many.pixels) << threads << " threads";
+        }
+    }
+}
+
+TEST(ColumnRenderer, AllocatesNothingOnceItHasDrawnTheView) {
+    const World world(palace());
+    Random random(7);
+    ColumnRenderer renderer;
+    Frame frame;
+    frame.resize(320, 200);
+    for (int trial = 0; trial < 20; ++trial) {
+        const View view = random_view(world.map, random);
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        const std::size_t before = allocations();
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        EXPECT_EQ(allocations(), before) << "trial " << trial;
+    }
+}
+
+// Every pixel of a frame belongs to one chain of viewports: the eye's own, then one more for each portal looked
+// through. So windows only ever shrink, and no two chains share a pixel (NUMERICS I3).
+TEST(ColumnRenderer, SeesEachPixelThroughOneChainOfEverDeeperViewports) {
+    const World world(palace());
+    Random random(8);
+    ColumnRenderer renderer;
+    Frame frame;
+    frame.resize(96, 60);
+    for (int trial = 0; trial < 100; ++trial) {
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, random_view(world.map, random));
+        std::vector<std::vector<const ViewportOutline*>> chains(96 * 60);
+        const std::vector<ViewportOutline> viewports = renderer.viewports();
+        for (const ViewportOutline& v : viewports)
+            for (int x = v.begin; x < v.end; ++x)
+                for (int y = v.top[x - v.begin]; y < v.bottom[x - v.begin]; ++y) chains[y * 96 + x].push_back(&v);
+        for (std::size_t i = 0; i < chains.size(); ++i) {
+            auto& chain = chains[i];
+            std::sort(chain.begin(), chain.end(), [](auto* a, auto* b) { return a->depth < b->depth; });
+            for (std::size_t k = 0; k < chain.size(); ++k) ASSERT_EQ(chain[k]->depth, int(k)) << "pixel " << i;
+        }
+    }
+}
+
+// Behind a portal everything is farther than the portal (NUMERICS I5); 2^-40 is what rounding may take from that.
+TEST(ColumnRenderer, NeverMovesABoundaryNearerAlongAChain) {
+    const World world(palace());
+    Random random(9);
+    ColumnRenderer renderer;
+    Frame frame;
+    frame.resize(96, 60);
+    for (int trial = 0; trial < 100; ++trial) {
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, random_view(world.map, random));
+        std::vector<double> boundary(96 * 60, std::numeric_limits<double>::infinity());
+        std::vector<ViewportOutline> viewports = renderer.viewports();
+        std::stable_sort(viewports.begin(), viewports.end(), [](auto& a, auto& b) { return a.depth < b.depth; });
+        for (const ViewportOutline& v : viewports)
+            for (int x = v.begin; x < v.end; ++x)
+                for (int y = v.top[x - v.begin]; y < v.bottom[x - v.begin]; ++y) {
+                    ASSERT_LE(v.boundary[x - v.begin], boundary[y * 96 + x] * (1 + 0x1p-40));
+                    boundary[y * 96 + x] = v.boundary[x - v.begin];
+                }
+    }
+}
+
+}  // namespace
+}  // namespace enfilade
