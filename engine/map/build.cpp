@@ -12,6 +12,7 @@ std::optional<Map> build_map(const MapFile& file, const TextureSet& textures, Fi
     draft.map.render = file.render;
     place_walls(draft);
     check_sectors(draft);
+    check_loops(draft);
     resolve_portals(draft);
     link_walls(draft);
     lay_surfaces(draft);

@@ -18,8 +18,9 @@ struct LoadedMap {
     Findings findings;  ///< errors and warnings, sorted by place
 };
 
-/// Reads, builds and checks the map at `path` and loads its pictures from the folders it names and from
-/// `more_texture_folders`. The file that cannot be read at all is one finding without a place.
+/// Reads, builds and checks the map at `path` and loads its pictures: from `more_texture_folders` first, then from the
+/// folders the map names, which are seen from the map's own folder. A file that cannot be read at all is one finding
+/// without a place. A map without a name is called like its file.
 LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
                    const FileReader& read);
 

@@ -1,0 +1,55 @@
+#include "map/load.h"
+
+#include <iterator>
+#include <utility>
+
+#include "formats/map_toml.h"
+#include "map/build.h"
+
+namespace enfilade {
+namespace {
+
+/// "maps" of "maps/hall.toml", "." of "hall.toml".
+std::string folder_of(const std::string& path) {
+    const auto slash = path.find_last_of('/');
+    if (slash == std::string::npos) return ".";
+    return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+std::string name_of(const std::string& path) {
+    const auto slash = path.find_last_of('/');
+    const std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
+    return file.substr(0, file.find_last_of('.'));
+}
+
+/// The caller's folders, then the map's own, seen from the map.
+std::vector<std::string> texture_folders(const MapFile& file, const std::string& path,
+                                         const std::vector<std::string>& more) {
+    std::vector<std::string> folders = more;
+    for (const std::string& folder : file.textures)
+        folders.push_back(!folder.empty() && folder[0] == '/' ? folder : folder_of(path) + "/" + folder);
+    return folders;
+}
+
+}  // namespace
+
+LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
+                   const FileReader& read) {
+    LoadedMap loaded;
+    Result<Bytes> bytes = read(path);
+    if (!bytes) {
+        loaded.findings.push_back({{}, Severity::error, "unreadable", bytes.error().what});
+        return loaded;
+    }
+    MapReading reading = read_map(as_text(bytes.value()));
+    bytes = Bytes();  // a large file need not stay in memory beside the map
+    loaded.findings = std::move(reading.findings);
+    if (reading.map.name.empty()) reading.map.name = name_of(path);
+    const auto folders = texture_folders(reading.map, path, more_texture_folders);
+    loaded.textures = load_textures(reading.map, folders, read, loaded.findings);
+    loaded.map = build_map(reading.map, loaded.textures, loaded.findings);
+    sort_by_place(loaded.findings);
+    return loaded;
+}
+
+}  // namespace enfilade
