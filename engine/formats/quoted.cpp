@@ -41,15 +41,21 @@ std::string quoted(std::string_view word) {
     return shown + (length < word.size() ? "…'" : "'");
 }
 
-std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known) {
     std::size_t best = word.size() > kShownBytes ? 0 : 1 + word.size() / 3;
     std::string_view nearest;
     for (std::string_view candidate : known) {
-        const std::size_t distance = best == 0 ? 1 : edit_distance(word, candidate);
+        const std::size_t distance =
+            best == 0 || candidate.size() > word.size() + best ? best + 1 : edit_distance(word, candidate);
         if (distance > best || distance == 0 || (distance == best && !nearest.empty())) continue;
         best = distance;
         nearest = candidate;
     }
+    return nearest;
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
+    const std::string_view nearest = nearest_word(word, known);
     if (!nearest.empty()) return "; did you mean '" + std::string(nearest) + "'?";
     std::string list = "; known here: ";
     for (std::string_view candidate : known) list += std::string(candidate) + ", ";

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "formats/quoted.h"
 #include "map/crossing_point.h"
 #include "map/draft.h"
 #include "map/edge_sweep.h"
@@ -77,7 +78,7 @@ private:
                              "; the edges of one sector may only share vertices");
         else if (clash.kind == Meeting::touching)
             draft_.error(place, "edges-touch",
-                         "vertex " + to_text(touching_end(first, second)) + " of sector " + quoted(sector_.name) +
+                         "vertex " + point_text(touching_end(first, second)) + " of sector " + quoted(sector_.name) +
                              " lies inside its edge " + edge_text(second) + "; give that edge a vertex there");
         else
             draft_.error(place, "edges-overlap",

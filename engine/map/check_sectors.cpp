@@ -1,33 +1,20 @@
 // What a sector must be whatever its shape: a name of its own, a ceiling that is not below its floor.
-#include <cmath>
+#include <string>
 #include <vector>
 
+#include "formats/number_text.h"
+#include "formats/quoted.h"
 #include "map/draft.h"
 #include "map/names.h"
-#include "map/say.h"
-#include "math/grid.h"
 
 namespace enfilade {
 namespace {
 
-TextPlace place_of(const FlatRecord& flat, const SectorRecord& sector) {
-    return flat.place.line != 0 ? flat.place : sector.place;
-}
-
-void check_height(Draft& draft, const SectorRecord& sector, const FlatRecord& flat, const char* which) {
-    if (std::abs(flat.z) <= kWorldLimit) return;
-    draft.error(place_of(flat, sector), "height-out-of-range",
-                std::string("expected a ") + which + " between -32768 and 32768 m, found " + to_text(flat.z) +
-                    " in sector " + quoted(sector.name));
-}
-
 void check_heights(Draft& draft, const SectorRecord& sector) {
-    check_height(draft, sector, sector.floor, "floor");
-    check_height(draft, sector, sector.ceiling, "ceiling");
-    if (!(sector.ceiling.z < sector.floor.z)) return;
-    draft.error(place_of(sector.ceiling, sector), "ceiling-below-floor",
-                "the ceiling of sector " + quoted(sector.name) + " at " + to_text(sector.ceiling.z) +
-                    " m is below its floor at " + to_text(sector.floor.z) +
+    if (sector.ceiling.z >= sector.floor.z) return;
+    draft.error(sector.ceiling.place.line != 0 ? sector.ceiling.place : sector.place, "ceiling-below-floor",
+                "the ceiling of sector " + quoted(sector.name) + " at " + number_text(sector.ceiling.z) +
+                    " m is below its floor at " + number_text(sector.floor.z) +
                     " m; raise it, or make them equal for a closed door");
 }
 

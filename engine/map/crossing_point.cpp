@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "map/say.h"
+#include "formats/number_text.h"
 #include "math/grid.h"
 #include "math/predicates.h"
 
@@ -43,13 +43,13 @@ bool is_decimal(Fraction f) {
     return (f.under & (f.under - 1)) == 0 && size_of(f.over) <= kExact && f.under <= kExact;
 }
 
-std::string exact(Fraction f) { return is_decimal(f) ? to_text(value(f)) : digits(f.over) + "/" + digits(f.under); }
+std::string exact(Fraction f) { return is_decimal(f) ? number_text(value(f)) : digits(f.over) + "/" + digits(f.under); }
 
 /// To a thousandth: where to look on the drawing.
 std::string about(Fraction f) {
     const double thousandths = value(f) * 1000;
     const auto whole = static_cast<std::int64_t>(thousandths < 0 ? thousandths - 0.5 : thousandths + 0.5);
-    return to_text(static_cast<double>(whole) / 1000);
+    return number_text(static_cast<double>(whole) / 1000);
 }
 
 /// A coordinate in whole steps of the vertex grid.

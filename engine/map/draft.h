@@ -42,15 +42,18 @@ struct Draft {
     std::vector<Loop> loops;
     std::vector<WallDraft> walls;  ///< indexed by WallId
 
+    bool was_sound = true;  ///< the reader found no error
+
     /// True for the enfilade dialect: what was ambiguous in the tutorial's is an error here.
     bool is_strict() const { return file.format != 0; }
-    void error(TextPlace place, std::string_view code, std::string sentence) {
-        findings.push_back({place, Severity::error, std::string(code), std::move(sentence)});
-    }
-    void warning(TextPlace place, std::string_view code, std::string sentence) {
-        findings.push_back({place, Severity::warning, std::string(code), std::move(sentence)});
-    }
+    void error(TextPlace place, std::string_view code, std::string sentence);
+    void warning(TextPlace place, std::string_view code, std::string sentence);
+
+    std::size_t error_count = 0, warning_count = 0;
 };
+
+/// Errors, and warnings, that the builder notes of one map; one more says that there are more. [findings]
+inline constexpr std::size_t kMostErrors = 1000, kMostWarnings = 1000;
 
 // The steps, in order. Each reports what it finds and leaves the draft fit for the next.
 

@@ -1,8 +1,9 @@
 // Where the player starts, and whether the things are in the map.
-#include <cmath>
 #include <string>
 #include <vector>
 
+#include "formats/number_text.h"
+#include "formats/quoted.h"
 #include "map/draft.h"
 #include "map/inside.h"
 #include "map/names.h"
@@ -18,8 +19,6 @@ SectorId first_around(const Draft& draft, Vec2 p) {
         if (draft.sectors[i].measurable && is_inside(draft.map, SectorId(i), p)) return SectorId(i);
     return {};
 }
-
-bool is_in_range(Vec2 p) { return std::abs(p.x) <= kWorldLimit && std::abs(p.y) <= kWorldLimit; }
 
 NameIndex sector_names(const Draft& draft) {
     std::vector<ScopedName> names;
@@ -47,8 +46,9 @@ void check_eye(Draft& draft, const PlayerStart& start) {
     const bool is_closed = sector.floor.z == sector.ceiling.z;
     if (is_closed || (start.eye_z > sector.floor.z && start.eye_z < sector.ceiling.z)) return;
     draft.warning(draft.file.player->place, "player-eye",
-                  "expected the player's eye between the floor at " + to_text(sector.floor.z) +
-                      " m and the ceiling at " + to_text(sector.ceiling.z) + " m, found z = " + to_text(start.eye_z));
+                  "expected the player's eye between the floor at " + number_text(sector.floor.z) +
+                      " m and the ceiling at " + number_text(sector.ceiling.z) +
+                      " m, found z = " + number_text(start.eye_z));
 }
 
 void place_player(Draft& draft) {
@@ -57,27 +57,20 @@ void place_player(Draft& draft) {
         return;
     }
     const PlayerRecord& record = *draft.file.player;
-    if (!is_in_range(record.position) || !(std::abs(record.eye_z) <= kWorldLimit)) {
-        draft.error(record.place, "player-out-of-range",
-                    "expected the player's position between -32768 and 32768 m, found " + to_text(record.position) +
-                        " at z = " + to_text(record.eye_z));
-        return;
-    }
-    PlayerStart start{{}, snap_to_point_grid(record.position), record.eye_z, {}};
-    if (std::abs(record.yaw_degrees) < 0x1p40) start.yaw = Angle::from_degrees(record.yaw_degrees);
+    PlayerStart start{{}, snap_to_point_grid(record.position), record.eye_z, Angle::from_degrees(record.yaw_degrees)};
     const NameIndex names = sector_names(draft);
     const auto found = names.find(0, record.sector);
     if (!found)
         return start_somewhere(draft, start,
                                "expected the name of a sector for the player, found " + quoted(record.sector) +
-                                   did_you_mean(names.nearest(0, record.sector)),
+                                   names.suggestion(0, record.sector),
                                "player-sector");
     start.sector = SectorId(*found);
     if (!draft.sectors[*found].measurable) return;
     if (!is_inside(draft.map, start.sector, start.position))
         return start_somewhere(
             draft, start,
-            "the player's position " + to_text(start.position) + " is outside sector " + quoted(record.sector),
+            "the player's position " + point_text(start.position) + " is outside sector " + quoted(record.sector),
             "player-outside");
     check_eye(draft, start);
     draft.map.player = start;

@@ -2,8 +2,9 @@
 #include <cmath>
 #include <utility>
 
+#include "formats/number_text.h"
+#include "formats/quoted.h"
 #include "map/draft.h"
-#include "map/say.h"
 #include "math/predicates.h"
 
 namespace enfilade {
@@ -78,8 +79,8 @@ void check_lengths(Draft& draft, WallId id) {
     const Wall &wall = draft.map[id], &exit = draft.map[wall.exit];
     if (lengths_agree(wall, exit)) return;
     draft.error(draft.walls[id.index].place, "link-lengths",
-                "expected linked walls of one length, found " + to_text(wall.length) + " m here and " +
-                    to_text(exit.length) + " m at " + quoted(draft.walls[id.index].record->via) + " of sector " +
+                "expected linked walls of one length, found " + number_text(wall.length) + " m here and " +
+                    number_text(exit.length) + " m at " + quoted(draft.walls[id.index].record->via) + " of sector " +
                     quoted(draft.map[wall.behind].name) + "; a link cannot stretch what passes");
 }
 
@@ -88,8 +89,8 @@ void check_rises(Draft& draft, WallId id) {
     const auto back = draft.walls[draft.map[id].exit.index].record->rise;
     if (!is_two_way(draft, id) || !there || !back || *there == -*back) return;
     draft.error(draft.walls[id.index].place, "link-rise",
-                "the way back is the way there reversed: this wall says rise = " + to_text(*there) +
-                    " and its other side rise = " + to_text(*back) + ", expected " + to_text(-*there) +
+                "the way back is the way there reversed: this wall says rise = " + number_text(*there) +
+                    " and its other side rise = " + number_text(*back) + ", expected " + number_text(-*there) +
                     "; give rise on one side only");
 }
 
@@ -101,9 +102,9 @@ void check_opening(Draft& draft, WallId id, double rise) {
     const bool both_open = here.floor.z < here.ceiling.z && floor < ceiling;
     if (!both_open || (floor < here.ceiling.z && ceiling > here.floor.z)) return;
     draft.warning(draft.walls[id.index].place, "link-closed",
-                  "nothing fits through this link: the room here is open from " + to_text(here.floor.z) + " to " +
-                      to_text(here.ceiling.z) + " m, the one behind, seen from here, from " + to_text(floor) + " to " +
-                      to_text(ceiling) + " m; check rise");
+                  "nothing fits through this link: the room here is open from " + number_text(here.floor.z) + " to " +
+                      number_text(here.ceiling.z) + " m, the one behind, seen from here, from " + number_text(floor) +
+                      " to " + number_text(ceiling) + " m; check rise");
 }
 
 void link_portal(Draft& draft, WallId id) {

@@ -24,10 +24,9 @@ public:
     /// The lowest id of that name. Cost: log of the number of names.
     std::optional<std::uint32_t> find(std::uint32_t scope, std::string_view name) const;
 
-    /// The name of the scope that takes the fewest changed letters, if it is near enough to be meant; else empty.
-    /// Gives up (empty) after a fixed number of comparisons in the index's life, so that a file full of unknown
-    /// names cannot cost more than linear time.
-    std::string_view nearest(std::uint32_t scope, std::string_view name) const;
+    /// "; did you mean 'X'?" with the nearest name of the scope, or nothing. Gives up after a fixed number of
+    /// comparisons in the index's life, so that a file full of unknown names cannot cost more than linear time.
+    std::string suggestion(std::uint32_t scope, std::string_view name) const;
 
     /// Every name after the first that is equal to another of its scope: (the first, the further one).
     std::vector<std::pair<std::uint32_t, std::uint32_t>> duplicates() const;
@@ -36,8 +35,5 @@ private:
     std::vector<ScopedName> names_;  ///< by scope, name, id
     mutable std::size_t comparisons_left_;
 };
-
-/// " (did you mean 'name'?)" for the nearest name, or nothing.
-std::string did_you_mean(std::string_view nearest);
 
 }  // namespace enfilade

@@ -1,6 +1,7 @@
 // Portals: which sector each leads into, and which of its walls one comes out of.
 #include <vector>
 
+#include "formats/quoted.h"
 #include "map/draft.h"
 #include "map/names.h"
 #include "map/say.h"
@@ -69,9 +70,8 @@ private:
         const WallDraft& written = draft_.walls[id.index];
         const std::string& name = written.record->next;
         if (const auto found = sectors_.find(0, name)) return SectorId(*found);
-        draft_.error(
-            known(written.record->next_place, written.place), "unknown-sector",
-            "expected the name of a sector in next, found " + quoted(name) + did_you_mean(sectors_.nearest(0, name)));
+        draft_.error(known(written.record->next_place, written.place), "unknown-sector",
+                     "expected the name of a sector in next, found " + quoted(name) + sectors_.suggestion(0, name));
         return {};
     }
 
@@ -82,7 +82,7 @@ private:
         if (const auto found = walls_.find(behind.index, name)) return WallId(*found);
         draft_.error(known(written.record->via_place, written.place), "unknown-wall",
                      "expected the name of a wall of sector " + quoted(draft_.map[behind].name) + " in via, found " +
-                         quoted(name) + did_you_mean(walls_.nearest(behind.index, name)));
+                         quoted(name) + walls_.suggestion(behind.index, name));
         return {};
     }
 
@@ -104,8 +104,10 @@ private:
         if (const WallId near = twins_.nearest(wall.behind, wall.a, wall.b))
             sentence += "; its nearest edge is " + edge_text(draft_.map[near].a, draft_.map[near].b);
         sentence += "; give both sectors the same vertices, or link the walls by name with via";
-        const Severity severity = longer ? Severity::warning : Severity::error;
-        draft_.findings.push_back({draft_.walls[id.index].place, severity, "missing-twin", std::move(sentence)});
+        if (longer)
+            draft_.warning(draft_.walls[id.index].place, "missing-twin", std::move(sentence));
+        else
+            draft_.error(draft_.walls[id.index].place, "missing-twin", std::move(sentence));
     }
 
     Draft& draft_;

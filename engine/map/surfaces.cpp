@@ -2,8 +2,8 @@
 #include <cmath>
 #include <string>
 
+#include "formats/quoted.h"
 #include "map/draft.h"
-#include "map/say.h"
 
 namespace enfilade {
 namespace {
@@ -14,13 +14,10 @@ double fraction_of(double x) {
     return f >= 0 && f < 1 ? f : 0;
 }
 
-bool is_scale(double x) { return std::isfinite(x) && x > 0; }
-
 /// What all surfaces of one wall or flat have in common.
 struct Lay {
-    Draft& draft;
+    const TextureSet& textures;
     std::optional<double> size;  ///< texels per metre, instead of metres per tile
-    TextPlace place;             ///< where the spec does not know its own
 
     Vec2 tile(const TextureSpec& spec, const Texture& texture) const {
         if (size) return {texture.width / *size, texture.height / *size};
@@ -31,19 +28,12 @@ struct Lay {
         Surface s;
         s.peg = peg;
         if (!spec) return s;
-        s.texture = spec->name == "-" ? TextureId() : draft.textures.find(spec->name);
-        const Texture& texture = draft.textures[s.texture];
+        s.texture = spec->name == "-" ? TextureId() : textures.find(spec->name);
+        const Texture& texture = textures[s.texture];
         s.tile_m = tile(*spec, texture);
-        if (!is_scale(s.tile_m.x) || !is_scale(s.tile_m.y)) refuse_scale(*spec, s.tile_m);
         s.offset_tiles = {fraction_of(spec->offset_tx.x / texture.width),
                           fraction_of(spec->offset_tx.y / texture.height)};
         return s;
-    }
-
-    void refuse_scale(const TextureSpec& spec, Vec2 tile_m) const {
-        draft.error(
-            spec.place.line != 0 ? spec.place : place, "bad-scale",
-            "expected a texture scale above 0, found " + to_text(tile_m) + " metres per tile of " + quoted(spec.name));
     }
 };
 
@@ -57,9 +47,8 @@ double contrast_of(LightModel model, Vec2 edge) {
 
 void lay_wall(Draft& draft, WallId id) {
     Wall& wall = draft.map.walls[id.index];
-    const WallDraft& written = draft.walls[id.index];
-    const WallRecord& record = *written.record;
-    const Lay lay{draft, record.size, written.place};
+    const WallRecord& record = *draft.walls[id.index].record;
+    const Lay lay{draft.textures, record.size};
     if (wall.a != wall.b) wall.contrast = contrast_of(draft.file.render.light, wall.b - wall.a);
     if (wall.kind != WallKind::portal) {
         wall.texture = lay.surface(record.texture, record.texture_peg);
@@ -71,9 +60,9 @@ void lay_wall(Draft& draft, WallId id) {
 }
 
 void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record, Flat& flat) {
-    const TextPlace place = record.place.line != 0 ? record.place : sector.record->place;
     // A sky's two numbers are wraps and a tangent, which texels per metre say nothing about.
-    const Lay lay{draft, record.parallax ? std::nullopt : record.size, place};
+    Lay lay{draft.textures, {}};
+    if (!record.parallax) lay.size = record.size;
     flat.surface = lay.surface(record.texture, Peg::ceiling);
     flat.sky = record.parallax;
     if (record.is_relative && sector.loop_count > 0)
