@@ -16,8 +16,9 @@ struct Place {
     bool operator==(const Place&) const = default;
 };
 
-/// Says whether a path may pass from a sector through one of its portals: heights, blocking, anything.
-using MayPass = std::function<bool(WallId portal)>;
+/// Says whether a path may pass from a sector through one of its portals: heights, blocking, anything. `passage` leads
+/// from the space where the question started into that of the portal, so that a height there can be compared.
+using MayPass = std::function<bool(WallId portal, const Rigid& passage)>;
 
 /// One portal passed by a path.
 struct Crossing {
@@ -34,15 +35,26 @@ struct Trace {
 };
 
 /// Follows the path from `from` along `to - from.point` through every portal it crosses, however many, linked or not.
-/// Exact: the tie rule makes the order of crossings total, so a path through a vertex, along a wall or of no length
-/// has one answer, the reverse path the reversed list, and a split path the joined lists.
-/// Through a link the rest of the path is carried over and put onto the point grid.
+/// The end is inside its sector, exactly, whatever happened on the way.
 ///
-/// to       : on the point grid, in the space of `from`
+/// Exact: the tie rule makes the order of crossings total, so a path through a vertex, along a wall or of no length
+/// has one answer; where portals lead both ways, the reverse path crosses the same portals backward, and a path split
+/// at one of its grid points crosses the same portals as the whole.
+/// Through a link the rest of the path is carried over and put onto the point grid (space/leg.h), so across links
+/// those two hold for points that are more than a few grid steps away from the portals.
+/// Mirrors are solid.
+///
+/// from     : inside its sector
+/// to       : on the point grid, in the space of `from`, |coordinates| <= 2 * kWorldLimit
 /// may_pass : asked once for each portal met, in order; empty: every portal may be passed
-/// Where the path is stopped, end is the last grid point found on the way that is inside: the position of the
-/// start if the wall is at once. Crossings made on the way stay made.
+/// Where the path is stopped, end is the last grid point found on the way that is inside, and stopped is the wall.
+/// Crossings made on the way stay made, but for those behind which there is no grid point inside.
+/// A path that passes kMaxLinksOnPath links is stopped by the next.
 /// Cost: the walls of the sectors passed.
 Trace trace(const Map& map, const Place& from, Vec2 to, const MayPass& may_pass = {});
+
+/// A straight path winds around a point where links meet as often as the angle around it fits into half a turn.
+/// This is far beyond any honest map; without it a path that is aimed into such a point might never come out.
+inline constexpr int kMaxLinksOnPath = 1024;
 
 }  // namespace enfilade

@@ -1,0 +1,45 @@
+// One leg of a path: the stretch of it that runs through one sector, and how it leaves that sector.
+//
+// Why the first wall left through, beyond the one entered by, is the right one. The tie rule moves the whole path by
+// (e, e^2): moved like that it passes no vertex, runs along no wall and starts and ends on none. What is left is
+// a segment in general position and a region, the sector, whose border it crosses one wall at a time, by turns out of
+// the region and into it. Starting inside, or having just come in, the next border crossing is one out of it: of the
+// walls crossed outward, the one with the smallest fraction beyond the entrance. That holds for sectors that are not
+// convex, for holes, for several outlines and where two loops touch in a vertex: the moved path never sees the vertex.
+#pragma once
+#include <optional>
+
+#include "map/map.h"
+
+namespace enfilade {
+
+/// The path from -> to, of which the part in `sector` is meant. `from` and `to` are on the point grid and in the
+/// space of the sector; `from` may lie outside it (then the path comes in through `entry`), and so may `to`.
+struct Leg {
+    SectorId sector;
+    Vec2 from, to;
+    WallId entry;  ///< wall of `sector` through which the path comes in; none: `from` is inside
+};
+
+/// The wall through which the leg leaves its sector, or none: `to` is inside, exactly.
+/// Cost: the sector's walls.
+WallId way_out(const Map& map, const Leg& leg);
+
+/// True where the path from -> to comes into the sector of `wall` through it.
+bool comes_in_through(const Wall& wall, Vec2 from, Vec2 to);
+
+/// The leg in the room behind `portal`, through which `leg` leaves; none where there is no grid point to stand on
+/// just behind the portal (a sector that is thinner than the grid), so that the portal is as good as solid.
+///
+/// Through a plain portal the path stays what it is. Through a link it is carried over and put onto the point grid;
+/// where rounding or the tie rule (which does not turn with the link) lets the carried path miss the wall it comes out
+/// of, it starts anew just behind that wall, and an end that would lie before the wall is moved behind it. Neither
+/// moves a point by more than a few grid steps, but where the sector has no grid point that near.
+std::optional<Leg> leg_behind(const Map& map, const Leg& leg, WallId portal);
+
+/// The last grid point of the leg, before it leaves through `exit`, that is inside the sector together with the whole
+/// way to it; none where the leg has no such point. Searched in growing steps: at most twice as far from the wall as
+/// the very last one, and the very last one where the path meets the wall squarely.
+std::optional<Vec2> last_point_before(const Map& map, const Leg& leg, WallId exit);
+
+}  // namespace enfilade

@@ -1,0 +1,206 @@
+// Paths through linked portals: shifts, quarter turns, other turns, and corners where links meet.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+#include "math/grid.h"
+#include "math/predicates.h"
+#include "space/locate.h"
+#include "space/trace.h"
+#include "support/map_builder.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+const SectorId kFirst(0u), kSecond(1u);
+
+/// Two rooms far apart: east wall of the first onto a wall of the second.
+Map linked_rooms(Vec2 to_a, Vec2 to_b) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 100, 50, 104, 54)});
+    link(file, "a", {4, 0}, {4, 4}, "b", to_a, to_b);
+    return built(file);
+}
+Map shifted_rooms() { return linked_rooms({100, 54}, {100, 50}); }
+Map quarter_turned_rooms() { return linked_rooms({100, 50}, {104, 50}); }
+
+TEST(TraceThroughLinks, CarriesTheRestOfThePathOver) {
+    const Map map = shifted_rooms();
+    const Trace path = trace(map, {kFirst, {1, 1}}, {7, 3});
+    EXPECT_EQ(path.end, (Place{kSecond, {103, 53}}));
+    EXPECT_EQ(path.passage.apply({7, 3}), path.end.point);
+}
+
+TEST(TraceThroughLinks, TurnsTheRestOfThePathByAQuarter) {
+    const Map map = quarter_turned_rooms();
+    const Trace path = trace(map, {kFirst, {1, 1}}, {7, 1});
+    EXPECT_EQ(path.end.sector, kSecond);
+    EXPECT_EQ(path.end.point, (Vec2{103, 53}));
+}
+
+TEST(TraceThroughLinks, ReturnsExactlyThroughShiftsAndQuarterTurns) {
+    for (const Map& map : {shifted_rooms(), quarter_turned_rooms()}) {
+        Random random(7);
+        for (int i = 0; i < 2000; ++i) {
+            const Place from{kFirst, snap_to_point_grid({random.uniform(0.5, 3.5), random.uniform(0.5, 3.5)})};
+            const Vec2 to = snap_to_point_grid({random.uniform(5, 7), random.uniform(0, 4)});
+            const Trace there = trace(map, from, to);
+            const Trace back = trace(map, there.end, there.passage.apply(from.point));
+            ASSERT_EQ(back.end, from);
+        }
+    }
+}
+
+TEST(TraceThroughLinks, ComposesTheWayBackToTheIdentity) {
+    const Map map = quarter_turned_rooms();
+    const Trace there = trace(map, {kFirst, {1, 1}}, {7, 1});
+    const Trace back = trace(map, there.end, there.passage.apply({1, 1}));
+    EXPECT_TRUE(then(there.passage, back.passage).is_identity());
+}
+
+TEST(TraceThroughLinks, ComposesItsPassageInTheOrderOfTheWay) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 100, 50, 104, 54), box_room("c", 7, -90, 11, -86)});
+    link(file, "a", {4, 0}, {4, 4}, "b", {100, 50}, {104, 50});
+    link(file, "b", {104, 54}, {100, 54}, "c", {7, -86}, {7, -90});
+    const Map map = built(file);
+    const Trace path = trace(map, {kFirst, {1, 2.5}}, {9.5, 2.5});
+    EXPECT_EQ(path.crossings.size(), 2u);
+    EXPECT_EQ(path.passage.apply({9.5, 2.5}), path.end.point);
+}
+
+TEST(TraceThroughLinks, AsksMayPassWithTheHeightsOfTheRoomsOnTheWay) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 100, 50, 104, 54, 7, 9)});
+    link(file, "a", {4, 0}, {4, 4}, "b", {100, 54}, {100, 50});
+    link(file, "b", {104, 50}, {104, 54}, "a", {0, 4}, {0, 0});
+    const Map map = built(file);
+    std::vector<double> rises;
+    trace(map, {kFirst, {1, 1}}, {13, 1}, [&](WallId, const Rigid& passage) {
+        rises.push_back(passage.rise);
+        return true;
+    });
+    EXPECT_EQ(rises, (std::vector<double>{0, 7, 0}));
+}
+
+TEST(TraceThroughLinks, EndsBehindTheLinkWhenThePathEndsOnItsLine) {
+    // The tie rule counts x = 4 as crossed, but x = 104, seen from within the other room, as outside.
+    for (const Map& map : {shifted_rooms(), quarter_turned_rooms(), linked_rooms({104, 50}, {104, 54})})
+        for (double y = 0; y <= 4; y += 0.25) {
+            const Trace path = trace(map, {kFirst, {3, 2}}, {4, y});
+            ASSERT_TRUE(contains(map, path.end.sector, path.end.point)) << y;
+            ASSERT_LE(path.crossings.size(), 1u) << "not back through the same link";
+            const Trace again = trace(map, path.end, path.end.point);
+            ASSERT_TRUE(again.crossings.empty()) << "no ping-pong";
+        }
+}
+
+TEST(TraceThroughLinks, StopsAfterManyRoundsThroughARoomLinkedToItself) {
+    MapFile file = map_of({box_room("loop", 0, 0, 4, 4)});
+    link(file, "loop", {4, 0}, {4, 4}, "loop", {0, 4}, {0, 0});
+    const Map map = built(file);
+    EXPECT_EQ(trace(map, {kFirst, {1, 2}}, {401, 2}).crossings.size(), 100u);
+    const Trace endless = trace(map, {kFirst, {1, 2}}, {30000, 2});
+    EXPECT_EQ(endless.crossings.size(), std::size_t{kMaxLinksOnPath});
+    EXPECT_TRUE(endless.stopped);
+}
+
+/// Octagons with sides of 29/8 m, alternately along the axes and along (20, 21): the turns of the links between them
+/// are multiples of 90 degrees and others. Every side is a link to some side of some octagon, so there is no wall at
+/// all, and around the corners the angles add up to anything.
+class Universe {
+public:
+    explicit Universe(std::uint64_t seed) : random_(seed) {
+        std::vector<SectorRecord> rooms;
+        for (int i = 0; i < kRooms; ++i) rooms.push_back(room(std::to_string(i), outline(i)));
+        MapFile file = map_of(std::move(rooms));
+        std::vector<int> sides(kRooms * 8);
+        for (int i = 0; i < kRooms * 8; ++i) sides[std::size_t(i)] = i;
+        for (std::size_t i = sides.size(); i > 1; --i) std::swap(sides[i - 1], sides[random_.below(i)]);
+        for (std::size_t i = 0; i < sides.size(); i += 2) link_sides(file, sides[i], sides[i + 1]);
+        map = built(file);
+    }
+
+    /// Somewhere in a room: anywhere, on a line from corner to corner, or a grid step beside that.
+    Place place() {
+        while (true) {
+            const SectorId sector(static_cast<std::size_t>(random_.below(kRooms)));
+            const Vec2 p = target(static_cast<int>(sector.index));
+            if (contains(map, sector, p)) return {sector, p};
+        }
+    }
+
+    Vec2 target(int room) {
+        const auto corner = [&] { return outline(room)[random_.below(8)]; };
+        const Vec2 middle = snap_to_point_grid((corner() + corner()) * 0.5);
+        const auto beside = [&] { return (static_cast<double>(random_.below(5)) - 2) * kPointGrid; };
+        if (random_.below(2) == 0) return {middle.x + beside(), middle.y + beside()};
+        const double reach = 12;
+        return middle + snap_to_point_grid(Vec2{random_.uniform(-reach, reach), random_.uniform(-reach, reach)});
+    }
+
+    Map map;
+
+private:
+    static constexpr int kRooms = 3;
+
+    static std::vector<Vec2> outline(int room) {
+        const Vec2 sides[] = {{29, 0}, {20, 21}, {0, 29}, {-20, 21}, {-29, 0}, {-20, -21}, {0, -29}, {20, -21}};
+        std::vector<Vec2> corners{{room * 100.0, room * -37.0}};
+        for (int i = 0; i < 7; ++i) corners.push_back(corners.back() + sides[i] * 0.125);
+        return corners;
+    }
+
+    static void link_sides(MapFile& file, int from, int to) {
+        const auto a = outline(from / 8), b = outline(to / 8);
+        link(file, std::to_string(from / 8), a[std::size_t(from % 8)], a[std::size_t((from + 1) % 8)],
+             std::to_string(to / 8), b[std::size_t(to % 8)], b[std::size_t((to + 1) % 8)]);
+    }
+
+    Random random_;
+};
+
+TEST(TraceThroughLinks, AlwaysEndsInsideInAUniverseOfLinks) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        Universe universe(seed);
+        for (int i = 0; i < 20000; ++i) {
+            const Place from = universe.place();
+            const Trace path = trace(universe.map, from, universe.target(static_cast<int>(from.sector.index)));
+            ASSERT_TRUE(contains(universe.map, path.end.sector, path.end.point)) << "seed " << seed << ", path " << i;
+        }
+    }
+}
+
+TEST(TraceThroughLinks, WalksAHundredThousandMovesInARowWithoutLeavingTheWorld) {
+    Universe universe(42);
+    Place at = universe.place();
+    for (int i = 0; i < 100000; ++i) {
+        const Vec2 to = universe.target(static_cast<int>(at.sector.index));
+        at = trace(universe.map, at, to).end;
+        ASSERT_TRUE(contains(universe.map, at.sector, at.point)) << "move " << i;
+    }
+}
+
+TEST(TraceThroughLinks, ComesBackFromOtherTurnsWithinAFewGridSteps) {
+    // Two roundings each way, each by at most half a step along both axes.
+    const double bound = 3 * kPointGrid;
+    MapFile file = map_of(
+        {room("a", {{0, 0}, {29, 0}, {29, 29}, {0, 29}}), room("b", {{100, 0}, {120, 21}, {120, 50}, {100, 50}})});
+    link(file, "a", {29, 0}, {29, 29}, "b", {100, 0}, {120, 21});
+    const Map map = built(file);
+    Random random(3);
+    for (int i = 0; i < 100000; ++i) {
+        const Place from{kFirst, snap_to_point_grid({random.uniform(20, 29), random.uniform(10, 19)})};
+        const Vec2 to = snap_to_point_grid({random.uniform(29.1, 33), random.uniform(10, 19)});
+        const Trace there = trace(map, from, to);
+        ASSERT_EQ(there.end.sector, kSecond);
+        const Place back = trace(map, there.end, snap_to_point_grid(there.passage.apply(from.point))).end;
+        ASSERT_EQ(back.sector, kFirst);
+        ASSERT_LE(std::fabs(back.point.x - from.point.x), bound);
+        ASSERT_LE(std::fabs(back.point.y - from.point.y), bound);
+    }
+}
+
+}  // namespace
+}  // namespace enfilade

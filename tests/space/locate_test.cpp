@@ -1,0 +1,69 @@
+// Point location against an oracle that only asks about convex cells.
+#include "space/locate.h"
+
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+#include "math/grid.h"
+#include "space/mosaic.h"
+
+namespace enfilade {
+namespace {
+
+using test::lay_mosaic;
+using test::Mosaic;
+
+TEST(Contains, AgreesWithTheCellsAtRandomPoints) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const Mosaic mosaic = lay_mosaic({.jitter = 0.9, .solid = 0.2}, seed);
+        Random random(seed);
+        for (int i = 0; i < 500; ++i) {
+            const Vec2 p = snap_to_point_grid({random.uniform(-2, 34), random.uniform(-2, 34)});
+            const SectorId expected = mosaic.sector_at(p);
+            for (std::size_t s = 0; s < mosaic.map.sectors.size(); ++s)
+                ASSERT_EQ(contains(mosaic.map, SectorId(s), p), expected == SectorId(s)) << "seed " << seed;
+        }
+    }
+}
+
+TEST(Contains, AgreesWithTheCellsOnEveryCornerAndLine) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const Mosaic mosaic = lay_mosaic({.solid = 0.2}, seed);
+        for (int x = -2; x <= 34; ++x)
+            for (int y = -2; y <= 34; ++y) {
+                const Vec2 p{double(x), double(y)};
+                for (std::size_t s = 0; s < mosaic.map.sectors.size(); ++s)
+                    ASSERT_EQ(contains(mosaic.map, SectorId(s), p), mosaic.sector_at(p) == SectorId(s))
+                        << "seed " << seed << " at " << x << "," << y;
+            }
+    }
+}
+
+TEST(Contains, PutsACornerWhereFourSectorsMeetIntoExactlyOne) {
+    const Mosaic mosaic = lay_mosaic({.columns = 12, .rows = 12, .jitter = 0.9, .labels = 30}, 5);
+    for (int column = 1; column < 12; ++column)
+        for (int row = 1; row < 12; ++row) {
+            int count = 0;
+            for (std::size_t s = 0; s < mosaic.map.sectors.size(); ++s)
+                count += contains(mosaic.map, SectorId(s), mosaic.corner(column, row));
+            ASSERT_EQ(count, 1) << column << "," << row;
+        }
+}
+
+TEST(Locate, FindsNoSectorInRockAndOutside) {
+    const Mosaic mosaic = lay_mosaic({.solid = 0.5}, 1);
+    for (double x = -1; x < 34; x += 1.5)
+        for (double y = -1; y < 34; y += 1.5) EXPECT_EQ(locate(mosaic.map, {x, y}), mosaic.sector_at({x, y}));
+}
+
+TEST(Locate, IsExactAtTheEdgeOfTheWorld) {
+    const Mosaic mosaic = lay_mosaic({.columns = 2, .rows = 2, .origin = {32760, -32768}, .labels = 9}, 3);
+    const double step = kPointGrid;
+    const Vec2 middle{32764, -32764};
+    EXPECT_EQ(locate(mosaic.map, middle), mosaic.cells[3]);
+    EXPECT_EQ(locate(mosaic.map, {middle.x - step, middle.y}), mosaic.cells[2]);
+    EXPECT_EQ(locate(mosaic.map, {middle.x, middle.y - step}), mosaic.cells[1]);
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,38 @@
+// Maps generated from a grid of labelled cells: sectors of any shape, with holes, islands and corners that touch.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "map/map.h"
+
+namespace enfilade::test {
+
+/// What is laid into a mosaic.
+struct MosaicPlan {
+    int columns = 8, rows = 8;
+    double spacing = 4;  ///< width and height of a cell before the corners are moved [m]
+    double jitter =
+        0;  ///< corners inside are moved by up to this along each axis, by whole jitter_steps; < spacing / 4 [m]
+    double jitter_step = 0x1p-10;  ///< [m]
+    Vec2 origin{};                 ///< of the top left corner [m]
+    int labels = 4;
+    double solid = 0;  ///< share of cells that are rock [1]
+};
+
+/// Cells with one label are one sector, however they lie; between two labels is a portal, next to rock and around the
+/// whole a wall.
+struct Mosaic {
+    Map map;
+    MosaicPlan plan;
+    std::vector<Vec2> corners;    ///< (columns + 1) * (rows + 1), row by row
+    std::vector<SectorId> cells;  ///< columns * rows, row by row; none: rock
+
+    Vec2 corner(int column, int row) const { return corners[std::size_t(row * (plan.columns + 1) + column)]; }
+    /// The sector of the cell that p, under the tie rule, lies in: an oracle that only asks about convex cells.
+    SectorId sector_at(Vec2 p) const;
+};
+
+/// The mosaic of a plan and a seed.
+Mosaic lay_mosaic(const MosaicPlan& plan, std::uint64_t seed);
+
+}  // namespace enfilade::test

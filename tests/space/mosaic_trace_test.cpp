@@ -1,0 +1,176 @@
+// What must hold for every path, tried on generated maps whose corners and lines the paths are aimed at.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "base/random.h"
+#include "math/grid.h"
+#include "space/locate.h"
+#include "space/mosaic.h"
+#include "space/trace.h"
+
+namespace enfilade {
+namespace {
+
+using test::lay_mosaic;
+using test::Mosaic;
+using test::MosaicPlan;
+
+/// Points that a careless tracer gets wrong: corners, points on lines, whole numbers, and a grid step beside those.
+class NastyPoints {
+public:
+    NastyPoints(const Mosaic& mosaic, std::uint64_t seed) : mosaic_(mosaic), random_(seed) {}
+
+    Vec2 next() {
+        const Vec2 p = base();
+        const auto beside = [&] { return (static_cast<double>(random_.below(3)) - 1) * kPointGrid; };
+        if (random_.below(4) == 0) return {p.x + beside(), p.y + beside()};
+        return p;
+    }
+
+    /// A point inside some sector.
+    Place next_place() {
+        while (true) {
+            const Vec2 p = next();
+            const SectorId sector = mosaic_.sector_at(p);
+            if (sector) return {sector, p};
+        }
+    }
+
+    std::uint64_t below(std::uint64_t count) { return random_.below(count); }
+
+private:
+    Vec2 corner() {
+        const int column = static_cast<int>(random_.below(std::uint64_t(mosaic_.plan.columns + 1)));
+        const int row = static_cast<int>(random_.below(std::uint64_t(mosaic_.plan.rows + 1)));
+        return mosaic_.corner(column, row);
+    }
+
+    Vec2 base() {
+        const MosaicPlan& plan = mosaic_.plan;
+        const Vec2 size{plan.columns * plan.spacing, plan.rows * plan.spacing};
+        switch (random_.below(4)) {
+            case 0: return corner();
+            case 1: return (corner() + corner()) * 0.5;
+            case 2:
+                return plan.origin + Vec2{double(random_.below(std::uint64_t(size.x) + 1)),
+                                          double(random_.below(std::uint64_t(size.y) + 1))};
+            default:
+                return plan.origin + snap_to_point_grid(Vec2{random_.uniform(0, size.x), random_.uniform(0, size.y)});
+        }
+    }
+
+    const Mosaic& mosaic_;
+    Random random_;
+};
+
+/// The kinds of mosaic the properties are tried on: lattices full of ties, and bent ones; open and with rock; near the
+/// origin and at the edge of the world.
+std::vector<MosaicPlan> plans(double solid) {
+    return {{.labels = 4, .solid = solid},
+            {.labels = 100, .solid = solid},
+            {.jitter = 0.9, .labels = 3, .solid = solid},
+            {.jitter = 0.75, .jitter_step = 0.25, .labels = 20, .solid = solid},
+            {.columns = 2, .rows = 30, .spacing = 1, .labels = 9, .solid = solid},
+            {.jitter = 0.5, .jitter_step = 0.5, .origin = {32736, -32768}, .labels = 6, .solid = solid}};
+}
+
+std::vector<Crossing> backward(const Map& map, std::vector<Crossing> crossings) {
+    std::reverse(crossings.begin(), crossings.end());
+    for (Crossing& c : crossings) c.portal = map[c.portal].exit;
+    return crossings;
+}
+
+constexpr int kMapsPerPlan = 4;
+constexpr int kPathsPerMap = 5000;
+
+/// Calls check(mosaic, points) kPathsPerMap times on each of some mosaics.
+template <class Check>
+void try_mosaics(double solid, Check check) {
+    std::uint64_t seed = 0;
+    for (const MosaicPlan& plan : plans(solid))
+        for (int i = 0; i < kMapsPerPlan; ++i) {
+            const Mosaic mosaic = lay_mosaic(plan, ++seed);
+            NastyPoints points(mosaic, seed);
+            for (int k = 0; k < kPathsPerMap && !testing::Test::HasFatalFailure(); ++k) {
+                SCOPED_TRACE(testing::Message() << "mosaic " << seed << ", path " << k);
+                check(mosaic, points);
+            }
+        }
+}
+
+TEST(TraceOverMosaics, EndsInTheSectorOfTheCellTheEndIsIn) {
+    try_mosaics(0, [](const Mosaic& mosaic, NastyPoints& points) {
+        const Place from = points.next_place();
+        const Place to = points.next_place();
+        const Trace path = trace(mosaic.map, from, to.point);
+        ASSERT_EQ(path.end, to);
+        ASSERT_TRUE(path.stopped.is_none());
+    });
+}
+
+TEST(TraceOverMosaics, EndsInsideItsSectorWhateverStopsIt) {
+    try_mosaics(0.3, [](const Mosaic& mosaic, NastyPoints& points) {
+        const Place from = points.next_place();
+        const Vec2 to = points.next();
+        const Trace path = trace(mosaic.map, from, to);
+        ASSERT_EQ(mosaic.sector_at(path.end.point), path.end.sector);
+        ASSERT_TRUE(path.stopped || path.end.point == to);
+    });
+}
+
+TEST(TraceOverMosaics, CrossesTheSamePortalsBackward) {
+    try_mosaics(0.2, [](const Mosaic& mosaic, NastyPoints& points) {
+        const Place from = points.next_place();
+        const Trace there = trace(mosaic.map, from, points.next());
+        if (there.stopped) return;
+        const Trace back = trace(mosaic.map, there.end, from.point);
+        ASSERT_EQ(back.crossings, backward(mosaic.map, there.crossings));
+        ASSERT_EQ(back.end, from);
+    });
+}
+
+TEST(TraceOverMosaics, IsTheSumOfItsParts) {
+    try_mosaics(0.2, [](const Mosaic& mosaic, NastyPoints& points) {
+        // Seven equal parts that lie on the point grid: the whole is seven times a part.
+        const Place from = points.next_place();
+        const Vec2 part = snap_to_point_grid((points.next() - from.point) * (1.0 / 7));
+        const Trace whole = trace(mosaic.map, from, from.point + part * 7);
+        if (whole.stopped) return;
+        std::vector<Crossing> joined;
+        Place at = from;
+        for (int i = 0; i < 7; ++i) {
+            const Trace step = trace(mosaic.map, at, at.point + part);
+            joined.insert(joined.end(), step.crossings.begin(), step.crossings.end());
+            at = step.end;
+        }
+        ASSERT_EQ(joined, whole.crossings);
+        ASSERT_EQ(at, whole.end);
+    });
+}
+
+TEST(TraceOverMosaics, ReturnsFromManyMovesInARow) {
+    try_mosaics(0, [](const Mosaic& mosaic, NastyPoints& points) {
+        const Place from = points.next_place();
+        const Vec2 stops[] = {points.next_place().point, points.next_place().point, from.point};
+        Place at = from;
+        for (Vec2 stop : stops) at = trace(mosaic.map, at, stop).end;
+        ASSERT_EQ(at, from);
+    });
+}
+
+TEST(TraceOverMosaics, StopsWithinAGridStepOfAWallMetSquarely) {
+    const Mosaic mosaic = lay_mosaic({.columns = 3, .rows = 3, .labels = 1}, 1);
+    Random random(1);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec2 p = snap_to_point_grid({random.uniform(1, 11), random.uniform(1, 11)});
+        const Trace right = trace(mosaic.map, {SectorId(0u), p}, {p.x + 20, p.y});
+        ASSERT_EQ(right.end.point, (Vec2{12 - kPointGrid, p.y}));
+        const Trace left = trace(mosaic.map, {SectorId(0u), p}, {p.x - 20, p.y});
+        ASSERT_EQ(left.end.point, (Vec2{0, p.y})) << "the tie rule counts the line at x = 0 as inside";
+    }
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,167 @@
+// Paths through small maps, one hard case at a time.
+#include "space/trace.h"
+
+#include <gtest/gtest.h>
+
+#include "math/grid.h"
+#include "space/locate.h"
+#include "support/map_builder.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+const SectorId kFirst(0u), kSecond(1u);
+
+/// Rooms of 4 x 4 m in a row along x, all joined.
+Map row_of_rooms(int count) {
+    std::vector<SectorRecord> rooms;
+    for (int i = 0; i < count; ++i) rooms.push_back(box_room("room " + std::to_string(i), 4 * i, 0, 4 * i + 4, 4));
+    MapFile file = map_of(std::move(rooms));
+    join_all(file);
+    return built(file);
+}
+
+TEST(Trace, CrossesEveryPortalOnALongWay) {
+    const Map map = row_of_rooms(9);
+    const Trace path = trace(map, {kFirst, {1, 2}}, {34, 2});
+    EXPECT_EQ(path.crossings.size(), 8u);
+    EXPECT_EQ(path.end, (Place{SectorId(8u), {34, 2}}));
+}
+
+TEST(Trace, CrossesAsManyPortalsGoingTheOtherWay) {
+    const Map map = row_of_rooms(9);
+    EXPECT_EQ(trace(map, {SectorId(8u), {34, 2}}, {1, 2}).end.sector, kFirst);
+}
+
+TEST(Trace, ReportsTheWallBehindTenThousandMetres) {
+    const Map map = row_of_rooms(3);
+    const Trace path = trace(map, {kFirst, {1, 2}}, {10001, 2});
+    EXPECT_EQ(path.end, (Place{SectorId(2u), {12 - kPointGrid, 2}}));
+    EXPECT_EQ(map[path.stopped].a, (Vec2{12, 0}));
+}
+
+TEST(Trace, GoesNowhereOnAPathOfNoLength) {
+    const Map map = row_of_rooms(2);
+    const Place on_the_line{kSecond, {4, 2}};
+    const Trace path = trace(map, on_the_line, on_the_line.point);
+    EXPECT_EQ(path.end, on_the_line);
+    EXPECT_TRUE(path.crossings.empty());
+}
+
+TEST(Trace, CrossesOnceWhenAMoveEndsOnTheLineAndTheNextGoesOn) {
+    const Map map = row_of_rooms(2);
+    const Trace onto = trace(map, {kFirst, {3, 2}}, {4, 2});
+    const Trace beyond = trace(map, onto.end, {5, 2});
+    EXPECT_EQ(onto.crossings.size() + beyond.crossings.size(), 1u);
+    EXPECT_EQ(beyond.end.sector, kSecond);
+}
+
+TEST(Trace, CrossesTwiceOrNeverWhenAMoveEndsOnTheLineAndTurnsBack) {
+    const Map map = row_of_rooms(2);
+    const Trace onto = trace(map, {kFirst, {3, 2}}, {4, 2});
+    const Trace back = trace(map, onto.end, {3, 2});
+    EXPECT_EQ(onto.crossings.size(), back.crossings.size());
+    EXPECT_EQ(back.end.sector, kFirst);
+}
+
+TEST(Trace, KeepsToOneSideWhenItRunsAlongAPortal) {
+    const Map map = row_of_rooms(2);
+    const SectorId side = locate(map, {4, 1});
+    const Trace along = trace(map, {side, {4, 1}}, {4, 3});
+    EXPECT_TRUE(along.crossings.empty());
+    EXPECT_EQ(along.end, (Place{side, {4, 3}}));
+}
+
+TEST(Trace, StopsInsideWhenItRunsAlongAPortalAndPastItsEnd) {
+    const Map map = row_of_rooms(2);
+    const SectorId side = locate(map, {4, 1});
+    const Trace along = trace(map, {side, {4, 1}}, {4, 9});
+    EXPECT_TRUE(along.stopped);
+    EXPECT_TRUE(contains(map, along.end.sector, along.end.point));
+}
+
+TEST(Trace, StaysInTheWorldWhenItIsAimedAtADoorPost) {
+    const Map map = row_of_rooms(2);
+    for (Vec2 post : {Vec2{4, 0}, Vec2{4, 4}})
+        for (double x = 0.25; x < 4; x += 0.25) {
+            const Vec2 from{x, 2};
+            const Trace path = trace(map, {kFirst, from}, post + (post - from));
+            ASSERT_TRUE(path.stopped);
+            ASSERT_TRUE(contains(map, path.end.sector, path.end.point));
+        }
+}
+
+TEST(Trace, IsStoppedByAPortalThatMayNotBePassed) {
+    const Map map = row_of_rooms(3);
+    const auto refuse_second = [&](WallId portal, const Rigid&) { return map[portal].sector != kSecond; };
+    const Trace path = trace(map, {kFirst, {1, 2}}, {11, 2}, refuse_second);
+    EXPECT_EQ(path.end.sector, kSecond);
+    EXPECT_EQ(map[path.stopped].a, (Vec2{8, 0}));
+    EXPECT_EQ(path.crossings.size(), 1u);
+}
+
+TEST(Trace, StaysWhereItStartsWhenItStandsAtTheWall) {
+    const Map map = row_of_rooms(1);
+    const Place at_wall{kFirst, {4 - kPointGrid, 2}};
+    EXPECT_EQ(trace(map, at_wall, {5, 2}).end, at_wall);
+}
+
+TEST(Trace, TakesAMirrorForAWall) {
+    MapFile file = map_of({box_room("room", 0, 0, 4, 4)});
+    wall(file, "room", {4, 0}, {4, 4}).mirror = true;
+    const Trace path = trace(built(file), {kFirst, {1, 2}}, {7, 2});
+    EXPECT_EQ(path.end, (Place{kFirst, {4 - kPointGrid, 2}}));
+}
+
+TEST(Trace, PassesAOneWayPortalInItsDirectionOnly) {
+    MapFile file = map_of({box_room("from", 0, 0, 4, 4), box_room("to", 4, 0, 8, 4)});
+    wall(file, "from", {4, 0}, {4, 4}).next = "to";
+    const Map map = built(file);
+    EXPECT_EQ(trace(map, {kFirst, {1, 2}}, {7, 2}).end, (Place{kSecond, {7, 2}}));
+    EXPECT_EQ(trace(map, {kSecond, {7, 2}}, {1, 2}).end, (Place{kSecond, {4, 2}}));
+}
+
+TEST(Trace, StaysInItsArmOfANonConvexRoom) {
+    // A U whose arms are joined at the bottom (larger y): the way from arm to arm is stopped, the way round is free.
+    MapFile file = map_of({room("u", {{0, 0}, {2, 0}, {2, 6}, {4, 6}, {4, 0}, {6, 0}, {6, 8}, {0, 8}})});
+    const Map map = built(file);
+    const Trace across = trace(map, {kFirst, {1, 3}}, {5, 3});
+    EXPECT_EQ(across.end.point, (Vec2{2 - kPointGrid, 3}));
+    EXPECT_EQ(trace(map, trace(map, {kFirst, {1, 3}}, {1, 7}).end, {5, 7}).end.point, (Vec2{5, 7}));
+}
+
+TEST(Trace, LeavesAndReentersANonConvexRoom) {
+    MapFile file = map_of(
+        {room("u", {{0, 0}, {2, 0}, {2, 6}, {4, 6}, {4, 0}, {6, 0}, {6, 8}, {0, 8}}), box_room("between", 2, 0, 4, 6)});
+    join_all(file);
+    const Map map = built(file);
+    const Trace path = trace(map, {kFirst, {1, 3}}, {5, 3});
+    EXPECT_EQ(path.crossings.size(), 2u);
+    EXPECT_EQ(path.end, (Place{kFirst, {5, 3}}));
+}
+
+TEST(Trace, WalksAroundAHoleWithTwoPillarsTouching) {
+    SectorRecord hall = box_room("hall", 0, 0, 8, 8);
+    cut_pillar(hall, 2, 2, 4, 4);
+    cut_pillar(hall, 4, 4, 6, 6);
+    MapFile file = map_of({hall});
+    const Map map = built(file);
+    // Through the point where the pillars touch, the tie rule lets the path pass on one side or stops it: never both.
+    const Trace squeezed = trace(map, {kFirst, {3, 5}}, {5, 3});
+    EXPECT_TRUE(contains(map, kFirst, squeezed.end.point));
+    const Trace back = trace(map, squeezed.end, {3, 5});
+    EXPECT_EQ(squeezed.stopped.is_none(), back.end.point == (Vec2{3, 5}) && squeezed.end.point == (Vec2{5, 3}));
+}
+
+TEST(Trace, EndsInTheOverlappingRoomThatThePortalsLeadTo) {
+    // "big" lies over "small": from the doorway one gets into big, never into small.
+    MapFile file = map_of({box_room("hall", 0, 0, 4, 4), box_room("big", 4, 0, 12, 4), box_room("small", 5, 1, 6, 2)});
+    join_all(file);
+    const Map map = built(file);
+    EXPECT_EQ(trace(map, {kFirst, {1, 1.5}}, {5.5, 1.5}).end, (Place{kSecond, {5.5, 1.5}}));
+}
+
+}  // namespace
+}  // namespace enfilade
