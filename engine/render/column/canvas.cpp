@@ -1,8 +1,60 @@
 #include "render/column/canvas.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 
 namespace enfilade::column {
+namespace {
+
+/// Four pixels in one register, on any machine.
+using Four = std::uint32_t __attribute__((vector_size(16)));
+
+Four load(const std::uint32_t* from) {
+    Four four;
+    std::memcpy(&four, from, sizeof four);
+    return four;
+}
+
+void store(std::uint32_t* to, Four four) { std::memcpy(to, &four, sizeof four); }
+
+/// Pixel matrices in memory: how far apart the lines of each are [pixels].
+struct Pitches {
+    std::ptrdiff_t from;
+    std::ptrdiff_t to;
+};
+
+/// 4 x 4 pixels: lines become columns.
+void turn_four(const std::uint32_t* from, std::uint32_t* to, Pitches pitch) {
+    const Four a = load(from), b = load(from + pitch.from), c = load(from + 2 * pitch.from),
+               d = load(from + 3 * pitch.from);
+    const Four ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5), ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const Four cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5), cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    store(to, __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5));
+    store(to + pitch.to, __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7));
+    store(to + 2 * pitch.to, __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5));
+    store(to + 3 * pitch.to, __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7));
+}
+
+/// lines x length pixels, one by one: for what is left at the edges.
+void turn_plainly(const std::uint32_t* from, std::uint32_t* to, Pitches pitch, int lines, int length) {
+    for (int line = 0; line < lines; ++line)
+        for (int i = 0; i < length; ++i) to[i * pitch.to + line] = from[line * pitch.from + i];
+}
+
+/// Lines of `from` become columns of `to`.
+void turn_block(const std::uint32_t* from, std::uint32_t* to, Pitches pitch, int lines, int length) {
+    const int whole_lines = lines / 4 * 4, whole_length = length / 4 * 4;
+    for (int line = 0; line < whole_lines; line += 4) {
+        for (int i = 0; i < whole_length; i += 4)
+            turn_four(from + line * pitch.from + i, to + i * pitch.to + line, pitch);
+        turn_plainly(from + line * pitch.from + whole_length, to + whole_length * pitch.to + line, pitch, 4,
+                     length - whole_length);
+    }
+    turn_plainly(from + whole_lines * pitch.from, to + whole_lines, pitch, lines - whole_lines, length);
+}
+
+}  // namespace
 
 void Canvas::set(int begin, int end, int height) {
     begin_ = begin;
@@ -14,14 +66,14 @@ void Canvas::set(int begin, int end, int height) {
 void Canvas::copy_to(Frame& frame) const {
     // Square blocks, so that lines of both layouts stay in the first-level cache: 16 pixels are one cache line.
     constexpr int kBlock = 16;
-    for (int y0 = 0; y0 < height_; y0 += kBlock)
-        for (int x0 = begin_; x0 < end_; x0 += kBlock)
-            for (int y = y0; y < std::min(y0 + kBlock, height_); ++y) {
-                std::uint32_t* row = &frame.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width)];
-                for (int x = x0; x < std::min(x0 + kBlock, end_); ++x)
-                    row[x] = pixels_[static_cast<std::size_t>(x - begin_) * static_cast<std::size_t>(height_) +
-                                     static_cast<std::size_t>(y)];
-            }
+    const Pitches pitch{height_, frame.width};
+    for (int y = 0; y < height_; y += kBlock)
+        for (int x = begin_; x < end_; x += kBlock)
+            turn_block(&pixels_[static_cast<std::size_t>(x - begin_) * static_cast<std::size_t>(height_) +
+                                static_cast<std::size_t>(y)],
+                       &frame.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
+                                     static_cast<std::size_t>(x)],
+                       pitch, std::min(kBlock, end_ - x), std::min(kBlock, height_ - y));
 }
 
 }  // namespace enfilade::column

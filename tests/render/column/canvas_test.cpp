@@ -1,0 +1,30 @@
+// From columns to rows.
+#include "render/column/canvas.h"
+
+#include <gtest/gtest.h>
+
+namespace enfilade::column {
+namespace {
+
+TEST(Canvas, PutsEachPixelOfEachColumnInItsPlaceForAnySize) {
+    for (int width : {1, 3, 4, 5, 16, 17, 37})
+        for (int height : {1, 2, 4, 7, 16, 19, 50}) {
+            Frame frame;
+            frame.resize(width + 5, height);
+            std::fill(frame.pixels.begin(), frame.pixels.end(), 0u);
+            Canvas canvas;
+            canvas.set(2, 2 + width, height);
+            for (int x = 2; x < 2 + width; ++x)
+                for (int y = 0; y < height; ++y)
+                    canvas.run(x, y, y + 1).pixels[0] = static_cast<std::uint32_t>(1000 * x + y + 1);
+            canvas.copy_to(frame);
+            for (int x = 0; x < frame.width; ++x)
+                for (int y = 0; y < height; ++y)
+                    ASSERT_EQ(frame.pixels[static_cast<std::size_t>(y * frame.width + x)],
+                              x >= 2 && x < 2 + width ? static_cast<std::uint32_t>(1000 * x + y + 1) : 0u)
+                        << width << " x " << height << " at " << x << "," << y;
+        }
+}
+
+}  // namespace
+}  // namespace enfilade::column
