@@ -22,9 +22,12 @@ constexpr std::array kLayers{Layer{"base", 0},   Layer{"math", 1},          Laye
                              Layer{"app", 10}};
 constexpr int kHighestForWadconv = 3;
 
-const Layer* layer_called(std::string_view folder) {
+/// The layer of a folder or of the nearest folder around it: app/play belongs to app.
+const Layer* layer_of(std::string_view folder) {
     const auto found = std::find_if(kLayers.begin(), kLayers.end(), [&](const Layer& l) { return l.folder == folder; });
-    return found == kLayers.end() ? nullptr : &*found;
+    if (found != kLayers.end()) return &*found;
+    const auto slash = folder.rfind('/');
+    return slash == std::string_view::npos ? nullptr : layer_of(folder.substr(0, slash));
 }
 
 /// "render/column" of "render/column/walls.h"; "" of "walls.h".
@@ -66,10 +69,10 @@ std::string layer_complaint(const SourceFile& file, std::string_view target) {
     const auto folder = folder_of(target);
     const bool from_wadconv = is_in(file, "wadconv");
     if (from_wadconv && (folder.empty() || folder == "wadconv")) return "";
-    const Layer* to = layer_called(folder);
+    const Layer* to = layer_of(folder);
     if (to == nullptr) return "an include of our own is written from engine/: ";
     if (from_wadconv) return to->rank <= kHighestForWadconv ? "" : "wadconv must not know ";
-    const Layer* from = layer_called(folder_of(file.path.substr(sizeof "engine/" - 1)));
+    const Layer* from = layer_of(folder_of(file.path.substr(sizeof "engine/" - 1)));
     if (from == nullptr) return "a folder that is not in the table of layers includes ";
     return to == from || to->rank < from->rank ? "" : "includes point only downward, not at ";
 }
@@ -82,7 +85,7 @@ struct Fence {
 
 const std::vector<Fence>& fences() {
     static const std::vector<Fence> all{
-        {std::regex(R"(^\s*#\s*include\s*[<"](SDL|imgui).*)"), {"engine/platform/"}, "only engine/platform knows SDL"},
+        {std::regex(R"(^\s*#\s*include\s*[<"]SDL.*)"), {"engine/platform/"}, "only engine/platform knows SDL"},
         {std::regex(R"(^\s*#\s*include\s*[<"]toml.*)"), {"engine/formats/"}, "only engine/formats knows toml++"},
         {std::regex(R"(^\s*#\s*include\s*[<"](epoxy|GL|GLES\d|EGL)/.*)"),
          {"engine/render/stencil/", "engine/platform/"},
