@@ -32,6 +32,7 @@ std::optional<Map> build_map(const MapFile& file, const TextureSet& textures, Fi
     resolve_portals(draft);
     link_walls(draft);
     lay_surfaces(draft);
+    check_textures(draft);
     place_inhabitants(draft);
     if (has_errors(findings)) return std::nullopt;
     return std::move(draft.map);

@@ -69,6 +69,8 @@ void resolve_portals(Draft& draft);
 void link_walls(Draft& draft);
 /// How pictures lie on walls and flats (surfaces.cpp).
 void lay_surfaces(Draft& draft);
+/// What can be seen has a texture (check_textures.cpp).
+void check_textures(Draft& draft);
 /// The player and the things (inhabitants.cpp).
 void place_inhabitants(Draft& draft);
 

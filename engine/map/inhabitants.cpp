@@ -8,17 +8,11 @@
 #include "map/inside.h"
 #include "map/names.h"
 #include "map/say.h"
+#include "map/sector_finder.h"
 #include "math/grid.h"
 
 namespace enfilade {
 namespace {
-
-/// The first sector that contains p, or none.
-SectorId first_around(const Draft& draft, Vec2 p) {
-    for (std::size_t i = 0; i < draft.sectors.size(); ++i)
-        if (draft.sectors[i].measurable && is_inside(draft.map, SectorId(i), p)) return SectorId(i);
-    return {};
-}
 
 NameIndex sector_names(const Draft& draft) {
     std::vector<ScopedName> names;
@@ -26,58 +20,101 @@ NameIndex sector_names(const Draft& draft) {
     return NameIndex(std::move(names));
 }
 
-/// Puts the player where he is, not where the file says: in the tutorial dialect nothing was checked.
-void start_somewhere(Draft& draft, PlayerStart start, const std::string& complaint, const char* code) {
-    start.sector = first_around(draft, start.position);
-    if (draft.is_strict()) {
-        const std::string hint = start.sector ? "; that place is in " + quoted(draft.map[start.sector].name) : "";
-        draft.error(draft.file.player->place, code, complaint + hint);
-    } else if (start.sector) {
-        draft.warning(draft.file.player->place, code,
-                      complaint + "; the player starts in " + quoted(draft.map[start.sector].name));
-        draft.map.player = start;
-    } else {
-        draft.warning(draft.file.player->place, code, complaint + "; the map has no start");
-    }
+std::vector<std::uint32_t> measurable_sectors(const Draft& draft) {
+    std::vector<std::uint32_t> sectors;
+    for (std::uint32_t i = 0; i < draft.sectors.size(); ++i)
+        if (draft.sectors[i].measurable) sectors.push_back(i);
+    return sectors;
 }
 
-void check_eye(Draft& draft, const PlayerStart& start) {
-    const Sector& sector = draft.map[start.sector];
-    const bool is_closed = sector.floor.z == sector.ceiling.z;
-    if (is_closed || (start.eye_z > sector.floor.z && start.eye_z < sector.ceiling.z)) return;
-    draft.warning(draft.file.player->place, "player-eye",
-                  "expected the player's eye between the floor at " + number_text(sector.floor.z) +
-                      " m and the ceiling at " + number_text(sector.ceiling.z) +
-                      " m, found z = " + number_text(start.eye_z));
-}
+/// Player and things against the finished rooms.
+class Inhabitants {
+public:
+    explicit Inhabitants(Draft& draft)
+        : draft_(draft), names_(sector_names(draft)), finder_(draft.map, measurable_sectors(draft)) {}
 
-void place_player(Draft& draft) {
-    if (!draft.file.player) {
-        draft.warning({}, "no-player", "the map has no [player], so nobody can start in it; only --view shows it");
-        return;
+    void place_player(const PlayerRecord& record) {
+        PlayerStart start{
+            {}, snap_to_point_grid(record.position), record.eye_z, Angle::from_degrees(record.yaw_degrees)};
+        const auto found = names_.find(0, record.sector);
+        if (!found)
+            return start_where_it_is(start, "player-sector",
+                                     "expected the name of a sector for the player, found " + quoted(record.sector) +
+                                         names_.suggestion(0, record.sector));
+        start.sector = SectorId(*found);
+        if (!draft_.sectors[*found].measurable) return;
+        if (!is_inside(draft_.map, start.sector, start.position))
+            return start_where_it_is(
+                start, "player-outside",
+                "the player's position " + point_text(start.position) + " is outside sector " + quoted(record.sector));
+        check_eye(start);
+        draft_.map.player = start;
     }
-    const PlayerRecord& record = *draft.file.player;
-    PlayerStart start{{}, snap_to_point_grid(record.position), record.eye_z, Angle::from_degrees(record.yaw_degrees)};
-    const NameIndex names = sector_names(draft);
-    const auto found = names.find(0, record.sector);
-    if (!found)
-        return start_somewhere(draft, start,
-                               "expected the name of a sector for the player, found " + quoted(record.sector) +
-                                   names.suggestion(0, record.sector),
-                               "player-sector");
-    start.sector = SectorId(*found);
-    if (!draft.sectors[*found].measurable) return;
-    if (!is_inside(draft.map, start.sector, start.position))
-        return start_somewhere(
-            draft, start,
-            "the player's position " + point_text(start.position) + " is outside sector " + quoted(record.sector),
-            "player-outside");
-    check_eye(draft, start);
-    draft.map.player = start;
+
+    void check_thing(const ThingRecord& thing) {
+        const Vec2 position = snap_to_point_grid(thing.position);
+        const auto found = names_.find(0, thing.sector);
+        if (!thing.sector.empty() && !found)
+            draft_.error(thing.place, "unknown-sector",
+                         "expected the name of a sector for the thing, found " + quoted(thing.sector) +
+                             names_.suggestion(0, thing.sector));
+        else if (found ? is_outside(SectorId(*found), position) : finder_.around(position).is_none())
+            draft_.warning(thing.place, "thing-outside",
+                           "the thing at " + point_text(position) + " is outside " +
+                               (found ? "sector " + quoted(thing.sector) : "every sector") + "; nobody will see it");
+    }
+
+private:
+    bool is_outside(SectorId sector, Vec2 p) const {
+        return draft_.sectors[sector.index].measurable && !is_inside(draft_.map, sector, p);
+    }
+
+    /// Says what is wrong. In the tutorial dialect, which never checked, the player starts wherever that is.
+    void start_where_it_is(PlayerStart start, const char* code, const std::string& complaint) {
+        const TextPlace place = draft_.file.player->place;
+        start.sector = finder_.around(start.position);
+        const std::string around = start.sector ? quoted(draft_.map[start.sector].name) : "no sector";
+        if (draft_.is_strict())
+            return draft_.error(place, code, complaint + "; " + point_text(start.position) + " is in " + around);
+        draft_.warning(place, code, complaint + "; the player starts in " + around);
+        if (start.sector) draft_.map.player = start;
+    }
+
+    void check_eye(const PlayerStart& start) {
+        const Sector& sector = draft_.map[start.sector];
+        const bool is_closed = sector.floor.z == sector.ceiling.z;
+        if (is_closed || (start.eye_z > sector.floor.z && start.eye_z < sector.ceiling.z)) return;
+        draft_.warning(draft_.file.player->place, "player-eye",
+                       "expected the player's eye between the floor at " + number_text(sector.floor.z) +
+                           " m and the ceiling at " + number_text(sector.ceiling.z) +
+                           " m, found z = " + number_text(start.eye_z));
+    }
+
+    Draft& draft_;
+    NameIndex names_;
+    SectorFinder finder_;
+};
+
+void check_thing_names(Draft& draft) {
+    std::vector<ScopedName> names;
+    for (std::uint32_t i = 0; i < draft.file.things.size(); ++i)
+        if (!draft.file.things[i].name.empty()) names.push_back({0, draft.file.things[i].name, i});
+    for (const auto& [first, again] : NameIndex(std::move(names)).duplicates())
+        draft.error(draft.file.things[again].place, "duplicate-thing",
+                    "expected a name no other thing has, found " + quoted(draft.file.things[again].name) + " again");
 }
 
 }  // namespace
 
-void place_inhabitants(Draft& draft) { place_player(draft); }
+void place_inhabitants(Draft& draft) {
+    if (!draft.file.player)
+        draft.warning({}, "no-player",
+                      "the map has no [player]: it can be looked at with --view, but nobody can start");
+    check_thing_names(draft);
+    if (!draft.file.player && draft.file.things.empty()) return;
+    Inhabitants inhabitants(draft);
+    if (draft.file.player) inhabitants.place_player(*draft.file.player);
+    for (const ThingRecord& thing : draft.file.things) inhabitants.check_thing(thing);
+}
 
 }  // namespace enfilade

@@ -35,6 +35,7 @@ public:
 
     void resolve(WallId id) {
         const WallRecord& record = *draft_.walls[id.index].record;
+        refuse_stray_rise(id);
         if (record.mirror) return resolve_mirror(id);
         if (record.next.empty()) return refuse_stray_link(id);
         Wall& wall = draft_.map.walls[id.index];
@@ -57,6 +58,15 @@ private:
         wall.kind = WallKind::mirror;
         wall.behind = wall.sector;
         wall.exit = id;
+    }
+
+    /// What only a link can have.
+    void refuse_stray_rise(WallId id) {
+        const WallDraft& written = draft_.walls[id.index];
+        if (written.record->rise && written.record->via.empty())
+            draft_.error(written.place, "rise-without-via",
+                         "rise is what a link adds to heights, but this wall has no via; drop rise, or name the wall "
+                         "to come out of in via");
     }
 
     void refuse_stray_link(WallId id) {

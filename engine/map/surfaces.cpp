@@ -1,8 +1,6 @@
 // How pictures lie on walls and flats: texture specs become tiles and offsets, and each direction its contrast.
 #include <cmath>
-#include <string>
 
-#include "formats/quoted.h"
 #include "map/draft.h"
 
 namespace enfilade {
@@ -69,34 +67,14 @@ void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record,
         flat.origin = draft.map.walls[draft.loops[sector.first_loop].first_wall].a;
 }
 
-void warn_of_bare_wall(Draft& draft, WallId id) {
-    const WallDraft& written = draft.walls[id.index];
-    if (draft.map[id].kind != WallKind::solid || !written.record->next.empty() || written.record->texture) return;
-    draft.warning(written.place, "no-texture",
-                  "this solid wall of sector " + quoted(draft.map[draft.map[id].sector].name) +
-                      " has no texture; a placeholder is drawn (texture = \"-\" if that is what you want)");
-}
-
-void warn_of_bare_flat(Draft& draft, const SectorRecord& sector, const FlatRecord& flat, const char* which) {
-    if (flat.texture) return;
-    draft.warning(flat.place.line != 0 ? flat.place : sector.place, "no-texture",
-                  std::string("the ") + which + " of sector " + quoted(sector.name) +
-                      " has no texture; a placeholder is drawn (texture = \"-\" if that is what you want)");
-}
-
 }  // namespace
 
 void lay_surfaces(Draft& draft) {
-    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) {
-        lay_wall(draft, WallId(i));
-        warn_of_bare_wall(draft, WallId(i));
-    }
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) lay_wall(draft, WallId(i));
     for (std::size_t i = 0; i < draft.map.sectors.size(); ++i) {
         const SectorDraft& sector = draft.sectors[i];
         lay_flat(draft, sector, sector.record->floor, draft.map.sectors[i].floor);
         lay_flat(draft, sector, sector.record->ceiling, draft.map.sectors[i].ceiling);
-        warn_of_bare_flat(draft, *sector.record, sector.record->floor, "floor");
-        warn_of_bare_flat(draft, *sector.record, sector.record->ceiling, "ceiling");
     }
 }
 

@@ -1,0 +1,63 @@
+// Walls, steps and flats that can be seen but have no texture, and textures that cannot be seen.
+#include <string>
+
+#include "formats/quoted.h"
+#include "map/draft.h"
+
+namespace enfilade {
+namespace {
+
+constexpr const char* kMeant = " (say texture = \"-\" if that is what you want)";
+
+void check_solid(Draft& draft, WallId id) {
+    const WallDraft& written = draft.walls[id.index];
+    const std::string sector = quoted(draft.map[draft.map[id].sector].name);
+    if (!written.record->texture)
+        draft.warning(written.place, "no-texture",
+                      "this solid wall of sector " + sector + " has no texture; a placeholder is drawn" + kMeant);
+    if (written.record->upper || written.record->lower || written.record->middle)
+        draft.warning(written.place, "unused-texture",
+                      "only portals have steps and a middle, but this wall of sector " + sector +
+                          " has no next; upper, lower and middle are not drawn");
+}
+
+/// A step that is there while nothing moves, and of which nothing is said.
+void check_steps(Draft& draft, WallId id) {
+    const Wall& wall = draft.map[id];
+    const WallDraft& written = draft.walls[id.index];
+    if (written.record->texture) return;  // serves both steps
+    const Sector &here = draft.map[wall.sector], &there = draft.map[wall.behind];
+    const double rise = draft.map.passage(wall).rise;
+    const std::string way = quoted(here.name) + " to " + quoted(there.name);
+    if (!written.record->lower && there.floor.z - rise > here.floor.z)
+        draft.warning(written.place, "no-step-texture",
+                      "the step up from " + way + " has no texture, so nothing is drawn there; give it lower");
+    if (!written.record->upper && there.ceiling.z - rise < here.ceiling.z && !(here.ceiling.sky && there.ceiling.sky))
+        draft.warning(
+            written.place, "no-step-texture",
+            "the step down from the ceiling of " + way + " has no texture, so nothing is drawn there; give it upper");
+}
+
+void check_flat(Draft& draft, const SectorRecord& sector, const FlatRecord& flat, const char* which) {
+    if (flat.texture) return;
+    draft.warning(flat.place.line != 0 ? flat.place : sector.place, "no-texture",
+                  std::string("the ") + which + " of sector " + quoted(sector.name) +
+                      " has no texture; a placeholder is drawn" + kMeant);
+}
+
+}  // namespace
+
+void check_textures(Draft& draft) {
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) {
+        const Wall& wall = draft.map.walls[i];
+        if (wall.kind == WallKind::portal) check_steps(draft, WallId(i));
+        // A portal whose next is wrong has been reported as that.
+        if (wall.kind == WallKind::solid && draft.walls[i].record->next.empty()) check_solid(draft, WallId(i));
+    }
+    for (const SectorDraft& sector : draft.sectors) {
+        check_flat(draft, *sector.record, sector.record->floor, "floor");
+        check_flat(draft, *sector.record, sector.record->ceiling, "ceiling");
+    }
+}
+
+}  // namespace enfilade

@@ -1,0 +1,60 @@
+#include "map/sector_finder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "map/inside.h"
+
+namespace enfilade {
+namespace {
+
+constexpr std::uint32_t kLeafSize = 8;  ///< fewer sectors than this are looked at one by one
+
+}  // namespace
+
+SectorFinder::SectorFinder(const Map& map, std::vector<std::uint32_t> sectors)
+    : map_(map), sectors_(std::move(sectors)) {
+    if (!sectors_.empty()) build(0, static_cast<std::uint32_t>(sectors_.size()), true);
+}
+
+std::uint32_t SectorFinder::build(std::uint32_t begin, std::uint32_t end, bool along_x) {
+    const auto index = static_cast<std::uint32_t>(nodes_.size());
+    Node node{map_.sectors[sectors_[begin]].min, map_.sectors[sectors_[begin]].max, begin, end, 0};
+    for (std::uint32_t i = begin; i < end; ++i) {
+        const Sector& s = map_.sectors[sectors_[i]];
+        node.min = {std::min(node.min.x, s.min.x), std::min(node.min.y, s.min.y)};
+        node.max = {std::max(node.max.x, s.max.x), std::max(node.max.y, s.max.y)};
+    }
+    nodes_.push_back(node);
+    if (end - begin <= kLeafSize) return index;
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    const auto doubled_centre = [&](std::uint32_t i) {
+        const Sector& s = map_.sectors[i];
+        return along_x ? s.min.x + s.max.x : s.min.y + s.max.y;
+    };
+    std::nth_element(sectors_.begin() + begin, sectors_.begin() + middle, sectors_.begin() + end,
+                     [&](std::uint32_t i, std::uint32_t j) { return doubled_centre(i) < doubled_centre(j); });
+    build(begin, middle, !along_x);
+    nodes_[index].right = build(middle, end, !along_x);
+    return index;
+}
+
+SectorId SectorFinder::around(Vec2 p) const {
+    SectorId best;
+    if (!nodes_.empty()) search(0, p, best);
+    return best;
+}
+
+void SectorFinder::search(std::uint32_t node, Vec2 p, SectorId& best) const {
+    const Node& n = nodes_[node];
+    if (p.x < n.min.x || p.x > n.max.x || p.y < n.min.y || p.y > n.max.y) return;
+    if (n.right != 0) {
+        search(node + 1, p, best);
+        search(n.right, p, best);
+        return;
+    }
+    for (std::uint32_t i = n.begin; i < n.end; ++i)
+        if (sectors_[i] < best.index && is_inside(map_, SectorId(sectors_[i]), p)) best = SectorId(sectors_[i]);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,36 @@
+// Which sector is around a point, when there are many sectors and many points.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "map/map.h"
+
+namespace enfilade {
+
+/// A tree of the sectors' bounding boxes, halved in turn along x and along y. The map must not change while it is
+/// used. Memory: about 40 bytes a sector.
+class SectorFinder {
+public:
+    /// Only the given sectors are looked at.
+    SectorFinder(const Map& map, std::vector<std::uint32_t> sectors);
+
+    /// The sector with the lowest number that contains p (map/inside.h), or none.
+    /// Cost: log of the number of sectors, and the walls of those whose boxes p is in.
+    SectorId around(Vec2 p) const;
+
+private:
+    struct Node {
+        Vec2 min, max;             ///< of all sectors below
+        std::uint32_t begin, end;  ///< they are sectors_[begin, end)
+        std::uint32_t right;       ///< index of the second child; the first is the next node; 0: a leaf
+    };
+
+    std::uint32_t build(std::uint32_t begin, std::uint32_t end, bool along_x);
+    void search(std::uint32_t node, Vec2 p, SectorId& best) const;
+
+    const Map& map_;
+    std::vector<std::uint32_t> sectors_;
+    std::vector<Node> nodes_;
+};
+
+}  // namespace enfilade
