@@ -1,0 +1,54 @@
+// Lines, boxes and text over a finished frame: what the player sees on top of the world, with every renderer.
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+#include "app/draw/font.h"
+#include "math/vec.h"
+#include "render/frame.h"
+
+namespace enfilade {
+
+/// 0xAABBGGRR; alpha 255 covers, 0 leaves what is there.
+using Color = std::uint32_t;
+
+/// A rectangle of pixels [left, left + width) x [top, top + height).
+struct Box {
+    int left = 0, top = 0, width = 0, height = 0;
+    bool contains(double x, double y) const { return x >= left && x < left + width && y >= top && y < top + height; }
+};
+
+/// Draws into a frame. Whatever lies outside is left out; any coordinates are safe.
+class Overlay {
+public:
+    /// Both must outlive the overlay. scale >= 1: how many pixels wide and high a pixel of the font and of a line is.
+    Overlay(Frame& frame, const Font& font, int scale = 1) : frame_(frame), font_(font), scale_(scale) {}
+
+    int width() const { return frame_.width; }
+    int height() const { return frame_.height; }
+    int scale() const { return scale_; }
+    int line_height() const { return Font::kHeight * scale_; }
+    int text_width(std::string_view text) const { return length_of(text) * Font::kWidth * scale_; }
+
+    void dot(int x, int y, Color color);
+    void fill(const Box& box, Color color);
+    void outline(const Box& box, Color color);
+    /// From the pixel that holds a to the pixel that holds b; without gaps, scale() thick.
+    void line(Vec2 a, Vec2 b, Color color);
+    /// One line of text, its top left corner at (x, y).
+    void text(int x, int y, std::string_view text, Color color);
+    /// The same with a dark rim, readable on anything.
+    void rimmed_text(int x, int y, std::string_view text, Color color);
+
+private:
+    void glyph(int x, int y, const Glyph& glyph, Color color);
+
+    Frame& frame_;
+    const Font& font_;
+    int scale_;
+};
+
+/// The scale at which text is comfortable to read in a picture of this height: whole steps, 1 below 720 rows.
+int comfortable_scale(int height_px);
+
+}  // namespace enfilade

@@ -1,0 +1,37 @@
+#include "app/open_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/files.h"
+
+namespace enfilade {
+namespace {
+
+bool is_warning(const Finding& finding) { return finding.severity == Severity::warning; }
+
+void print_errors(const std::string& path, const Findings& findings) {
+    for (const Finding& finding : findings)
+        if (!is_warning(finding)) fmt::print(stderr, "{}\n", to_text(path, finding));
+}
+
+void mention_warnings(const std::string& path, const Findings& findings) {
+    const auto count = std::ranges::count_if(findings, is_warning);
+    if (count == 1) fmt::print(stderr, "{}\n", to_text(path, *std::ranges::find_if(findings, is_warning)));
+    if (count > 1) fmt::print(stderr, "{0}: {1} warnings; `enfilade check {0}` shows them\n", path, count);
+}
+
+}  // namespace
+
+std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders) {
+    LoadedMap loaded = load_map(path, texture_folders, read_file);
+    if (!loaded.map) {
+        print_errors(path, loaded.findings);
+        return {};
+    }
+    mention_warnings(path, loaded.findings);
+    return OpenMap{std::move(*loaded.map), std::move(loaded.textures)};
+}
+
+}  // namespace enfilade

@@ -1,0 +1,106 @@
+#include "app/picture_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+
+#include "app/pictures.h"
+#include "app/progress.h"
+#include "base/files.h"
+#include "base/parallel.h"
+#include "platform/clock.h"
+
+namespace enfilade {
+namespace {
+
+/// What one thread draws with.
+struct Desk {
+    std::unique_ptr<Renderer> renderer;
+    Frame frame;
+    FrameFacts facts;
+    Status failed;
+};
+
+class Drawing {
+public:
+    Drawing(const OpenMap& map, const PictureJob& job)
+        : map_(map), job_(job), snapshot_(at_rest(map.map)), times_ns_(job.views.size()) {
+        snapshot_.time_s = job.time_s;
+        const bool side_by_side = job.timing.empty() && job.views.size() >= job.threads;
+        desks_.resize(side_by_side ? job.threads : 1);
+        for (Desk& desk : desks_) {
+            desk.renderer = make_renderer(job.renderer, side_by_side ? 1 : job.threads);
+            desk.frame.resize(job.size.width, job.size.height);
+        }
+    }
+
+    Status run() {
+        if (!job_.timing.empty()) draw(desks_[0], 0);  // grows the renderer's memory, so that no view pays for it
+        Progress progress(job_.views.size(), "pictures");
+        parallel_for(job_.views.size(), desks_.size(), [&](std::size_t i, std::size_t worker) {
+            if (stop_) return;
+            Desk& desk = desks_[worker];
+            times_ns_[i] = draw(desk, i);
+            desk.failed = write(desk, i);
+            if (desk.failed) stop_ = true;
+            progress.step(worker);
+        });
+        const auto failed = std::ranges::find_if(desks_, [](const Desk& desk) { return desk.failed.has_value(); });
+        return failed != desks_.end() ? failed->failed : write_timing();
+    }
+
+private:
+    std::int64_t draw(Desk& desk, std::size_t i) const {
+        const bool want_facts = !job_.ids.empty();
+        if (want_facts) reset(desk.facts, job_.size.width, job_.size.height);
+        const std::int64_t before = now_ns();
+        desk.renderer->render(desk.frame, want_facts ? &desk.facts : nullptr, map_.map, map_.textures, snapshot_,
+                              job_.views[i]);
+        return now_ns() - before;
+    }
+
+    Status write(const Desk& desk, std::size_t i) const {
+        if (Status failed = write_picture(path_of(job_.out, i), image_of(desk.frame))) return failed;
+        if (job_.ids.empty()) return {};
+        return write_picture(path_of(job_.ids, i), ids_image(desk.facts, desk.frame.width, desk.frame.height));
+    }
+
+    static std::string path_of(const std::string& out, std::size_t i) {
+        return names_picture(out) ? out : numbered_picture(out, i);
+    }
+
+    Status write_timing() const {
+        if (job_.timing.empty()) return {};
+        std::string csv = "view,ns\n";
+        for (std::size_t i = 0; i < times_ns_.size(); ++i) csv += fmt::format("{},{}\n", i, times_ns_[i]);
+        return write_file(job_.timing, csv);
+    }
+
+    const OpenMap& map_;
+    const PictureJob& job_;
+    Snapshot snapshot_;
+    std::vector<Desk> desks_;
+    std::vector<std::int64_t> times_ns_;
+    std::atomic<bool> stop_ = false;
+};
+
+}  // namespace
+
+Status check_outputs(const PictureJob& job) {
+    for (const auto& [argument, path] : {std::pair{"--out", job.out}, {"--ids", job.ids}})
+        if (job.views.size() != 1 && names_picture(path))
+            return Error{argument, fmt::format("expected a folder for {} pictures; found the file name '{}'",
+                                               job.views.size(), path)};
+    return {};
+}
+
+Status draw_pictures(const OpenMap& map, const PictureJob& job) {
+    for (const std::string& path : {job.out, job.ids})
+        if (!path.empty() && !names_picture(path))
+            if (Status failed = make_folder(path)) return failed;
+    return Drawing(map, job).run();
+}
+
+}  // namespace enfilade

@@ -1,0 +1,33 @@
+// Many views of one map to picture files, on several threads.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/open_map.h"
+#include "app/options.h"
+#include "base/result.h"
+#include "flight/renderer.h"
+#include "render/view.h"
+
+namespace enfilade {
+
+/// What to draw, and where to put it. Empty paths: not wanted.
+struct PictureJob {
+    std::vector<View> views;
+    PictureSize size;
+    RendererKind renderer = RendererKind::column;
+    double time_s = 0;        ///< the moment that is shown
+    std::size_t threads = 1;  ///< >= 1
+    std::string out;          ///< a .png file for the one view, or a folder for 000000.png onward
+    std::string ids;          ///< the same for pictures of surface ids
+    std::string timing;       ///< a CSV file `view,ns`
+};
+
+/// An error where a path names one picture file but there are several views.
+Status check_outputs(const PictureJob& job);
+
+/// Draws and writes everything. With timing, views are drawn one after another, each by all threads, so that nothing
+/// disturbs the clock; else several views are drawn at a time.
+Status draw_pictures(const OpenMap& map, const PictureJob& job);
+
+}  // namespace enfilade

@@ -1,0 +1,42 @@
+#include "app/pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <system_error>
+
+namespace enfilade {
+
+Image image_of(const Frame& frame) { return {std::uint32_t(frame.width), std::uint32_t(frame.height), frame.pixels}; }
+
+Image ids_image(const FrameFacts& facts, int width, int height) {
+    Image image{std::uint32_t(width), std::uint32_t(height), {}};
+    image.pixels.resize(facts.ids.size());
+    std::ranges::transform(facts.ids, image.pixels.begin(), [](SurfaceId id) {
+        return 0xFF000000u | (id & 0xFF) << 16 | (id & 0xFF00) | (id >> 16 & 0xFF);
+    });
+    return image;
+}
+
+bool names_picture(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return ending == ".png";
+}
+
+std::string numbered_picture(const std::string& folder, std::size_t number) {
+    return (std::filesystem::path(folder) / fmt::format("{:06}.png", number)).string();
+}
+
+Status make_folder(const std::string& path) {
+    std::error_code failed;
+    std::filesystem::create_directories(path, failed);
+    if (std::filesystem::is_directory(path)) return {};
+    return Error{path, failed ? "cannot make the folder: " + failed.message() : "expected a folder, found a file"};
+}
+
+Status write_picture(const std::string& path, const Image& image) { return write_file(path, write_png(image)); }
+
+}  // namespace enfilade

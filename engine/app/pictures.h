@@ -1,0 +1,28 @@
+// Finished frames as picture files.
+#pragma once
+#include <string>
+
+#include "base/result.h"
+#include "formats/png.h"
+#include "render/frame.h"
+
+namespace enfilade {
+
+Image image_of(const Frame& frame);
+
+/// 24-bit surface ids as colours: red is the high byte.
+Image ids_image(const FrameFacts& facts, int width, int height);
+
+/// Whether a path names one PNG file; anything else is a folder of pictures.
+bool names_picture(const std::string& path);
+
+/// "FOLDER/000012.png".
+std::string numbered_picture(const std::string& folder, std::size_t number);
+
+/// Makes the folder, and those above it, where they are missing.
+Status make_folder(const std::string& path);
+
+/// Writes beside and renames.
+Status write_picture(const std::string& path, const Image& image);
+
+}  // namespace enfilade

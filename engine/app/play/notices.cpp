@@ -1,0 +1,51 @@
+#include "app/play/notices.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace enfilade {
+namespace {
+
+constexpr Color kInk = 0xFFFFFFFF, kPanel = 0xD0101060;
+
+/// The text cut into lines of at most so many bytes, between words where there are any. most > 2: later lines are
+/// indented by two.
+std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
+    std::vector<std::string> lines;
+    for (std::string indent; !text.empty(); indent = "  ") {
+        const std::size_t room = most - indent.size();
+        const std::size_t space = text.size() > room ? text.rfind(' ', room) : std::string_view::npos;
+        const bool between_words = space != std::string_view::npos && space > 0;
+        const std::size_t cut = std::min(between_words ? space : room, text.size());
+        lines.push_back(indent + std::string(text.substr(0, cut)));
+        text.remove_prefix(between_words ? cut + 1 : cut);
+    }
+    return lines;
+}
+
+}  // namespace
+
+void Notices::say(std::string text, double now_s, double seconds) {
+    notices_.push_back({std::move(text), now_s + seconds});
+}
+
+void Notices::draw(Overlay& overlay, double now_s) {
+    std::erase_if(notices_, [&](const Notice& notice) { return notice.until_s <= now_s; });
+    const int margin = overlay.line_height() / 2;
+    int y = margin;
+    for (const Notice& notice : notices_) {
+        overlay.rimmed_text(margin, y, notice.text, kInk);
+        y += overlay.line_height();
+    }
+    if (pinned_.empty()) return;
+    const auto most = std::size_t(std::max(8, (overlay.width() - 4 * margin) / (Font::kWidth * overlay.scale())));
+    std::vector<std::string> lines;
+    for (const std::string& line : pinned_)
+        for (std::string& piece : wrapped(line, most)) lines.push_back(std::move(piece));
+    const Box panel{margin, y, overlay.width() - 2 * margin, int(lines.size()) * overlay.line_height() + margin};
+    overlay.fill(panel, kPanel);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        overlay.text(2 * margin, y + margin / 2 + int(i) * overlay.line_height(), lines[i], kInk);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,71 @@
+#include "app/play/readout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace enfilade {
+namespace {
+
+constexpr Color kInk = 0xFFFFFFFF;
+
+/// Outlines by how many portals are looked through; deeper ones begin again.
+constexpr std::array<Color, 6> kByDepth{0xFFFFFFFF, 0xFF40FFFF, 0xFF40FF40, 0xFFFFB040, 0xFF4060FF, 0xFFFF60FF};
+
+/// One edge of a viewport: its row in every column, joined where it jumps.
+void draw_edge(Overlay& overlay, int begin, const std::vector<int>& rows, int offset, Color color) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const int x = begin + int(i), y = rows[i] + offset;
+        const int from = i == 0 ? y : rows[i - 1] + offset;
+        for (int row = std::min(from, y); row <= std::max(from, y); ++row) overlay.dot(x, row, color);
+    }
+}
+
+void draw_outline(Overlay& overlay, const ViewportShape& shape) {
+    if (shape.top.empty() || shape.bottom.empty()) return;
+    const Color color = kByDepth[std::size_t(shape.depth) % kByDepth.size()];
+    draw_edge(overlay, shape.begin, shape.top, 0, color);
+    draw_edge(overlay, shape.begin, shape.bottom, -1, color);
+    for (int y = shape.top.front(); y < shape.bottom.front(); ++y) overlay.dot(shape.begin, y, color);
+    for (int y = shape.top.back(); y < shape.bottom.back(); ++y) overlay.dot(shape.end - 1, y, color);
+}
+
+}  // namespace
+
+void FrameTimes::add(std::int64_t draw_ns, std::int64_t shown_ns) {
+    draw_ns_[count_ % kKept] = draw_ns;
+    shown_ns_[count_ % kKept] = shown_ns;
+    ++count_;
+}
+
+FrameTimes::Summary FrameTimes::summary() const {
+    const std::size_t kept = std::min(count_, kKept);
+    if (kept < 2) return {};
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < kept; ++i) sum += draw_ns_[i];
+    const std::int64_t worst = *std::max_element(draw_ns_.begin(), draw_ns_.begin() + std::ptrdiff_t(kept));
+    const std::int64_t newest = shown_ns_[(count_ - 1) % kKept], oldest = shown_ns_[(count_ - kept) % kKept];
+    const double span_s = std::max(double(newest - oldest) * 1e-9, 1e-9);
+    return {double(sum) * 1e-6 / double(kept), double(worst) * 1e-6, double(kept - 1) / span_s};
+}
+
+void draw_readout(Overlay& overlay, const FrameTimes& times, const ReadoutFacts& facts,
+                  const std::vector<ViewportShape>& viewports) {
+    for (const ViewportShape& shape : viewports) draw_outline(overlay, shape);
+    const auto summary = times.summary();
+    const std::string lines[] = {
+        fmt::format("{:5.2f} ms a picture, worst {:5.2f}; {:.0f} a second", summary.mean_draw_ms, summary.worst_draw_ms,
+                    summary.per_second),
+        fmt::format("{} {}x{}, {} viewports", facts.renderer, overlay.width(), overlay.height(), viewports.size()),
+        fmt::format("{}  x {:.2f}  y {:.2f}  z {:.2f}", facts.sector, facts.x, facts.y, facts.eye_z),
+        fmt::format("yaw {:.1f}  pitch {:.1f}", facts.yaw_degrees, facts.pitch_degrees),
+    };
+    const int left = overlay.line_height() / 2;
+    int y = overlay.height() - left - int(std::size(lines)) * overlay.line_height();
+    for (const std::string& line : lines) {
+        overlay.rimmed_text(left, y, line, kInk);
+        y += overlay.line_height();
+    }
+}
+
+}  // namespace enfilade

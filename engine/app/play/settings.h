@@ -1,0 +1,16 @@
+// What a player may change while playing.
+#pragma once
+
+namespace enfilade {
+
+struct PlaySettings {
+    double fov_degrees = 90;  ///< horizontal, kSmallestFov..kLargestFov
+    double mouse_speed = 1;   ///< factor, kSlowestMouse..kFastestMouse
+    bool fullscreen = false;
+};
+
+// The ends and steps of the menu's sliders.
+inline constexpr double kSmallestFov = 50, kLargestFov = 140, kFovStep = 5;        ///< [degrees]
+inline constexpr double kSlowestMouse = 0.2, kFastestMouse = 5, kMouseStep = 0.2;  ///< [1]
+
+}  // namespace enfilade

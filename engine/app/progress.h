@@ -1,0 +1,33 @@
+// A line on the terminal that says how far a long job is.
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace enfilade {
+
+/// Shows nothing where stderr is not a terminal, and nothing for jobs that are done in an instant.
+class Progress {
+public:
+    /// total: how many steps; noun: what is counted, e.g. "pictures".
+    Progress(std::size_t total, std::string noun);
+    /// Wipes the line.
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// One step is done. May be called from any thread; only worker 0 draws.
+    void step(std::size_t worker);
+
+private:
+    void draw(std::size_t done);
+
+    std::atomic<std::size_t> done_{0};
+    std::size_t total_;
+    std::string noun_;
+    std::int64_t started_ns_, last_drawn_ns_;
+    bool on_terminal_;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,65 @@
+#include "app/viewing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "math/grid.h"
+#include "space/locate.h"
+
+namespace enfilade {
+namespace {
+
+Result<SectorId> sector_named(const Map& map, const std::string& name) {
+    const auto found = std::ranges::find(map.sectors, name, &Sector::name);
+    if (found == map.sectors.end()) return Error{"", fmt::format("the map has no sector named '{}'", name)};
+    return SectorId(std::size_t(found - map.sectors.begin()));
+}
+
+Result<SectorId> sector_of(const Map& map, const Viewpoint& viewpoint, Vec2 eye) {
+    if (viewpoint.sector.empty()) {
+        const SectorId found = locate(map, eye);
+        if (found) return found;
+        return Error{"",
+                     fmt::format("expected a view inside the map; no sector holds the point ({}, {})", eye.x, eye.y)};
+    }
+    auto named = sector_named(map, viewpoint.sector);
+    if (named.ok() && !contains(map, named.value(), eye))
+        return Error{"", fmt::format("sector '{}' does not hold the point ({}, {}); give a point inside it, or leave "
+                                     "the sector out to have it found",
+                                     viewpoint.sector, eye.x, eye.y)};
+    return named;
+}
+
+View looking(Vec2 forward, double pitch_tangent, const Lens& lens) {
+    View view;
+    view.forward = forward;
+    view.pitch_tangent = pitch_tangent;
+    view.fov_degrees = lens.fov_degrees;
+    view.stretch = lens.stretch;
+    return view;
+}
+
+}  // namespace
+
+Result<View> view_from(const Map& map, const Viewpoint& viewpoint, const Lens& lens) {
+    View view = looking(direction(Angle::from_degrees(viewpoint.yaw_degrees)),
+                        tangent(Angle::from_degrees(viewpoint.pitch_degrees)), lens);
+    view.eye = snap_to_point_grid(Vec2{viewpoint.x, viewpoint.y});
+    view.eye_z = viewpoint.z;
+    const auto sector = sector_of(map, viewpoint, view.eye);
+    if (!sector.ok()) return sector.error();
+    view.sector = sector.value();
+    return view;
+}
+
+Result<View> view_at_start(const Map& map, const Lens& lens) {
+    if (!map.player) return Error{"", "the map has no player to look from; give a place with --view X,Y,Z,YAW,PITCH"};
+    View view = looking(direction(map.player->yaw), 0, lens);
+    view.sector = map.player->sector;
+    view.eye = map.player->position;
+    view.eye_z = map.player->eye_z;
+    return view;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,23 @@
+// From numbers somebody typed to a view that is inside the map.
+#pragma once
+#include "app/options.h"
+#include "base/result.h"
+#include "map/map.h"
+#include "render/view.h"
+
+namespace enfilade {
+
+/// How the eye sees, apart from where it is.
+struct Lens {
+    double fov_degrees = 90;
+    double stretch = 1;
+};
+
+/// The view, its eye put onto the point grid. An error where the named sector does not exist or does not hold the eye,
+/// or where no sector does; of several that overlap, the one that comes first in the map is taken.
+Result<View> view_from(const Map& map, const Viewpoint& viewpoint, const Lens& lens);
+
+/// What the player sees at the start, or an error where the map has no player.
+Result<View> view_at_start(const Map& map, const Lens& lens);
+
+}  // namespace enfilade

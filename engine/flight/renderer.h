@@ -1,0 +1,44 @@
+// The renderers by name, behind one face: what a command draws with.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "map/map.h"
+#include "map/textures.h"
+#include "render/frame.h"
+#include "render/view.h"
+#include "world/snapshot.h"
+
+namespace enfilade {
+
+enum class RendererKind : std::uint8_t { column, reference };
+
+/// "column" or "reference"; anything else is an error that says what there is.
+Result<RendererKind> parse_renderer(const std::string& name);
+
+/// One part of a picture's structure, for overlays: open rows by column when it was begun.
+struct ViewportShape {
+    int depth = 0;                 ///< portals looked through
+    int begin = 0, end = 0;        ///< columns [begin, end)
+    std::vector<int> top, bottom;  ///< rows [top, bottom) by column [end - begin]
+};
+
+/// Draws pictures, one at a time. The same arguments give the same picture, whichever renderer of its kind draws it.
+class Renderer {
+public:
+    virtual ~Renderer() = default;
+
+    /// Sets every pixel of the frame, whose size is the picture's. facts: null, or reset() to the same size.
+    virtual void render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
+                        const Snapshot& snapshot, const View& view) = 0;
+
+    /// The viewports of the last picture; empty where the renderer has none.
+    virtual std::vector<ViewportShape> viewports() const { return {}; }
+};
+
+/// threads: how many may draw one picture together, >= 1. The picture does not depend on it.
+std::unique_ptr<Renderer> make_renderer(RendererKind kind, std::size_t threads);
+
+}  // namespace enfilade

@@ -1,0 +1,99 @@
+// The map over the picture.
+#include "app/play/automap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/map_builder.h"
+
+namespace enfilade {
+namespace {
+
+constexpr Color kBlack = 0xFF000000;
+
+class AutomapOfTwoRooms : public ::testing::Test {
+protected:
+    AutomapOfTwoRooms() {
+        MapFile file = test::map_of({test::box_room("left", 0, 0, 4, 4), test::box_room("right", 4, 0, 8, 4)});
+        test::join_all(file);
+        map_ = test::built(file);
+        frame_.resize(200, 200);
+    }
+
+    /// Pixels of that colour, the player standing in the left room and looking along +x.
+    long pixels(const Automap& automap, Color color) {
+        std::ranges::fill(frame_.pixels, kBlack);
+        Overlay overlay(frame_, font_);
+        automap.draw(overlay, map_, {SectorId(0u), {2, 2}}, {1, 0});
+        return std::ranges::count(frame_.pixels, color);
+    }
+
+    static constexpr Color kWall = 0xFFE0E0E0;
+    Map map_;
+    Frame frame_;
+    Font font_;
+};
+
+TEST_F(AutomapOfTwoRooms, DrawsNothingWhileClosed) {
+    Automap automap(map_);
+    automap.visit(SectorId(0u));
+    EXPECT_EQ(pixels(automap, kBlack), 200 * 200);
+}
+
+TEST_F(AutomapOfTwoRooms, ShowsNoRoomThatWasNotVisited) {
+    Automap automap(map_);
+    automap.toggle();
+    EXPECT_EQ(pixels(automap, kWall), 0);
+}
+
+TEST_F(AutomapOfTwoRooms, ShowsTheWallsOfVisitedRooms) {
+    Automap automap(map_);
+    automap.toggle();
+    automap.visit(SectorId(0u));
+    const long one_room = pixels(automap, kWall);
+    automap.visit(SectorId(1u));
+    EXPECT_GT(one_room, 0);
+    EXPECT_GT(pixels(automap, kWall), one_room);
+}
+
+TEST_F(AutomapOfTwoRooms, ShowsWallsLargerAfterZoomingIn) {
+    Automap automap(map_);
+    automap.toggle();
+    automap.visit(SectorId(0u));
+    const long before = pixels(automap, kWall);
+    automap.zoom(3);
+    EXPECT_GT(pixels(automap, kWall), before);
+}
+
+TEST_F(AutomapOfTwoRooms, LooksUpWithThePlayer) {
+    Automap automap(map_);
+    automap.toggle();
+    automap.visit(SectorId(0u));
+    automap.visit(SectorId(1u));
+    std::ranges::fill(frame_.pixels, kBlack);
+    Overlay overlay(frame_, font_);
+    automap.draw(overlay, map_, {SectorId(0u), {2, 2}}, {1, 0});  // the other room lies ahead: in the upper half
+    const auto middle = frame_.pixels.begin() + 200 * 100;
+    EXPECT_GT(std::count(frame_.pixels.begin(), middle, kWall), std::count(middle, frame_.pixels.end(), kWall));
+}
+
+TEST(AutomapOfALinkedRoom, LaysTheRoomOutBehindItsDoor) {
+    // The east wall of "main" leads into "far", 100 m away: on the map it lies right behind that wall.
+    MapFile file = test::map_of({test::box_room("main", 0, 0, 4, 4), test::box_room("far", 104, 0, 108, 4)});
+    test::link(file, "main", {4, 0}, {4, 4}, "far", {104, 4}, {104, 0});
+    const Map map = test::built(file);
+    Automap automap(map);
+    automap.toggle();
+    automap.visit(SectorId(1u));
+    Frame frame;
+    frame.resize(100, 100);
+    std::ranges::fill(frame.pixels, kBlack);
+    const Font font;
+    Overlay overlay(frame, font);
+    automap.draw(overlay, map, {SectorId(0u), {2, 2}}, {1, 0});
+    EXPECT_GT(std::ranges::count(frame.pixels, 0xFFE0E0E0u), 0);
+}
+
+}  // namespace
+}  // namespace enfilade

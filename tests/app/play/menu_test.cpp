@@ -1,0 +1,89 @@
+// The menu, by keyboard, mouse and gamepad.
+#include "app/play/menu.h"
+
+#include <gtest/gtest.h>
+
+namespace enfilade {
+namespace {
+
+class OpenMenu : public ::testing::Test {
+protected:
+    OpenMenu() {
+        menu_.open();
+        frame_.resize(640, 400);
+        Overlay overlay(frame_, font_);
+        menu_.draw(overlay, settings_);
+    }
+
+    MenuAction press(Key key) { return menu_.handle(KeyChange{key, true, false}, settings_); }
+    MenuAction press(GamepadButton button) { return menu_.handle(GamepadButtonChange{button, true}, settings_); }
+    MenuAction click(double x, double y) {
+        return menu_.handle(MouseButtonChange{MouseButton::left, true, x, y}, settings_);
+    }
+    /// Presses a key so many times, then another once.
+    MenuAction press(Key key, int times, Key then) {
+        for (int i = 0; i < times; ++i) press(key);
+        return press(then);
+    }
+
+    Menu menu_;
+    PlaySettings settings_;
+    Frame frame_;
+    Font font_;
+};
+
+TEST_F(OpenMenu, ResumesWithEscape) { EXPECT_EQ(press(Key::escape), MenuAction::resume); }
+
+TEST_F(OpenMenu, ResumesWithItsFirstEntry) { EXPECT_EQ(press(Key::enter), MenuAction::resume); }
+
+TEST_F(OpenMenu, RestartsWithItsSecondEntry) { EXPECT_EQ(press(Key::down, 1, Key::enter), MenuAction::restart); }
+
+TEST_F(OpenMenu, QuitsWithItsLastEntryReachedUpward) { EXPECT_EQ(press(Key::up, 1, Key::enter), MenuAction::quit); }
+
+TEST_F(OpenMenu, WidensTheViewWithTheRightArrow) {
+    EXPECT_EQ(press(Key::down, 2, Key::right), MenuAction::settings_changed);
+    EXPECT_EQ(settings_.fov_degrees, 95);
+}
+
+TEST_F(OpenMenu, StopsTheViewAtItsEnd) {
+    press(Key::down, 2, Key::left);
+    for (int i = 0; i < 100; ++i) press(Key::left);
+    EXPECT_EQ(settings_.fov_degrees, kSmallestFov);
+}
+
+TEST_F(OpenMenu, ChangesTheMouseSpeedInWholeSteps) {
+    press(Key::down, 3, Key::right);
+    press(Key::left);
+    press(Key::left);
+    EXPECT_NEAR(settings_.mouse_speed, 0.8, 1e-12);  // four steps of 0.2, which no double holds exactly
+}
+
+TEST_F(OpenMenu, TogglesFullScreenWithEnter) {
+    press(Key::down, 4, Key::enter);
+    EXPECT_TRUE(settings_.fullscreen);
+}
+
+TEST_F(OpenMenu, WorksWithTheGamepad) {
+    press(GamepadButton::down);
+    EXPECT_EQ(press(GamepadButton::a), MenuAction::restart);
+    EXPECT_EQ(press(GamepadButton::start), MenuAction::resume);
+}
+
+TEST_F(OpenMenu, ChoosesTheEntryThatIsClicked) {
+    // Six entries of 19 px around the middle of 400 rows: the second begins 2 * 19 px above the middle.
+    EXPECT_EQ(click(320, 400 / 2 - 2 * 19 + 5), MenuAction::restart);
+    EXPECT_EQ(click(5, 5), MenuAction::none);
+}
+
+TEST_F(OpenMenu, IgnoresKeysThatAreLetGo) {
+    EXPECT_EQ(menu_.handle(KeyChange{Key::escape, false, false}, settings_), MenuAction::none);
+}
+
+TEST(Menu, IgnoresEverythingWhileClosed) {
+    Menu menu;
+    PlaySettings settings;
+    EXPECT_EQ(menu.handle(KeyChange{Key::enter, true, false}, settings), MenuAction::none);
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,50 @@
+// Messages on the screen.
+#include "app/play/notices.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace enfilade {
+namespace {
+
+constexpr Color kBlack = 0xFF000000;
+
+class NoticesOnBlack : public ::testing::Test {
+protected:
+    /// Whether anything is shown at that moment.
+    bool shown(double now_s) {
+        frame_.resize(200, 100);
+        std::ranges::fill(frame_.pixels, kBlack);
+        Overlay overlay(frame_, font_);
+        notices_.draw(overlay, now_s);
+        return std::ranges::any_of(frame_.pixels, [](Color color) { return color != kBlack; });
+    }
+
+    Notices notices_;
+    Frame frame_;
+    Font font_;
+};
+
+TEST_F(NoticesOnBlack, ShowNothingWhereNothingWasSaid) { EXPECT_FALSE(shown(0)); }
+
+TEST_F(NoticesOnBlack, VanishAfterTheirTime) {
+    notices_.say("saved", 10, 3);
+    EXPECT_TRUE(shown(12.9));
+    EXPECT_FALSE(shown(13));
+}
+
+TEST_F(NoticesOnBlack, StayWhilePinned) {
+    notices_.pin({"map.toml:3:1: error: something"});
+    EXPECT_TRUE(shown(1e6));
+    notices_.pin({});
+    EXPECT_FALSE(shown(1e6));
+}
+
+TEST_F(NoticesOnBlack, WrapLongLinesAndSurviveWordsThatAreTooLong) {
+    notices_.pin({std::string(500, 'x'), "a " + std::string(300, 'y') + " b"});
+    EXPECT_TRUE(shown(0));
+}
+
+}  // namespace
+}  // namespace enfilade
