@@ -85,4 +85,8 @@ double turn_of(Vec2 v) {
     return turn >= 1 ? 0 : turn;
 }
 
+Angle angle_of(Vec2 v) {
+    return {static_cast<std::uint32_t>(static_cast<std::uint64_t>(turn_of(v) * 4294967296.0 + 0.5))};
+}
+
 }  // namespace enfilade

@@ -34,4 +34,7 @@ double tangent(Angle angle);
 /// v = (0, 0) gives 0.
 double turn_of(Vec2 v);
 
+/// The nearest Angle to the direction of `v`: exact along the axes. v = (0, 0) gives 0.
+Angle angle_of(Vec2 v);
+
 }  // namespace enfilade

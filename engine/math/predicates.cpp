@@ -28,6 +28,8 @@ int sign(T x) {
     return (x > 0) - (x < 0);
 }
 
+Int128 dot(GridVec a, GridVec b) { return Int128{a.x} * b.x + Int128{a.y} * b.y; }
+
 /// The sign of d + d1 e + d2 e^2.
 int sign_with_ties(Int128 d, Int128 d1, Int128 d2) {
     if (d != 0) return sign(d);
@@ -89,6 +91,17 @@ bool path_leaves_through(Vec2 p, Vec2 q, Vec2 a, Vec2 b) {
     // Where p == q the first two contradict each other, so side_of_path() is never asked about a point.
     return side_of_line(a, b, p) > 0 && side_of_line(a, b, q) < 0 && side_of_path(p, q, a) < 0 &&
            side_of_path(p, q, b) > 0;
+}
+
+bool segment_is_nearer(Vec2 a, Vec2 b, Vec2 p, double radius) {
+    if (radius <= 0) return false;
+    const GridVec along = difference(b, a), to_p = difference(p, a);
+    const Int128 r_squared = Int128{to_grid_units(radius)} * to_grid_units(radius);
+    const Int128 length_squared = dot(along, along), foot = dot(along, to_p);
+    if (foot <= 0) return dot(to_p, to_p) < r_squared;
+    if (foot >= length_squared) return dot(difference(p, b), difference(p, b)) < r_squared;
+    const Int128 area = cross(along, to_p);
+    return compare_products(area, area, r_squared, length_squared) < 0;
 }
 
 int compare_products(Int128 a, Int128 b, Int128 c, Int128 d) {

@@ -54,6 +54,10 @@ int compare(const PathFraction& s, const PathFraction& t);
 /// the wall's sector. p != q is not required: a path of no length crosses nothing.
 bool path_leaves_through(Vec2 p, Vec2 q, Vec2 a, Vec2 b);
 
+/// True where some point of the segment a - b is nearer to p than `radius`: touching does not count. Exact. All on
+/// either grid, radius too [m]; a may equal b. radius <= 0: false.
+bool segment_is_nearer(Vec2 a, Vec2 b, Vec2 p, double radius);
+
 /// The sign of a * b - c * d. |values| < 2^126.
 int compare_products(Int128 a, Int128 b, Int128 c, Int128 d);
 

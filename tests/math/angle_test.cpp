@@ -216,5 +216,23 @@ TEST(Angle, TakesRadiansToTheSameQuarters) {
     EXPECT_EQ(Angle::from_radians(3.14159).steps, Angle::from_degrees(3.14159 * 180 / std::numbers::pi).steps);
 }
 
+TEST(AngleOf, UndoesDirection) {
+    Random random(9);
+    for (int i = 0; i < 10000; ++i) {
+        const Angle angle{static_cast<std::uint32_t>(random.bits())};
+        ASSERT_EQ(angle_of(direction(angle)).steps, angle.steps);
+    }
+}
+
+TEST(AngleOf, IsOppositeInTheMirror) {
+    Random random(10);
+    for (int i = 0; i < 10000; ++i) {
+        const Vec2 v{random.uniform(-1, 1), random.uniform(-1, 1)};
+        ASSERT_EQ((angle_of(v) + angle_of({v.x, -v.y})).steps, 0u);
+    }
+}
+
+TEST(AngleOf, WrapsToZeroJustBelowAFullTurn) { EXPECT_EQ(angle_of({1, -1e-300}), Angle{}); }
+
 }  // namespace
 }  // namespace enfilade

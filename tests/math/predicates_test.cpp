@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "math/points.h"
 #include "support/exact.h"
@@ -150,6 +151,44 @@ TEST(ExactCross, IsRoundedOnce) {
         ASSERT_LE((error + error) * Integer(error.sign()), allowed) << "trial " << i;
     }
 }
+
+/// Whether the segment is nearer than radius, in whole grid steps of any size.
+bool exact_is_nearer(Vec2 a, Vec2 b, Vec2 p, double radius) {
+    const ExactPoint along = exact(b) - exact(a), to_p = exact(p) - exact(a), from_b = exact(p) - exact(b);
+    const Integer r = Integer::scaled(radius, kExactUnits), length_squared = along.x * along.x + along.y * along.y;
+    const Integer foot = along.x * to_p.x + along.y * to_p.y, area = cross(along, to_p);
+    if (foot.sign() <= 0) return to_p.x * to_p.x + to_p.y * to_p.y < r * r;
+    if (foot >= length_squared) return from_b.x * from_b.x + from_b.y * from_b.y < r * r;
+    return area * area < r * r * length_squared;
+}
+
+TEST(SegmentIsNearer, AgreesWithExactArithmeticAroundTheTouchingRadius) {
+    Random random(31);
+    for (int i = 0; i < kTrials; ++i) {
+        const Triple t = hard_triple(random, i, kPointGrid);
+        const double distance = std::fabs(exact_cross(t.a, t.b, t.c)) / std::hypot(t.b.x - t.a.x, t.b.y - t.a.y);
+        for (int step = -1; step <= 1; ++step) {
+            const double radius = snap_to_point_grid(distance) + step * kPointGrid;
+            if (radius <= 0) continue;
+            ASSERT_EQ(segment_is_nearer(t.a, t.b, t.c, radius), exact_is_nearer(t.a, t.b, t.c, radius)) << i;
+        }
+    }
+}
+
+TEST(SegmentIsNearer, DoesNotCountTouching) {
+    const double step = kPointGrid;
+    EXPECT_FALSE(segment_is_nearer({0, 0}, {8, 0}, {4, 0.5}, 0.5));
+    EXPECT_TRUE(segment_is_nearer({0, 0}, {8, 0}, {4, 0.5 - step}, 0.5));
+    EXPECT_FALSE(segment_is_nearer({0, 0}, {8, 0}, {-3, 4}, 5));
+    EXPECT_TRUE(segment_is_nearer({0, 0}, {8, 0}, {11 - step, 4}, 5));
+}
+
+TEST(SegmentIsNearer, TakesASegmentOfNoLengthForAPoint) {
+    EXPECT_TRUE(segment_is_nearer({1, 1}, {1, 1}, {4, 5}, 5 + kPointGrid));
+    EXPECT_FALSE(segment_is_nearer({1, 1}, {1, 1}, {4, 5}, 5));
+}
+
+TEST(SegmentIsNearer, IsNeverNearerThanNothing) { EXPECT_FALSE(segment_is_nearer({0, 0}, {8, 0}, {4, 0}, 0)); }
 
 }  // namespace
 }  // namespace enfilade
