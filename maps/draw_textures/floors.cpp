@@ -79,12 +79,12 @@ Surface flagstones(double x, double y, double u, double v) {
 
 // Round-headed cobbles.
 Surface cobbles(double, double, double u, double v) {
-    const Cell c = cell_at(u, v, 9, 9, 0.35, 101);
+    const Cell c = cell_at(u, v, 8, 8, 0.35, 101);
     const double grain = cloud(u, v, 32, 32, 3, 102), stain = cloud(u, v, 2, 2, 3, 103);
     const double top = 1 - clamp01(c.edge / 0.40), dome = std::sqrt(1 - top * top) + 0.4 * ramp(0.6, 0, c.nearest);
     const Color stone =
         mix(rgb(0x8b867d), rgb(0x6f6a66), c.tint) * (0.9 + 0.16 * fraction(c.tint * 9) + 0.08 * grain + 0.1 * stain);
-    return {mix(rgb(0x4a4338), stone, ramp(0.03, 0.12, c.edge)), 4.5 * dome + 0.4 * grain};
+    return {mix(rgb(0x625a4e), stone, ramp(0.03, 0.12, c.edge)), 2.8 * dome + 0.3 * grain};
 }
 
 // A runner: a border of gold lines, leaves on a lattice, wool that lies in rows.

@@ -12,6 +12,7 @@ int main(int count, char** arguments) {
     try {
         const draw_textures::Album album(arguments[1]);
         draw_textures::draw_masonry(album);
+        draw_textures::draw_facades(album);
         draw_textures::draw_floors(album);
         draw_textures::draw_wood(album);
         draw_textures::draw_salon(album);

@@ -17,7 +17,7 @@ Painter ashlar(Color stone, Color other, Color mortar, int per_row, int rows, in
         c = c * (1 + 0.05 * grain + 0.08 * stain - 0.12 * pit + 0.12 * (fraction(b.tint * 7) - 0.5));
         c = c * (1 + 0.06 * (1 - ramp(0, b.height, b.y)));  // the light comes from above
         return Surface{mix(mortar * (1 + 0.06 * grain), c, ramp(0.2, 1.8, b.edge)),
-                       2.6 * face + 0.35 * grain - 0.7 * pit};
+                       1.8 * face + 0.3 * grain - 0.6 * pit};
     };
 }
 
@@ -25,14 +25,14 @@ Painter ashlar(Color stone, Color other, Color mortar, int per_row, int rows, in
 Painter brick(Color light, Color dark, Color mortar, double soot, int seed) {
     return [=](double x, double y, double u, double v) {
         const Block b = block_at(x + 0.9 * cloud(u, v, 16, 16, 2, seed), y + 0.7 * cloud(u, v, 16, 16, 2, seed + 4),
-                                 256, 256, 6, 18, 0.5, 0.12, seed);
+                                 256, 256, 5, 16, 0.5, 0.12, seed);
         const double grain = cloud(u, v, 40, 40, 3, seed + 1), stain = cloud(u, v, 2, 3, 4, seed + 2);
         const double burnt = ramp(0.82, 1.0, b.tint) * soot;
         Color c = mix(light, dark, clamp01(b.tint + 0.25 * grain)) * (1 + 0.09 * grain + 0.1 * stain);
         c = mix(c, dark * 0.55, 0.7 * burnt);
         const double chipped = ramp(0.35, 0.6, grain) * ramp(4, 0, b.edge);
         const double face = ramp(0.7, 2.6, b.edge - 1.5 * chipped);
-        return Surface{mix(mortar * (1 + 0.1 * grain + 0.08 * stain), c, face), 1.8 * face + 0.35 * grain};
+        return Surface{mix(mortar * (1 + 0.1 * grain + 0.08 * stain), c, face), 1.1 * face + 0.3 * grain};
     };
 }
 
@@ -92,11 +92,11 @@ Surface majolica(double x, double y, double u, double v) {
 }  // namespace
 
 void draw_masonry(const Album& album) {
-    const Painter red_brick = brick(rgb(0xa65a41), rgb(0x7c3f33), rgb(0xa59a86), 1, 21);
-    album.add("ashlar", 256, 256, ashlar(rgb(0xcbb892), rgb(0xb29f7c), rgb(0x8a7a5f), 3, 6, 11));
-    album.add("ashlar_grey", 256, 256, ashlar(rgb(0x9a9a98), rgb(0x86827c), rgb(0x5c5955), 4, 8, 12));
+    const Painter red_brick = brick(rgb(0xa65f48), rgb(0x8c4b3c), rgb(0x97755f), 0.45, 21);
+    album.add("ashlar", 256, 256, ashlar(rgb(0xcbb892), rgb(0xbba986), rgb(0xa3926f), 3, 6, 11));
+    album.add("ashlar_grey", 256, 256, ashlar(rgb(0x9a9a98), rgb(0x8b8781), rgb(0x74716c), 3, 6, 12));
     album.add("brick", 256, 256, red_brick);
-    album.add("brick_pale", 256, 256, brick(rgb(0xc9b79c), rgb(0xa98f75), rgb(0xb8ad99), 0.3, 22));
+    album.add("brick_pale", 256, 256, brick(rgb(0xc9b79c), rgb(0xb39c80), rgb(0xa8987e), 0.2, 22));
     album.add("rubble", 256, 256, rubble(rgb(0xa3947b), rgb(0x7f8081), rgb(0x6b6152), 31));
     album.add("plaster_white", 256, 256, plaster(rgb(0xe6dfd0), rgb(0xcfc5b2), 41));
     album.add("plaster_ochre", 256, 256, plaster(rgb(0xd3ac6d), rgb(0xb98d56), 42));

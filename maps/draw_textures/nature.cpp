@@ -18,11 +18,11 @@ Painter rock(const Stone& stone, double bedding, int seed) {
         const double facet = big.x * (fraction(big.tint * 13) - 0.5) + big.y * (fraction(big.tint * 29) - 0.5);
         const double chip = small.x * (fraction(small.tint * 17) - 0.5) + small.y * (fraction(small.tint * 23) - 0.5);
         const double crack = ramp(0.05, 0.0, big.edge), hairline = ramp(0.04, 0.0, small.edge) * 0.4;
-        const double h = 30 * facet + 11 * chip + 6 * bedding * beds + 2.4 * grain - 1.6 * crack - 0.5 * hairline;
+        const double h = 26 * facet + 7 * chip + 6 * bedding * beds + 2.4 * grain - 1.6 * crack - 0.5 * hairline;
         Color c =
             mix(stone.light, stone.dark, clamp01(0.5 + 0.45 * broad + 0.35 * beds * bedding + 0.3 * (big.tint - 0.5)));
         c = mix(c, stone.tint, 0.5 * ramp(0.05, 0.5, cloud(u, v, 3, 3, 5, seed + 8)));
-        return Surface{c * (1 + 0.08 * grain - 0.16 * crack - 0.05 * hairline), h};
+        return Surface{c * (1 + 0.07 * grain - 0.10 * crack - 0.05 * hairline), h};
     };
 }
 
@@ -52,7 +52,7 @@ Painter leaves(Color light, Color dark, int across, int down, double slim, int s
     return [=](double, double, double u, double v) {
         constexpr int kLayers = 6;
         const double broad = cloud(u, v, 3, 3, 4, seed);
-        Surface s{dark * 0.75, 0};
+        Surface s{dark * 0.85, 0};
         for (int layer = 0; layer < kLayers; ++layer) {
             const Cell c = cell_at(u + 0.37 * layer, v + 0.61 * layer, across, down, 0.95, seed + 7 * layer + 1);
             const double lean = 1.4 * (fraction(c.tint * 7) - 0.5), a = c.x + lean * c.y, b = c.y - lean * c.x / slim;
@@ -60,11 +60,24 @@ Painter leaves(Color light, Color dark, int across, int down, double slim, int s
             if (inside > 0) {
                 const Color green = mix(dark, light, clamp01(0.1 + 0.5 * lit + 0.4 * fraction(c.tint * 19)));
                 s = {green * (0.86 + 0.18 * ramp(0, 0.25, inside) + 0.16 * broad),
-                     1.5 * lit + 0.8 * ramp(0, 0.25, inside)};
+                     1.1 * lit + 0.5 * ramp(0, 0.25, inside)};
             }
         }
         return s;
     };
+}
+
+// A bed in flower: blossoms of four petals over leaves.
+Surface flowers(double x, double y, double u, double v) {
+    static const Painter green = leaves(rgb(0x6f9045), rgb(0x3d5a2b), 20, 20, 2.4, 468);
+    static const Color petals[4] = {rgb(0xc8423f), rgb(0xe8b23f), rgb(0xf0e6d6), rgb(0xb65a8e)};
+    const Surface below = green(x, y, u, v);
+    const Cell c = cell_at(u, v, 11, 11, 0.8, 469);
+    const double r = c.nearest, four = std::abs(c.x * c.y) / (r * r + 1e-9);  // 0 along a petal's middle, 1/2 between
+    const double inside = 0.40 * (0.75 + 0.25 * fraction(c.tint * 7)) * (1 - 0.5 * four) - r;
+    const Color petal = petals[static_cast<int>(c.tint * 4)] * (0.85 + 0.4 * r);
+    const Surface bloom{mix(petal, rgb(0xe6c35a), ramp(0.1, 0.06, r)), 2.5};
+    return inside > 0 && fraction(c.tint * 31) < 0.75 ? bloom : below;
 }
 
 // Still water over dark stone: a net of light bent by ripples.
@@ -82,12 +95,13 @@ Surface water(double, double, double u, double v) {
 
 void draw_nature(const Album& album) {
     album.add("rock", 256, 256, rock({rgb(0xa2937c), rgb(0x766a5b), rgb(0x8d7a55)}, 1.0, 461));
-    album.add("cave_rock", 256, 256, rock({rgb(0x6f6a6b), rgb(0x474449), rgb(0x5c6656)}, 0.4, 462));
+    album.add("cave_rock", 256, 256, rock({rgb(0x8b8178), rgb(0x615b5c), rgb(0x6c7562)}, 0.4, 462));
     album.add("cave_floor", 256, 256, gravel(rgb(0x6a6055), rgb(0x857a6c), rgb(0x57504a), 0.45, 463));
     album.add("gravel", 256, 256, gravel(rgb(0xc0ac86), rgb(0xd8c9a8), rgb(0x9d8a69), 0.85, 464));
     album.add("earth", 256, 256, gravel(rgb(0x6e5439), rgb(0x8a7558), rgb(0x5a4631), 0.12, 465));
-    album.add("grass", 256, 256, leaves(rgb(0x7f9648), rgb(0x5b7638), 36, 18, 7, 467));
+    album.add("grass", 256, 256, leaves(rgb(0x7c9348), rgb(0x627d3d), 36, 18, 7, 467));
     album.add("hedge", 256, 256, leaves(rgb(0x6d8c42), rgb(0x2c4824), 20, 20, 2.4, 466));
+    album.add("flowers", 256, 256, flowers);
     album.add("water", 256, 256, water);
 }
 
