@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/check.h"
 #include "math/predicates.h"
 
 namespace enfilade::column {
@@ -49,6 +51,23 @@ void set_columns(ProjectedWall& w, const Pose& pose, const Screen& screen) {
     w.end = std::min(left_ahead ? screen.width : left, right_ahead ? right : screen.width);
 }
 
+ProjectedWall ends_of(const Map& map, WallId id, const Pose& pose) {
+    const Wall& wall = map[id];
+    ProjectedWall w;
+    w.wall = id;
+    w.swapped = pose.flip < 0;
+    w.left_v = to_view(w.swapped ? wall.b : wall.a, pose);
+    w.right_v = to_view(w.swapped ? wall.a : wall.b, pose);
+    return w;
+}
+
+void set_depths(ProjectedWall& w, const Wall& wall, const Pose& pose) {
+    w.cross = std::max(exact_cross(wall.a, wall.b, pose.eye), 0.0);
+    w.inverse_cross = 1 / w.cross;
+    w.nearest = std::max(std::min(w.left_v.y, w.right_v.y), 0.0);
+    w.farthest = std::max({w.left_v.y, w.right_v.y, 0.0});
+}
+
 /// Both ends of `segment` relative to the line of `line`: the smaller and the larger side.
 struct Sides {
     int low;
@@ -63,30 +82,47 @@ Sides sides_of(const Wall& segment, const Wall& line) {
 }  // namespace
 
 WallHit hit(const ProjectedWall& w, double slope) {
-    const double per_span = 1 / edge_span(w, slope);
-    const double along = std::clamp(edge(w.left_v, slope) * per_span, 0.0, 1.0);
-    return {std::clamp(w.cross * per_span, w.nearest, w.farthest), w.swapped ? 1 - along : along};
+    const double span = edge_span(w, slope);
+    if (!(span > 0)) return {w.farthest, w.swapped ? 1.0 : 0.0};  // only where the wall does not cover the column
+    const double along = std::clamp(edge(w.left_v, slope) / span, 0.0, 1.0);
+    return {std::clamp(w.cross / span, w.nearest, w.farthest), w.swapped ? 1 - along : along};
 }
 
 void project(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, std::vector<ProjectedWall>& out) {
     out.clear();
     const Sector& s = map[sector];
     for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
-        const Wall& wall = map.walls[i];
-        if (side_of_line(wall.a, wall.b, pose.eye) < 0) continue;
-        ProjectedWall w;
-        w.wall = WallId(i);
-        w.swapped = pose.flip < 0;
-        w.left_v = to_view(w.swapped ? wall.b : wall.a, pose);
-        w.right_v = to_view(w.swapped ? wall.a : wall.b, pose);
+        if (side_of_line(map.walls[i].a, map.walls[i].b, pose.eye) < 0) continue;
+        ProjectedWall w = ends_of(map, WallId(i), pose);
         set_columns(w, pose, screen);
         if (w.begin >= w.end) continue;
-        w.cross = std::max(exact_cross(wall.a, wall.b, pose.eye), 0.0);
-        w.inverse_cross = 1 / w.cross;
-        w.nearest = std::max(std::min(w.left_v.y, w.right_v.y), 0.0);
-        w.farthest = std::max(w.left_v.y, w.right_v.y);
+        set_depths(w, map.walls[i], pose);
         out.push_back(w);
     }
+}
+
+ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, int column,
+                           WallId entry) {
+    const Sector& s = map[sector];
+    ProjectedWall best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
+        const Wall& wall = map.walls[i];
+        if (side_of_line(wall.a, wall.b, pose.eye) < 0) continue;
+        const ProjectedWall w = ends_of(map, WallId(i), pose);
+        const double slope = screen.slopes[column];
+        const bool is_before = entry && (entry == w.wall || !is_beyond(wall, map[entry]));
+        const double missed = std::max({-edge(w.left_v, slope), edge(w.right_v, slope), 0.0}) +
+                              (is_before ? kWorldLimit * kWorldLimit : 0);
+        if (missed >= least) continue;
+        least = missed;
+        best = w;
+    }
+    ENFILADE_CHECK(best.wall);  // around a closed outline some wall always faces the eye
+    set_depths(best, map[best.wall], pose);
+    best.begin = column;
+    best.end = column + 1;
+    return best;
 }
 
 bool is_nearer(const Wall& a, const Wall& b) {

@@ -44,6 +44,12 @@ WallHit hit(const ProjectedWall& wall, double slope);
 /// `out` is emptied first and keeps its memory.
 void project(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, std::vector<ProjectedWall>& out);
 
+/// For a column that no wall of the sector covers: the wall that comes nearest to it, as if it covered that column
+/// alone, preferably one beyond `entry`. The eye is rounded onto its grid behind a link, which can put a ray that came
+/// in at the very edge of the doorway just outside it; without this its pixels would never be drawn.
+ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, int column,
+                           WallId entry);
+
 /// For two walls of one sector that both face the eye and cover a common column: true where a is the nearer one.
 /// Exact: walls of a sector never cross, so one of them lies wholly on one side of the other's line.
 bool is_nearer(const Wall& a, const Wall& b);

@@ -32,23 +32,22 @@ void ViewportDrawer::draw(const Scene& scene, FrameState& state, Viewport& viewp
 void ViewportDrawer::start_viewport(const Scene& scene, FrameState& state, Viewport& viewport) {
     viewport_ = &viewport;
     pose_ = state.poses[static_cast<std::size_t>(viewport.pose)];
-    walls_ = &state.projections.get(scene.map, viewport.sector, viewport.pose, pose_, scene.screen);
-    nearest_.choose(scene.map, scene.screen, viewport, *walls_);
+    nearest_.choose(scene.map, scene.screen, viewport, pose_,
+                    state.projections.get(scene.map, viewport.sector, viewport.pose, pose_, scene.screen));
     const Sector& sector = scene.map[viewport.sector];
     const SectorSnapshot& now = scene.snapshot[viewport.sector];
     here_ = heights_above(now, pose_.eye_z);
     floor_.start(scene, pose_, sector.floor, FlatSide::floor, here_.floor, now.light, floor_id(viewport.sector));
     ceiling_.start(scene, pose_, sector.ceiling, FlatSide::ceiling, here_.ceiling, now.light,
                    ceiling_id(viewport.sector));
-    openings_.assign(walls_->size(), {});
+    openings_.assign(nearest_.count(), {});
     wall_index_ = NearestWalls::kNoWall;
 }
 
 void ViewportDrawer::draw_column(const Scene& scene, FrameState& state, int x) {
     const int wall_index = nearest_.at(x);
-    if (wall_index == NearestWalls::kNoWall) return;
     if (wall_index != wall_index_) start_wall(scene, state, wall_index);
-    const WallHit look = hit((*walls_)[static_cast<std::size_t>(wall_index)], scene.screen.slopes[x]);
+    const WallHit look = hit(nearest_.wall(wall_index), scene.screen.slopes[x]);
     const OpenRows open = viewport_->rows_at(x);
     const RowSplit rows = split_rows(scene.screen, open, look.depth, here_, is_portal_ ? &behind_ : nullptr);
     ceiling_.paint(scene, x, open.top, rows.wall_top, look.depth);
@@ -64,7 +63,7 @@ void ViewportDrawer::draw_column(const Scene& scene, FrameState& state, int x) {
 
 void ViewportDrawer::start_wall(const Scene& scene, FrameState&, int wall_index) {
     wall_index_ = wall_index;
-    const WallId id = (*walls_)[static_cast<std::size_t>(wall_index)].wall;
+    const WallId id = nearest_.wall(wall_index).wall;
     const Wall& wall = scene.map[id];
     const double light = scene.snapshot[wall.sector].light;
     is_portal_ = wall.kind != WallKind::solid;
@@ -92,7 +91,7 @@ void ViewportDrawer::open_behind(const Scene& scene, FrameState& state, int x, c
     const OpenRows open{upper_open_ ? rows.wall_top : rows.opening_top,
                         lower_open_ ? rows.wall_bottom : rows.opening_bottom};
     if (open.is_closed()) return;
-    const ProjectedWall& projected = (*walls_)[static_cast<std::size_t>(wall_index_)];
+    const ProjectedWall& projected = nearest_.wall(wall_index_);
     Opening& opening = openings_[static_cast<std::size_t>(wall_index_)];
     if (opening.state == Opening::State::unknown) {
         opening.viewport = child_of(scene, state, scene.map[projected.wall], projected);

@@ -39,7 +39,6 @@ private:
     Viewport* viewport_ = nullptr;
     Pose pose_;
     RelativeHeights here_;
-    const std::vector<ProjectedWall>* walls_ = nullptr;
     NearestWalls nearest_;
     FlatPainter floor_, ceiling_;
 
@@ -48,7 +47,7 @@ private:
         enum class State : unsigned char { unknown, open, cut } state = State::unknown;
         Viewport* viewport = nullptr;
     };
-    std::vector<Opening> openings_;  ///< by index into *walls_
+    std::vector<Opening> openings_;  ///< by number of nearest_
 
     // The wall being drawn.
     int wall_index_ = NearestWalls::kNoWall;
