@@ -1,50 +1,25 @@
-#include "render/reference/reference_renderer.h"
-
+// The reference renderer in one room, against a solution worked out by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "support/rooms.h"
+#include "render/reference/picture.h"
 #include "render/shade.h"
+#include "support/looks.h"
 
-namespace enfilade {
+namespace enfilade::test {
 namespace {
-
-using test::look_from;
-using test::Rooms;
 
 /// Depths and places are sums and products of a few numbers below 100: errors stay below 1e-13 [m].
 constexpr double kRounding = 1e-12;
 
-struct Picture {
-    Frame frame;
-    FrameFacts facts;
-    SurfaceId id(int x, int y) const { return facts.ids[at(x, y)]; }
-    double depth(int x, int y) const { return facts.depths[at(x, y)]; }
-    std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * frame.width + x); }
-};
-
-Picture render(const Map& map, const View& view, int width = 64, int height = 48,
-               const ReferenceOptions& options = {}) {
-    Picture picture;
-    picture.frame.resize(width, height);
-    render_reference(picture.frame, &picture.facts, map, test::tile_textures(), at_rest(map), view, options);
-    return picture;
-}
-
-/// A room of 8 m x 8 m around the origin, seen along +x from near its middle: worked out by hand. The eye is so placed
-/// that no ray ends on the edge of a texel.
+/// A room of 8 m x 8 m around the origin and 3 m high, seen along +x from near its middle. The eye is so placed that no
+/// ray ends on the edge of a texel.
 class BoxRoom : public testing::Test {
 protected:
     static constexpr int kWidth = 60, kHeight = 40;
     static constexpr double kEyeX = 0.5078125, kEyeY = -0.2734375, kEyeZ = 1.23;
-
-    BoxRoom() {
-        box_ = rooms_.add_box(-4, -4, 4, 4);
-        view_ = look_from(rooms_.map, {kEyeX, kEyeY}, kEyeZ, 0);
-        picture_ = render(rooms_.map, view_, kWidth, kHeight);
-    }
 
     double slope(int x) const { return (2 * x + 1 - kWidth) / static_cast<double>(kWidth); }
     double climb(int y) const { return (kHeight / 2.0 - y - 0.5) / (kWidth / 2.0); }
@@ -55,15 +30,19 @@ protected:
         return std::min(4 - kEyeX, side);
     }
     WallId wall_seen(int x) const {
-        if (wall_depth(x) == 4 - kEyeX) return rooms_.wall(box_, {4, -4}, {4, 4});
-        return slope(x) > 0 ? rooms_.wall(box_, {4, 4}, {-4, 4}) : rooms_.wall(box_, {-4, -4}, {4, -4});
+        if (wall_depth(x) == 4 - kEyeX) return ahead_;
+        return slope(x) > 0 ? wall_between(rooms_.map, box_, {4, 4}, {-4, 4})
+                            : wall_between(rooms_.map, box_, {-4, -4}, {4, -4});
     }
     double height_at_wall(int x, int y) const { return kEyeZ + climb(y) * wall_depth(x); }
+    bool shows_wall_ahead(int x, int y) const {
+        return picture_.id(x, y) == wall_id(rooms_.map, ahead_, WallPart::middle);
+    }
 
-    Rooms rooms_;
-    SectorId box_;
-    View view_;
-    Picture picture_;
+    const Rooms rooms_{map_of({box_room("box", -4, -4, 4, 4, 0, 3)})};
+    const SectorId box_{0u};
+    const WallId ahead_ = wall_between(rooms_.map, box_, {4, -4}, {4, 4});
+    const Picture picture_ = rooms_.look(look_from(rooms_.map, {kEyeX, kEyeY}, kEyeZ, 0), kWidth, kHeight);
 };
 
 TEST_F(BoxRoom, ShowsTheSurfaceThatIsThere) {
@@ -91,30 +70,40 @@ TEST_F(BoxRoom, LaysTilesOfTheFloorFromTheOriginOfTheWorld) {
         for (int y = 0; y < kHeight; ++y) {
             if (picture_.id(x, y) != floor_id(box_)) continue;
             const double z = -kEyeZ / climb(y);
-            const TexelPosition texel = picture_.facts.texels[picture_.at(x, y)];
-            ASSERT_FLOAT_EQ(texel.u, static_cast<float>(fraction(kEyeX + z))) << x << ", " << y;
-            ASSERT_FLOAT_EQ(texel.v, static_cast<float>(fraction(kEyeY + slope(x) * z))) << x << ", " << y;
+            ASSERT_FLOAT_EQ(picture_.texel(x, y).u, static_cast<float>(fraction(kEyeX + z))) << x << ", " << y;
+            ASSERT_FLOAT_EQ(picture_.texel(x, y).v, static_cast<float>(fraction(kEyeY + slope(x) * z)))
+                << x << ", " << y;
         }
 }
 
-TEST_F(BoxRoom, HangsWallTilesFromTheCeilingAndCountsThemFromTheWallsStart) {
-    const SurfaceId ahead = wall_id(rooms_.map, rooms_.wall(box_, {4, -4}, {4, 4}), WallPart::middle);
+TEST_F(BoxRoom, CountsWallTilesFromTheWallsStart) {
     for (int x = 0; x < kWidth; ++x)
         for (int y = 0; y < kHeight; ++y) {
-            if (picture_.id(x, y) != ahead) continue;
-            const TexelPosition texel = picture_.facts.texels[picture_.at(x, y)];
+            if (!shows_wall_ahead(x, y)) continue;
             const double along = kEyeY + slope(x) * (4 - kEyeX) + 4;
-            ASSERT_FLOAT_EQ(texel.u, static_cast<float>(fraction(along))) << x << ", " << y;
-            ASSERT_FLOAT_EQ(texel.v, static_cast<float>(fraction(3 - height_at_wall(x, y)))) << x << ", " << y;
+            ASSERT_FLOAT_EQ(picture_.texel(x, y).u, static_cast<float>(fraction(along))) << x << ", " << y;
+        }
+}
+
+TEST_F(BoxRoom, HangsWallTilesFromTheCeiling) {
+    for (int x = 0; x < kWidth; ++x)
+        for (int y = 0; y < kHeight; ++y) {
+            if (!shows_wall_ahead(x, y)) continue;
+            ASSERT_FLOAT_EQ(picture_.texel(x, y).v, static_cast<float>(fraction(3 - height_at_wall(x, y))))
+                << x << ", " << y;
         }
 }
 
 TEST_F(BoxRoom, PaintsTheTexelInTheLightOfItsDepth) {
-    const TextureSet textures = test::tile_textures();
     for (std::size_t i = 0; i < picture_.frame.pixels.size(); ++i) {
         const TexelPosition texel = picture_.facts.texels[i];
-        const std::uint32_t painted = textures.textures[0].at(texel_index(texel.u, 4), texel_index(texel.v, 4));
-        const Shade shade = shade_at(LightModel::smooth, 1, 1, picture_.facts.depths[i]);
+        const SurfaceId id = picture_.facts.ids[i];
+        const bool is_wall = id > ceiling_id(box_);
+        const double contrast = is_wall ? rooms_.map.walls[(id - 3) / 3].contrast : 1;
+        const char* const name = is_wall ? "wall" : id == floor_id(box_) ? "floor" : "ceiling";
+        const Texture& texture = rooms_.textures[rooms_.textures.find(name)];
+        const std::uint32_t painted = texture.at(texel_index(texel.u, 64), texel_index(texel.v, 64));
+        const Shade shade = shade_at(LightModel::smooth, 1, contrast, picture_.facts.depths[i]);
         ASSERT_EQ(picture_.frame.pixels[i], shaded(painted, shade)) << i;
     }
 }
@@ -123,5 +112,10 @@ TEST_F(BoxRoom, IsNowhereAmbiguous) {
     EXPECT_EQ(std::count(picture_.facts.ambiguous.begin(), picture_.facts.ambiguous.end(), 1), 0);
 }
 
+TEST_F(BoxRoom, CountsOneWriteForEachPixel) {
+    const auto pixels = static_cast<std::ptrdiff_t>(picture_.facts.writes.size());
+    EXPECT_EQ(std::count(picture_.facts.writes.begin(), picture_.facts.writes.end(), 1), pixels);
+}
+
 }  // namespace
-}  // namespace enfilade
+}  // namespace enfilade::test

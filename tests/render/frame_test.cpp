@@ -1,0 +1,61 @@
+// Frames and the facts beside them; the numbers of surfaces.
+#include "render/frame.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "support/map_builder.h"
+
+namespace enfilade {
+namespace {
+
+Frame two_by_three(std::uint32_t color) {
+    Frame frame;
+    frame.resize(2, 3);
+    frame.pixels.assign(6, color);
+    return frame;
+}
+
+TEST(Frame, HasAPixelForEveryPlace) {
+    Frame frame;
+    frame.resize(117, 83);
+    EXPECT_EQ(frame.pixels.size(), 117u * 83u);
+}
+
+TEST(FrameFacts, SayNothingIsDrawnAfterReset) {
+    FrameFacts facts;
+    facts.writes = {1, 2, 3};
+    reset(facts, 3, 2);
+    EXPECT_EQ(facts.ids, std::vector<SurfaceId>(6, kNothing));
+    EXPECT_EQ(facts.writes, std::vector<std::uint8_t>(6, 0));
+    EXPECT_TRUE(std::isinf(facts.depths[5]));
+}
+
+TEST(FrameHash, TellsPixelsApart) {
+    Frame other = two_by_three(0xFF000000u);
+    other.pixels[4] = 0xFF000001u;
+    EXPECT_NE(hash_of(two_by_three(0xFF000000u)), hash_of(other));
+}
+
+TEST(FrameHash, TellsShapesOfTheSamePixelsApart) {
+    Frame other = two_by_three(0xFF000000u);
+    other.resize(3, 2);
+    EXPECT_NE(hash_of(two_by_three(0xFF000000u)), hash_of(other));
+}
+
+TEST(SurfaceIds, AreDifferentForEverySurfaceOfAMap) {
+    const Map map = test::built(test::map_of({test::box_room("a", 0, 0, 2, 2), test::box_room("b", 5, 0, 7, 2)}));
+    std::set<SurfaceId> ids{kNothing, kRecursionEnd};
+    for (std::size_t i = 0; i < map.sectors.size(); ++i) {
+        EXPECT_TRUE(ids.insert(floor_id(SectorId(i))).second);
+        EXPECT_TRUE(ids.insert(ceiling_id(SectorId(i))).second);
+    }
+    for (std::size_t i = 0; i < map.walls.size(); ++i)
+        for (WallPart part : {WallPart::middle, WallPart::upper, WallPart::lower})
+            EXPECT_TRUE(ids.insert(wall_id(map, WallId(i), part)).second);
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,33 @@
+// A picture by the reference renderer, and what it shows where.
+#pragma once
+#include "render/reference/reference_renderer.h"
+#include "support/map_builder.h"
+
+namespace enfilade::test {
+
+struct Picture {
+    Frame frame;
+    FrameFacts facts;
+
+    std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * frame.width + x); }
+    SurfaceId id(int x, int y) const { return facts.ids[at(x, y)]; }
+    double depth(int x, int y) const { return facts.depths[at(x, y)]; }
+    TexelPosition texel(int x, int y) const { return facts.texels[at(x, y)]; }
+};
+
+/// The rooms a test is about, built, with pictures.
+struct Rooms {
+    Map map;
+    TextureSet textures;
+
+    explicit Rooms(const MapFile& file) : map(built(file)), textures(textures_for(file)) {}
+
+    Picture look(const View& view, int width = 64, int height = 48, const ReferenceOptions& options = {}) const {
+        Picture picture;
+        picture.frame.resize(width, height);
+        render_reference(picture.frame, &picture.facts, map, textures, at_rest(map), view, options);
+        return picture;
+    }
+};
+
+}  // namespace enfilade::test

@@ -1,0 +1,135 @@
+// The shading rules: light, texels, sky.
+#include "render/shade.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace enfilade {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class ShadeAt : public testing::TestWithParam<LightModel> {
+protected:
+    static Shade shade(double light, double depth, double contrast = 1) {
+        return shade_at(GetParam(), light, contrast, depth);
+    }
+};
+
+TEST_P(ShadeAt, NeverGrowsWithDepth) {
+    for (double light : {0.0, 0.2, 0.5, 0.9, 1.0})
+        for (double depth = 0; depth < 200; depth += 0.25)
+            ASSERT_GE(shade(light, depth), shade(light, depth + 0.25)) << depth;
+}
+
+TEST_P(ShadeAt, NeverShrinksWithLight) {
+    for (double depth : {0.0, 0.3, 2.0, 17.0, 400.0})
+        for (int light = 0; light < 256; ++light)
+            ASSERT_LE(shade(light / 255.0, depth), shade((light + 1) / 255.0, depth)) << light;
+}
+
+TEST_P(ShadeAt, ClampsLightToItsRange) {
+    for (double depth : {0.0, 3.0, 1e30, kInfinity})
+        for (double contrast : {0.8, 1.0}) {
+            EXPECT_EQ(shade(-1, depth, contrast), shade(0, depth, contrast)) << depth;
+            EXPECT_EQ(shade(2, depth, contrast), shade(1, depth, contrast)) << depth;
+        }
+}
+
+TEST_P(ShadeAt, StaysBetweenBlackAndAsPainted) {
+    for (double light : {-1.0, 0.0, 1.0, 2.0})
+        for (double depth : {0.0, 1e-300, 1.0, 1e30, kInfinity})
+            for (double contrast : {0.8, 1.0, 1.2})
+                EXPECT_LE(shade(light, depth, contrast), 256u) << light << " " << depth;
+}
+
+TEST_P(ShadeAt, IsAsPaintedInFullLightNearby) { EXPECT_EQ(shade(1, 0), 256u); }
+
+TEST_P(ShadeAt, IsDarkerOnWallsOfLessContrast) { EXPECT_LT(shade(0.5, 4, 0.8), shade(0.5, 4)); }
+
+INSTANTIATE_TEST_SUITE_P(Models, ShadeAt, testing::Values(LightModel::smooth, LightModel::classic),
+                         [](const auto& model) { return model.param == LightModel::smooth ? "Smooth" : "Classic"; });
+
+TEST(ShadeAtSmooth, DoesNotFallOffInFullLight) { EXPECT_EQ(shade_at(LightModel::smooth, 1, 1, kInfinity), 256u); }
+
+TEST(ShadeAtSmooth, HalvesHalfLightAtNineMetres) {
+    EXPECT_EQ(shade_at(LightModel::smooth, 0.5, 1, 0), 128u);
+    EXPECT_EQ(shade_at(LightModel::smooth, 0.5, 1, 9), 64u);
+}
+
+TEST(ShadeAtSmooth, IsBlackInNoLight) { EXPECT_EQ(shade_at(LightModel::smooth, 0, 1, 0), 0u); }
+
+/// Worked out from Doom's formulas: level = 4 (15 - 16 steps of light) - 40 / depth, of 32, each 8 / 256 darker.
+struct ClassicLevel {
+    double light;
+    double depth;
+    int level;
+};
+
+class ShadeAtClassic : public testing::TestWithParam<ClassicLevel> {};
+
+TEST_P(ShadeAtClassic, IsDoomsLevel) {
+    const auto [light, depth, level] = GetParam();
+    EXPECT_EQ(shade_at(LightModel::classic, light, 1, depth), static_cast<Shade>(256 - 8 * level))
+        << light << " " << depth;
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, ShadeAtClassic,
+                         testing::Values(ClassicLevel{1, 1, 0}, ClassicLevel{1, 1000, 0},  // light 15 of 15: as painted
+                                         ClassicLevel{0.8, 40, 11}, ClassicLevel{0.8, 10, 8},  // 12: 4 * 3 - 40 / depth
+                                         ClassicLevel{0.8, 4, 2}, ClassicLevel{0.8, 3, 0}, ClassicLevel{0.4, 40, 31},
+                                         ClassicLevel{0.4, 2, 16},                             // 6: 4 * 9 = 36
+                                         ClassicLevel{0, 1, 20}, ClassicLevel{0, 1e30, 31}));  // 0: 60, never below 31
+
+TEST(Shaded, KeepsColorsAsPaintedAtTheTop) { EXPECT_EQ(shaded(0xFF123456u, 256), 0xFF123456u); }
+
+TEST(Shaded, IsOpaqueBlackAtZero) { EXPECT_EQ(shaded(0x80FFFFFFu, 0), 0xFF000000u); }
+
+TEST(Shaded, ScalesEachChannelByItself) { EXPECT_EQ(shaded(0xFFFF8001u, 128), 0xFF7F4000u); }
+
+TEST(Fraction, IsThePartAfterThePointAlsoOfNegativeNumbers) {
+    EXPECT_EQ(fraction(3.25), 0.25);
+    EXPECT_EQ(fraction(-0.25), 0.75);
+    EXPECT_EQ(fraction(-3), 0);
+}
+
+TEST(Fraction, IsBelowOneForTheSmallestStepBelowZero) {
+    EXPECT_EQ(fraction(-1e-300), 0);  // 1 - 1e-300 rounds to 1, which is the next tile's 0
+}
+
+TEST(TexelIndex, IsInTheTextureForAnySizeAndPosition) {
+    for (std::uint32_t size : {1u, 3u, 5u, 128u, 65535u})
+        for (double f : {0.0, 0.1, 0.5, 0.999999, std::nextafter(1.0, 0.0), 1.0})
+            EXPECT_LT(texel_index(f, size), size) << f;
+}
+
+TEST(TexelIndex, CutsTheTileIntoEqualParts) {
+    EXPECT_EQ(texel_index(0.24, 4), 0u);
+    EXPECT_EQ(texel_index(0.25, 4), 1u);
+    EXPECT_EQ(texel_index(0.75, 4), 3u);
+}
+
+TEST(SkyTexel, WrapsAroundAsOftenAsTheTileSays) {
+    EXPECT_EQ(sky_texel({4, 1}, {}, 0.25, 0).u, 0);
+    EXPECT_EQ(sky_texel({4, 1}, {}, 0.125, 0).u, 0.5);
+}
+
+TEST(SkyTexel, StandsOnTheHorizonWithItsFoot) { EXPECT_EQ(sky_texel({1, 1}, {}, 0, 0).v, 1); }
+
+TEST(SkyTexel, HasItsTopAtTheTangentOfItsHeight) { EXPECT_EQ(sky_texel({1, 2.5}, {}, 0, 2.5).v, 0); }
+
+TEST(SkyTexel, GoesOnWithItsLastRowsAboveAndBelow) {
+    EXPECT_EQ(sky_texel({1, 1}, {}, 0, 50).v, 0);
+    EXPECT_EQ(sky_texel({1, 1}, {}, 0, -50).v, 1);
+}
+
+TEST(SkyTexel, MovesByItsOffset) {
+    const SkyTexel moved = sky_texel({1, 1}, {0.25, 0.125}, 0.5, 0.25);
+    EXPECT_EQ(moved.u, 0.25);
+    EXPECT_EQ(moved.v, 0.625);
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,111 @@
+// The one projection: from pixels to rays.
+#include "render/view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace enfilade {
+namespace {
+
+/// Of a tangent and a product [1].
+constexpr double kRounding = 1e-15;
+
+Projection projection(int width, int height, double fov_degrees = 90, double pitch_tangent = 0, double stretch = 1) {
+    View view;
+    view.fov_degrees = fov_degrees;
+    view.pitch_tangent = pitch_tangent;
+    view.stretch = stretch;
+    return {view, width, height};
+}
+
+/// Rows whose centres see a wall `depth` away between two heights above the eye.
+int rows_covered(const Projection& p, double depth, double low, double high) {
+    int rows = 0;
+    for (int y = 0; y < p.height(); ++y) {
+        const double h = p.climb(y) * depth;
+        rows += h >= low && h < high;
+    }
+    return rows;
+}
+
+TEST(Projection, ShowsAWallAsHighAsItIsFarAwayOverHalfTheWidthAt90Degrees) {
+    EXPECT_EQ(rows_covered(projection(320, 320), 10, -5, 5), 160);
+    EXPECT_EQ(rows_covered(projection(320, 320), 40, -5, 5), 40);
+}
+
+TEST(Projection, StretchesHeightsByTheGivenFactor) {
+    EXPECT_EQ(rows_covered(projection(320, 320, 90, 0, 1.25), 10, -4, 4), 160);
+}
+
+TEST(Projection, HasSquarePixels) {
+    const Projection p = projection(320, 200, 75);
+    EXPECT_NEAR(p.slope(200) - p.slope(199), p.climb(99) - p.climb(100), kRounding);
+}
+
+TEST(Projection, EndsHalfAPixelBeyondTheOutermostRaysAtTheFieldOfView) {
+    for (double fov : {1.0, 60.0, 90.0, 120.0, 179.0}) {
+        const Projection p = projection(1000, 500, fov);
+        const double edge = p.slope(999) + (p.slope(999) - p.slope(998)) / 2;
+        EXPECT_NEAR(std::atan(edge) * 360 / std::numbers::pi, fov, 1e-6) << fov;  // an angle's step is 8.4e-8 degrees
+    }
+}
+
+TEST(Projection, IsTheSameToTheLeftAndToTheRight) {
+    for (int width : {1, 2, 117, 320, 7680}) {
+        const Projection p = projection(width, 1, 73);
+        for (int x = 0; x < width; ++x) ASSERT_EQ(p.slope(x), -p.slope(width - 1 - x)) << x << " of " << width;
+    }
+}
+
+TEST(Projection, LooksExactlyAheadInTheMiddleColumnOfAnOddWidth) { EXPECT_EQ(projection(117, 83).slope(58), 0); }
+
+TEST(Projection, LooksExactlyLevelInTheMiddleRowOfAnOddHeight) { EXPECT_EQ(projection(117, 83).climb(41), 0); }
+
+TEST(Projection, HasNoLevelRowInAnEvenHeight) {
+    const Projection p = projection(320, 200);
+    EXPECT_GT(p.climb(99), 0);
+    EXPECT_EQ(p.climb(99), -p.climb(100));
+}
+
+TEST(Projection, KeepsColumnsBitEqualInAPictureThreeTimesAsWide) {
+    for (double fov : {1.0, 53.0, 90.0, 179.0})
+        for (int width : {1, 2, 117, 320}) {
+            const Projection one = projection(width, 1, fov), three = projection(3 * width, 3, fov);
+            for (int x = 0; x < width; ++x) ASSERT_EQ(three.slope(3 * x + 1), one.slope(x)) << x << " of " << width;
+        }
+}
+
+TEST(Projection, ShearsThePictureByThePitch) {
+    // Pitch 45 degrees up at fov 90: the horizon moves down by half the width.
+    const Projection level = projection(320, 200), up = projection(320, 200, 90, 1);
+    EXPECT_NEAR(up.horizon() - level.horizon(), 160, 1e-12);
+    for (int y : {0, 77, 199}) EXPECT_NEAR(up.climb(y) - level.climb(y), 1, kRounding) << y;
+}
+
+TEST(Projection, ClimbsByTheRowsAboveTheHorizonOverTheFocalLength) {
+    const Projection p = projection(320, 200, 60, 0.3, 1.2);
+    for (int y : {0, 99, 199}) EXPECT_EQ(p.climb(y), p.row_from_horizon(y) / p.focal_y()) << y;
+}
+
+TEST(Projection, StaysFiniteAtTheLargestPictureAndTheWidestAndNarrowestField) {
+    for (double fov : {kMinFov, kMaxFov})
+        for (double pitch : {-20.0, 20.0}) {
+            const Projection p = projection(kMaxPictureSide, kMaxPictureSide, fov, pitch);
+            EXPECT_TRUE(std::isfinite(p.slope(0)) && std::isfinite(p.climb(0)) && std::isfinite(p.horizon())) << fov;
+        }
+}
+
+TEST(ProjectionDeathTest, RefusesAFieldOfViewOutOfRange) {
+    EXPECT_DEATH(projection(320, 200, 180), "broken contract");
+    EXPECT_DEATH(projection(320, 200, 0), "broken contract");
+}
+
+TEST(ProjectionDeathTest, RefusesAPictureWithoutPixels) {
+    EXPECT_DEATH(projection(0, 200), "broken contract");
+    EXPECT_DEATH(projection(320, kMaxPictureSide + 1), "broken contract");
+}
+
+}  // namespace
+}  // namespace enfilade
