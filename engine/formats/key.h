@@ -13,7 +13,9 @@
 
 namespace enfilade {
 
-enum class Need : std::uint8_t { optional, required };
+/// Whether a file must have a key. `written`: it need not, but write_map always gives it, because what a file without
+/// it gets depends on the rest of the file.
+enum class Need : std::uint8_t { optional, written, required };
 
 /// A key that a record's table may have.
 template <class Record>
@@ -165,7 +167,7 @@ constexpr auto key(std::string_view name, Dialect since, Need need = Need::optio
                        [](TableText& table, const Key<Record>& k, const Record& record, const Record& defaults) {
                            const auto& field = ((record.*first).*....*rest);
                            const auto& usual = ((defaults.*first).*....*rest);
-                           if (k.need == Need::required || !is_as_in(field, usual))
+                           if (k.need != Need::optional || !is_as_in(field, usual))
                                table.add(k.name, field_text(field, usual));
                        }};
 }

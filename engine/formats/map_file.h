@@ -44,6 +44,7 @@ struct WallRecord {
     bool mirror = false;
     std::optional<DoomRecord> doom;
     TextPlace place, next_place, via_place;
+    bool operator==(const WallRecord&) const = default;
 };
 
 /// A closed loop: wall i joins vertex i to i + 1, the last closes.
@@ -53,6 +54,7 @@ struct LoopRecord {
     std::vector<TextPlace> vertex_places;
     std::vector<WallRecord> walls;  ///< same length as vertices
     TextPlace place;
+    bool operator==(const LoopRecord&) const = default;
 };
 
 struct FlatRecord {
@@ -62,6 +64,7 @@ struct FlatRecord {
     bool is_relative = false;    ///< texture origin at the first vertex of the first loop, not at the world's origin
     bool parallax = false;       ///< drawn as sky
     TextPlace place;
+    bool operator==(const FlatRecord&) const = default;
 };
 
 /// A free-standing two-sided wall inside a sector.
@@ -71,6 +74,7 @@ struct PanelRecord {
     TextureSpec texture;
     std::optional<double> size;
     TextPlace place;
+    bool operator==(const PanelRecord&) const = default;
 };
 
 struct SectorRecord {
@@ -82,6 +86,7 @@ struct SectorRecord {
     std::vector<PanelRecord> panels;
     std::optional<DoomRecord> doom;
     TextPlace place;
+    bool operator==(const SectorRecord&) const = default;
 };
 
 /// One picture of a sprite's animation, shown for some seconds.
@@ -89,6 +94,7 @@ struct SpriteFrameRecord {
     std::string texture;  ///< with 8 rotations, the picture names are texture + "1" … texture + "8"
     double seconds = 0;   ///< 0: for ever
     Vec2 origin_tx;       ///< the texel that sits at the thing's position, from the picture's top left
+    bool operator==(const SpriteFrameRecord&) const = default;
 };
 
 struct ThingRecord {
@@ -106,6 +112,7 @@ struct ThingRecord {
     std::optional<double> light;     ///< its own light instead of the sector's
     std::optional<DoomRecord> doom;  ///< special: type number; tag: 0; flags: the thing's
     TextPlace place;
+    bool operator==(const ThingRecord&) const = default;
 };
 
 struct PlayerRecord {
@@ -114,6 +121,7 @@ struct PlayerRecord {
     double eye_z = 0;
     double yaw_degrees = 0;  ///< the tutorial's radians are converted by the reader
     TextPlace place;
+    bool operator==(const PlayerRecord&) const = default;
 };
 
 enum class LightModel : std::uint8_t { smooth, classic };
@@ -123,6 +131,7 @@ struct RenderRecord {
     LightModel light = LightModel::smooth;
     std::uint32_t recursion_color = 0xFF00FF;  ///< 0xRRGGBB
     int max_depth = 64;                        ///< links followed in one chain
+    bool operator==(const RenderRecord&) const = default;
 };
 
 /// The whole file.
@@ -134,6 +143,7 @@ struct MapFile {
     std::vector<SectorRecord> sectors;
     std::optional<PlayerRecord> player;
     std::vector<ThingRecord> things;
+    bool operator==(const MapFile&) const = default;
 };
 
 }  // namespace enfilade

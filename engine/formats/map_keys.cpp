@@ -38,7 +38,7 @@ void refuse_both(Reading& reading, std::span<const TomlEntry> entries, std::stri
     const TomlEntry* second = find_entry(entries, other);
     if (!first || !second) return;
     reading.error(std::max(first->key_place, second->key_place), code,
-                  quoted(one) + " and " + quoted(other) + " say the same thing; give only one of them");
+                  quoted(one) + " and " + quoted(other) + " exclude each other; give only one of them");
 }
 
 void refuse_tile_and_size(Reading& reading, const TextureSpec& spec) {

@@ -79,6 +79,8 @@ template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, ThingRecord&);
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, PlayerRecord&);
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, MapFile&);
 
 /// One key, for tests that hold the schema and the manual to the readers.
 struct KeyInfo {

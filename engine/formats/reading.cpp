@@ -7,7 +7,6 @@
 #include "formats/number_text.h"
 #include "formats/quoted.h"
 #include "formats/texture_spec.h"
-#include "formats/words.h"
 
 namespace enfilade {
 namespace {
@@ -47,15 +46,6 @@ std::optional<double> number_in(Reading& reading, const NamedValue& value, Range
     return std::clamp(number, range.low, range.high);
 }
 
-template <class Word>
-void read_word(Reading& reading, const NamedValue& value, Word& field) {
-    if (!expect(reading, value, TomlKind::string)) return;
-    const auto& words = words_of(field);
-    const auto it = std::find(words.begin(), words.end(), value.node.text());
-    if (it == words.end()) return unknown_word(reading, value, words);
-    field = static_cast<Word>(it - words.begin());
-}
-
 }  // namespace
 
 void Reading::error(TextPlace place, std::string_view code, std::string sentence) {
@@ -78,11 +68,16 @@ bool expect(Reading& reading, const NamedValue& value, TomlKind kind) {
     return false;
 }
 
-void unknown_word(Reading& reading, const NamedValue& value, std::span<const std::string_view> words) {
+std::optional<std::size_t> read_word(Reading& reading, const NamedValue& value,
+                                     std::span<const std::string_view> words) {
+    if (!expect(reading, value, TomlKind::string)) return {};
+    const auto it = std::find(words.begin(), words.end(), value.node.text());
+    if (it != words.end()) return static_cast<std::size_t>(it - words.begin());
     std::string list;
     for (std::string_view word : words) list += (list.empty() ? "\"" : ", \"") + std::string(word) + "\"";
     reading.error(value.node.place(), "unknown-word",
                   is_to_be(value, "one of " + list) + ", found " + quoted(value.node.text()));
+    return {};
 }
 
 void read_value(Reading& reading, const NamedValue& value, Range range, double& field) {
@@ -138,12 +133,6 @@ void read_value(Reading& reading, const NamedValue& value, Range range, std::opt
     TextureSpec spec;
     read_value(reading, value, range, spec);
     if (!spec.name.empty()) field = std::move(spec);
-}
-
-void read_value(Reading& reading, const NamedValue& value, Range, Peg& field) { read_word(reading, value, field); }
-
-void read_value(Reading& reading, const NamedValue& value, Range, LightModel& field) {
-    read_word(reading, value, field);
 }
 
 }  // namespace enfilade

@@ -10,6 +10,7 @@
 #include "base/finding.h"
 #include "formats/map_file.h"
 #include "formats/toml.h"
+#include "formats/words.h"
 #include "math/vec.h"
 
 namespace enfilade {
@@ -57,10 +58,14 @@ void read_value(Reading& reading, const NamedValue& value, Range range, std::str
 void read_value(Reading& reading, const NamedValue& value, Range range, std::vector<std::string>& field);
 void read_value(Reading& reading, const NamedValue& value, Range range, TextureSpec& field);
 void read_value(Reading& reading, const NamedValue& value, Range range, std::optional<TextureSpec>& field);
-void read_value(Reading& reading, const NamedValue& value, Range range, Peg& field);
-void read_value(Reading& reading, const NamedValue& value, Range range, LightModel& field);
 
-/// Notes unknown-word: the value is none of the words it may be.
-void unknown_word(Reading& reading, const NamedValue& value, std::span<const std::string_view> words);
+/// Which of the words the value is, or none and unknown-word is noted.
+std::optional<std::size_t> read_word(Reading& reading, const NamedValue& value,
+                                     std::span<const std::string_view> words);
+
+template <Word W>
+void read_value(Reading& reading, const NamedValue& value, Range, W& field) {
+    if (const auto index = read_word(reading, value, words_of(field))) field = static_cast<W>(*index);
+}
 
 }  // namespace enfilade

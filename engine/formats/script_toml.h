@@ -23,4 +23,7 @@ inline constexpr std::size_t kMaxScriptBytes = std::size_t{1} << 20;
 /// Longest leg, so that a script cannot ask for more frames than anyone can draw [s].
 inline constexpr double kMaxLegSeconds = 3600;
 
+/// Longest flythrough [s]: with the highest rate, the number of frames still fits 32 bits.
+inline constexpr double kMaxScriptSeconds = 86400;
+
 }  // namespace enfilade

@@ -1,7 +1,10 @@
 #include "formats/table_text.h"
 
+#include <algorithm>
+
 #include "formats/number_text.h"
 #include "formats/texture_spec.h"
+#include "formats/utf8.h"
 
 namespace enfilade {
 namespace {
@@ -24,7 +27,11 @@ std::string escaped(char c) {
 
 std::string string_text(std::string_view text) {
     std::string quoted = "\"";
-    for (char c : text) quoted += escaped(c);
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        quoted += length == 0 ? "\\uFFFD" : length == 1 ? escaped(text[0]) : std::string(text.substr(0, length));
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
     return quoted + '"';
 }
 

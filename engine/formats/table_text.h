@@ -11,7 +11,7 @@
 
 namespace enfilade {
 
-/// A TOML string in quotes, everything escaped that must be.
+/// A TOML string in quotes, everything escaped that must be; bytes that are not UTF-8 become U+FFFD.
 std::string string_text(std::string_view text);
 
 std::string value_text(double number);
@@ -21,8 +21,10 @@ std::string value_text(const std::string& text);
 std::string value_text(Vec2 pair);
 std::string value_text(const std::vector<std::string>& texts);
 std::string value_text(const TextureSpec& spec);
-inline std::string value_text(Peg peg) { return string_text(kPegWords[static_cast<std::size_t>(peg)]); }
-inline std::string value_text(LightModel m) { return string_text(kLightModelWords[static_cast<std::size_t>(m)]); }
+template <Word W>
+std::string value_text(W word) {
+    return string_text(to_word(word));
+}
 
 /// Collects "key = value" pairs, as lines or for braces.
 class TableText {

@@ -1,4 +1,5 @@
 // The keys of a map file as a whole, of the player's start and of the picture.
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -9,6 +10,9 @@ namespace {
 
 constexpr auto kBoth = Dialect::tutorial;
 constexpr auto kNew = Dialect::enfilade;
+
+/// Height of the eye above the floor where the file gives none [m]: a grown-up's.
+constexpr double kUsualEyeHeight = 1.6;
 
 /// Radians to degrees.
 constexpr double kDegreesPerRadian = 57.29577951308232;
@@ -24,7 +28,7 @@ constexpr std::array kPlayerKeys{
     key<&PlayerRecord::sector>("sector", kBoth),
     key<&PlayerRecord::position, &Vec2::x>("x", kBoth, Need::required, kPositions),
     key<&PlayerRecord::position, &Vec2::y>("y", kBoth, Need::required, kPositions),
-    key<&PlayerRecord::eye_z>("z", kBoth, Need::required, kHeights),
+    key<&PlayerRecord::eye_z>("z", kBoth, Need::written, kHeights),
     key<&PlayerRecord::yaw_degrees>("yaw", kNew, Need::optional, kAngles),
     Key<PlayerRecord>{"angle", kBoth, Need::optional, kAngles, read_angle},
 };
@@ -84,6 +88,13 @@ constexpr std::array kMapKeys{
     header_key<&MapFile::things>("things", kNew),
 };
 
+/// Where the file gives the player no eye height: standing on the floor.
+void stand_on_the_floor(MapFile& map) {
+    const auto has_name = [&](const SectorRecord& sector) { return sector.name == map.player->sector; };
+    const auto sector = std::find_if(map.sectors.begin(), map.sectors.end(), has_name);
+    map.player->eye_z = (sector == map.sectors.end() ? 0 : sector->floor.z) + kUsualEyeHeight;
+}
+
 constexpr KeyList<PlayerRecord> kPlayerList{"the player", kPlayerKeys};
 constexpr KeyList<RenderRecord> kRenderList{"'render'", kRenderKeys};
 constexpr KeyList<MapFile> kMapList{"a map", kMapKeys};
@@ -108,6 +119,13 @@ const KeyList<MapFile>& keys_of() {
 template <>
 void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, PlayerRecord&) {
     refuse_both(reading, entries, "yaw", "angle", "yaw-and-angle");
+}
+
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry> entries, MapFile& map) {
+    const TomlEntry* player = find_entry(entries, "player");
+    if (map.player && player->value.kind() == TomlKind::table && !find_entry(player->value.entries(), "z"))
+        stand_on_the_floor(map);
 }
 
 }  // namespace enfilade

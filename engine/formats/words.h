@@ -2,16 +2,33 @@
 #pragma once
 #include <array>
 #include <string_view>
+#include <type_traits>
 
 #include "formats/map_file.h"
+#include "formats/script.h"
 
 namespace enfilade {
 
-/// In the order of the enumeration's values.
+// Each list is in the order of the enumeration's values.
 inline constexpr std::array<std::string_view, 4> kPegWords{"ceiling", "floor", "opening_top", "opening_bottom"};
 inline constexpr std::array<std::string_view, 2> kLightModelWords{"smooth", "classic"};
+inline constexpr std::array<std::string_view, 2> kEaseWords{"smooth", "linear"};
+inline constexpr std::array<std::string_view, 2> kPressWords{"none", "use"};
+inline constexpr std::array<std::string_view, 3> kRendererWords{"column", "stencil", "reference"};
 
 constexpr const auto& words_of(Peg) { return kPegWords; }
 constexpr const auto& words_of(LightModel) { return kLightModelWords; }
+constexpr const auto& words_of(Ease) { return kEaseWords; }
+constexpr const auto& words_of(Press) { return kPressWords; }
+constexpr const auto& words_of(RendererChoice) { return kRendererWords; }
+
+/// A type whose values are words in files.
+template <class T>
+concept Word = std::is_enum_v<T> && requires(T word) { words_of(word); };
+
+template <Word W>
+constexpr std::string_view to_word(W word) {
+    return words_of(word)[static_cast<std::size_t>(word)];
+}
 
 }  // namespace enfilade

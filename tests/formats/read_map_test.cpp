@@ -71,6 +71,11 @@ TEST(ReadMap, FillsInTheDefaults) {
 
 TEST(ReadMap, TurnsTheTutorialsRadiansIntoDegrees) { EXPECT_EQ(read_map(kTutorial).map.player->yaw_degrees, 180); }
 
+TEST(ReadMap, LetsAPlayerWithoutEyeHeightStandOnTheFloor) {
+    const std::string text = room("{}", "player = { x = 0.5, y = 0.25 }", "floor = { z = 3 }");
+    EXPECT_EQ(read_map(text).map.player->eye_z, 4.6);
+}
+
 TEST(ReadMap, TakesUpAndDownForUpperAndLower) {
     const WallRecord wall = read_map(kTutorial).map.sectors.at(0).loops.at(0).walls.at(1);
     EXPECT_EQ(wall.upper->name, "U");

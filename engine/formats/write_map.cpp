@@ -1,0 +1,32 @@
+#include "formats/map_keys.h"
+#include "formats/map_toml.h"
+
+namespace enfilade {
+namespace {
+
+/// The record's keys as lines below a header, set off by an empty line.
+template <class Record>
+void add_under(std::string& text, std::string_view header, const Record& record) {
+    text.append("\n").append(header).append("\n");
+    text += record_text(record, Record{}, TableText::Style::lines);
+}
+
+void add_sector(std::string& text, const SectorRecord& sector) {
+    add_under(text, "[[sectors]]", sector);
+    for (const LoopRecord& loop : sector.loops) add_under(text, "[[sectors.loops]]", loop);
+    for (const PanelRecord& panel : sector.panels) add_under(text, "[[sectors.panels]]", panel);
+}
+
+}  // namespace
+
+std::string write_map(const MapFile& map) {
+    std::string text = record_text(map, MapFile{}, TableText::Style::lines);
+    if (!record_text(map.render, RenderRecord{}, TableText::Style::lines).empty())
+        add_under(text, "[render]", map.render);
+    if (map.player) add_under(text, "[player]", *map.player);
+    for (const SectorRecord& sector : map.sectors) add_sector(text, sector);
+    for (const ThingRecord& thing : map.things) add_under(text, "[[things]]", thing);
+    return text;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,56 @@
+// The hash file beside a flythrough.
+#include "formats/frame_hashes.h"
+
+#include <gtest/gtest.h>
+
+#include "formats/hostile.h"
+
+namespace enfilade {
+namespace {
+
+const std::vector<FrameHash> kHashes{{0, 0x0123456789ABCDEF}, {7, 0}, {4000000000, ~std::uint64_t{0}}};
+
+std::string complaint(std::string_view text) {
+    const auto hashes = read_frame_hashes(text);
+    return hashes.ok() ? "" : hashes.error().text();
+}
+
+TEST(FrameHashes, ReadBackWhatWasWritten) {
+    const auto hashes = read_frame_hashes(write_frame_hashes(kHashes));
+    ASSERT_TRUE(hashes.ok());
+    EXPECT_EQ(hashes.value(), kHashes);
+}
+
+TEST(FrameHashes, SkipCommentsEmptyLinesAndCarriageReturns) {
+    const auto hashes = read_frame_hashes("# a\r\n\r\n3 0123456789abcdef\r\n");
+    ASSERT_TRUE(hashes.ok());
+    EXPECT_EQ(hashes.value(), (std::vector<FrameHash>{{3, 0x0123456789ABCDEF}}));
+}
+
+TEST(FrameHashes, SurviveBeingCutAnywhere) {
+    std::string text = write_frame_hashes(kHashes);
+    text.pop_back();  // the end of the last line may be missing
+    for_each_cut(text, [](std::string_view cut) {
+        const auto hashes = read_frame_hashes(cut);
+        EXPECT_LT(hashes.ok() ? hashes.value().size() : 0, kHashes.size());
+    });
+}
+
+TEST(FrameHashes, NameALineWithoutAHash) { EXPECT_EQ(complaint("1"), "1:1: expected \"FRAME HASH\", found '1'"); }
+
+TEST(FrameHashes, NameAFrameThatIsNoNumber) {
+    EXPECT_EQ(complaint("# x\n-1 0123456789abcdef"), "2:1: expected a frame's number, found '-1'");
+}
+
+TEST(FrameHashes, NameAHashOfTheWrongLength) {
+    EXPECT_EQ(complaint("12 0123456789abcde"), "1:4: expected 16 hexadecimal digits, found '0123456789abcde'");
+}
+
+TEST(FrameHashes, NameFramesThatDoNotGrow) {
+    EXPECT_EQ(complaint("1 0000000000000000\n1 0000000000000000"), "2:1: frames must grow, found 1 after 1");
+}
+
+TEST(FrameHashes, RefuseANumberThatDoesNotFit) { EXPECT_NE(complaint("4294967296 0000000000000000"), ""); }
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,172 @@
+// Map records with every field filled at random, sound for the reader though not for geometry.
+#pragma once
+#include <string>
+
+#include "base/random.h"
+#include "formats/map_file.h"
+
+namespace enfilade {
+
+/// Random records from a seed: the same seed gives the same map.
+class RandomMap {
+public:
+    explicit RandomMap(std::uint64_t seed) : random_(seed) {}
+
+    MapFile map() {
+        MapFile map;
+        map.format = 1;
+        map.name = maybe_text();
+        map.textures = {text(), text()};
+        map.render = {number(0.125, 8), flip() ? LightModel::classic : LightModel::smooth,
+                      static_cast<std::uint32_t>(random_.below(1 << 24)), whole(0, 1024)};
+        for (int i = whole(1, 4); i > 0; --i) map.sectors.push_back(sector());
+        if (flip()) map.player = PlayerRecord{text(), point(), number(-100, 100), number(-360, 360), {}};
+        for (int i = whole(0, 3); i > 0; --i) map.things.push_back(thing());
+        return map;
+    }
+
+private:
+    bool flip() { return random_.below(2) == 1; }
+    int whole(int low, int high) {
+        return low + static_cast<int>(random_.below(static_cast<std::uint64_t>(high - low) + 1));
+    }
+
+    /// Round numbers, and numbers that need all their digits.
+    double number(double low, double high) {
+        const double x = random_.uniform(low, high);
+        const double rounded = static_cast<double>(static_cast<std::int64_t>(x));
+        return flip() || rounded < low ? x : rounded;
+    }
+    Vec2 point() { return {number(-32768, 32768), number(-32768, 32768)}; }
+
+    std::string text() {
+        static constexpr std::string_view kParts[] = {"a",  "B7",   "\"", "\\", "\t", "é",
+                                                      "漢", "\x01", " ",  "#",  "'",  "]"};
+        std::string text = "n";
+        for (int i = whole(0, 5); i > 0; --i) text += kParts[random_.below(std::size(kParts))];
+        return text;
+    }
+    std::string maybe_text() { return flip() ? text() : ""; }
+
+    TextureSpec spec(bool may_tile = true) {
+        TextureSpec spec;
+        spec.name = flip() ? "-" : "WALL" + std::to_string(whole(0, 99));
+        if (may_tile && flip()) spec.tile_m = Vec2{number(0.001, 9), -number(0.001, 9)};
+        if (flip()) spec.offset_tx = {number(-300, 300), number(-300, 300)};
+        return spec;
+    }
+    std::optional<TextureSpec> maybe_spec(bool may_tile) {
+        return flip() ? std::optional(spec(may_tile)) : std::nullopt;
+    }
+    std::optional<double> maybe(double low, double high) {
+        return flip() ? std::optional(number(low, high)) : std::nullopt;
+    }
+    std::optional<DoomRecord> doom() {
+        if (flip()) return {};
+        return DoomRecord{whole(0, 300), whole(-5, 700), whole(0, 65535)};
+    }
+    Peg peg() { return static_cast<Peg>(random_.below(4)); }
+
+    WallRecord wall() {
+        WallRecord wall;
+        wall.name = maybe_text();
+        wall.size = maybe(1, 64);
+        const bool may_tile = !wall.size;
+        wall.texture = maybe_spec(may_tile);
+        wall.upper = maybe_spec(may_tile);
+        wall.lower = maybe_spec(may_tile);
+        wall.middle = maybe_spec(may_tile);
+        wall.texture_peg = peg();
+        wall.upper_peg = peg();
+        wall.lower_peg = peg();
+        wall.middle_peg = peg();
+        wall.next = maybe_text();
+        wall.via = maybe_text();
+        wall.rise = maybe(-9, 9);
+        wall.mirror = flip();
+        wall.doom = doom();
+        return wall;
+    }
+
+    LoopRecord loop() {
+        LoopRecord loop;
+        loop.name = maybe_text();
+        for (int i = whole(0, 20); i > 0; --i) {
+            loop.vertices.push_back(point());
+            loop.walls.push_back(wall());
+        }
+        return loop;
+    }
+
+    FlatRecord flat() {
+        FlatRecord flat;
+        flat.z = number(-9, 9);
+        flat.size = maybe(1, 64);
+        flat.texture = maybe_spec(!flat.size);
+        flat.is_relative = flip();
+        flat.parallax = flip();
+        return flat;
+    }
+
+    SectorRecord sector() {
+        SectorRecord sector;
+        sector.name = text();
+        sector.light = number(0, 1);
+        if (flip()) sector.floor = flat();
+        if (flip()) sector.ceiling = flat();
+        for (int i = whole(1, 3); i > 0; --i) sector.loops.push_back(loop());
+        for (int i = whole(0, 2); i > 0; --i)
+            sector.panels.push_back({point(), point(), number(-9, 9), number(-9, 9), spec(), {}, {}});
+        sector.doom = doom();
+        return sector;
+    }
+
+    ThingRecord thing() {
+        ThingRecord thing;
+        thing.name = maybe_text();
+        thing.kind = maybe_text();
+        thing.sector = maybe_text();
+        thing.position = point();
+        thing.z = maybe(-9, 9);
+        thing.yaw_degrees = number(-720, 720);
+        thing.radius = number(0, 9);
+        thing.height = number(0, 9);
+        thing.solid = flip();
+        thing.hanging = flip();
+        thing.rotations = flip() ? 8 : 1;
+        for (int i = whole(0, 3); i > 0; --i)
+            thing.frames.push_back({text(), number(0, 3), {number(-64, 64), number(-64, 64)}});
+        thing.size = number(1, 64);
+        thing.light = maybe(0, 1);
+        thing.doom = doom();
+        return thing;
+    }
+
+    Random random_;
+};
+
+/// The map without the places its records were read from.
+inline MapFile without_places(MapFile map) {
+    const auto forget = [](auto& spec) {
+        if (spec) spec->place = {};
+    };
+    for (SectorRecord& sector : map.sectors) {
+        sector.place = sector.floor.place = sector.ceiling.place = {};
+        forget(sector.floor.texture);
+        forget(sector.ceiling.texture);
+        for (PanelRecord& panel : sector.panels) panel.place = panel.texture.place = {};
+        for (LoopRecord& loop : sector.loops) {
+            loop.place = {};
+            loop.vertex_places.clear();
+            for (WallRecord& wall : loop.walls) {
+                wall.place = wall.next_place = wall.via_place = {};
+                for (auto* spec : {&wall.texture, &wall.upper, &wall.lower, &wall.middle}) forget(*spec);
+            }
+        }
+    }
+    for (ThingRecord& thing : map.things) thing.place = {};
+    if (map.player) map.player->place = {};
+    return map;
+}
+
+}  // namespace enfilade
