@@ -21,7 +21,7 @@ private:
 };
 
 void draw_masonry(const Album&);  // walls of stone, brick and plaster
-void draw_facades(const Album&);  // whole fronts of houses, and a painting over a door
+void draw_facades(const Album&);  // whole fronts of houses
 void draw_floors(const Album&);   // marble, tiles, paving, carpet
 void draw_wood(const Album&);     // parquet, boards, panelling, doors, books, beams
 void draw_salon(const Album&);    // the walls and ceilings of a palace

@@ -113,32 +113,11 @@ Surface brick_front(double x, double y, double u, double v) {
     return y < kString ? framed(wall, w, 9, glass(w, rgb(0xf3c873), rgb(0xb9763c), 17, 514), stone) : wall;
 }
 
-// A painting over a door: a far landscape in a gilded frame.
-Surface overdoor(double x, double y, double u, double v) {
-    const double edge = std::min(std::min(x, 256 - x), std::min(y, 128 - y));
-    if (edge < 14) {
-        const double bead = 0.6 + 0.4 * wave((x + y) / 9);
-        return {edge < 4 || edge > 11 ? gilding(u, v, 0.8, 521) : mix(rgb(0xe3dccb), gilding(u, v, bead, 522), 0.55),
-                4 * wave(clamp01(edge / 14) / 2) + bead};
-    }
-    const double haze = ramp(16, 84, y), billow = cloud(u, v, 4, 3, 5, 523);
-    Color c = mix(rgb(0x7d9fbe), rgb(0xf0d9a8), haze);
-    c = mix(c, mix(rgb(0xf2e2c4), rgb(0xb99a8c), haze), ramp(0.05, 0.4, billow));
-    const Color hills[4] = {rgb(0x8fa3a6), rgb(0x7d9380), rgb(0x6d8152), rgb(0x4f6238)};
-    for (int k = 0; k < 4; ++k) {  // each nearer range lower, darker and rougher
-        const double top = 70 + 11 * k - 13 * value_noise(u * (3 + 2 * k), 0.5, 3 + 2 * k, 1, 524 + k) -
-                           2.5 * k * cloud(u, v, 10, 5, 3, 528 + k);
-        c = mix(c, hills[k] * (1 + 0.12 * cloud(u, v, 24, 12, 3, 532 + k)), ramp(-0.8, 0.8, y - top));
-    }
-    return {c * (0.82 + 0.18 * ramp(14, 24, edge)), -2};
-}
-
 }  // namespace
 
 void draw_facades(const Album& album) {
     album.add("palace_front", static_cast<int>(3 * kScale), kFrontRows, palace_front);
     album.add("brick_front", static_cast<int>(3.25 * kScale), kFrontRows, brick_front);
-    album.add("overdoor", 256, 128, overdoor);
 }
 
 }  // namespace draw_textures

@@ -117,6 +117,7 @@ void draw_floors(const Album& album) {
     album.add("flagstones", 256, 256, flagstones);
     album.add("cobbles", 256, 256, cobbles);
     album.add("carpet", 128, 128, carpet);
+    album.add("runner", 128, 128, [](double x, double y, double u, double v) { return carpet(y, x, v, u); });
 }
 
 }  // namespace draw_textures

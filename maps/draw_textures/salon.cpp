@@ -44,6 +44,14 @@ double cornice_profile(double y) {
            2 * ramp(3, 0, std::abs(y - 17));
 }
 
+// The band under the ceiling: white mouldings, two of them gilded, and a row of dentils.
+Surface cornice_band(double x, double y, double u, double v, double tone) {
+    const double dentil = ramp(0.18, 0.28, std::abs(fraction(x / 12) - 0.5)) * ramp(12, 10, std::abs(y - 30) * 2.2);
+    const bool gilt = std::abs(y - 17) < 3.5 || y > 39;
+    const Color c = gilt ? gilding(u, v, 0.8, 222) : mix(rgb(0xeee7d6), rgb(0xd8cfba), y / kCornice) * tone;
+    return {c * (1 - 0.25 * dentil), cornice_profile(y) - 3 * dentil};
+}
+
 // Silk for the field of the wall: two tones of one colour, the figure a little raised.
 Surface silk(double x, double y, double u, double v, Color ground, Color figure) {
     const double inside = damask(x / 48, y / 66), weave = cloud(u, v, 96, 24, 1, 201), fold = cloud(u, v, 3, 2, 3, 202);
@@ -74,11 +82,7 @@ Painter salon_wall(const Field& field, Color paint, Color dado) {
     return [=](double x, double y, double u, double v) {
         const double tone = 1 + 0.03 * cloud(u, v, 4, 8, 4, 221);
         if (y < kCornice) {
-            const double dentil =
-                ramp(0.18, 0.28, std::abs(fraction(x / 12) - 0.5)) * ramp(12, 10, std::abs(y - 30) * 2.2);
-            const bool gilt = std::abs(y - 17) < 3.5 || y > 39;
-            const Color c = gilt ? gilding(u, v, 0.8, 222) : mix(rgb(0xeee7d6), rgb(0xd8cfba), y / kCornice) * tone;
-            return Surface{c * (1 - 0.25 * dentil), cornice_profile(y) - 3 * dentil};
+            return cornice_band(x, y, u, v, tone);
         }
         if (y < kRail) {
             Surface s = field(x, y - kCornice, u, v);
@@ -162,6 +166,42 @@ Surface fresco(double x, double y, double u, double v) {
     return {c, frame * (2 + 4 * wave(clamp01(edge / 24) / 2) + 1.5 * bead)};
 }
 
+// A far landscape at evening: ranges of hills, each nearer one lower, darker and rougher.
+Color landscape(double u, double v, double t) {
+    const double haze = ramp(0, 0.6, t), billow = cloud(u, v, 6, 3, 5, 523);
+    Color c = mix(rgb(0x7d9fbe), rgb(0xf0d9a8), haze);
+    c = mix(c, mix(rgb(0xf2e2c4), rgb(0xb99a8c), haze), ramp(0.05, 0.4, billow));
+    const Color hills[4] = {rgb(0x8fa3a6), rgb(0x7d9380), rgb(0x6d8152), rgb(0x4f6238)};
+    for (int k = 0; k < 4; ++k) {
+        const double top = 0.5 + 0.12 * k - 0.14 * value_noise(u * (4 + 2 * k), 0.5, 4 + 2 * k, 1, 524 + k) -
+                           0.03 * k * cloud(u, v, 12, 5, 3, 528 + k);
+        c = mix(c, hills[k] * (1 + 0.12 * cloud(u, v, 24, 12, 3, 532 + k)), ramp(-0.01, 0.01, t - top));
+    }
+    return c;
+}
+
+// What stands over a door, up to the ceiling: the cornice, and under it a painting between two white panels.
+constexpr int kOverdoorWidth = 336, kOverdoorHeight = 105;
+
+Surface overdoor(double x, double y, double u, double v) {
+    const double tone = 1 + 0.03 * cloud(u, v, 4, 2, 4, 221), ax = std::abs(x - kOverdoorWidth / 2.0);
+    if (y < kCornice) {
+        return cornice_band(x, y, u, v, tone);
+    }
+    const double high = std::min(y - kCornice - 3, kOverdoorHeight - 2 - y), painting = std::min(112 - ax, high);
+    const double panel = std::min(std::min(ax - 118, 164 - ax), high), line = ramp(2.6, 1.8, std::abs(panel - 3));
+    if (painting > 6) {
+        return {landscape(u, v, (y - kCornice - 9) / (kOverdoorHeight - kCornice - 17)) *
+                    (0.8 + 0.2 * ramp(6, 14, painting)),
+                -2};
+    }
+    if (painting > 0) {
+        return {gilding(u, v, 0.6 + 0.3 * wave((x + y) / 9), 521), 3 * wave(clamp01(painting / 6) / 2)};
+    }
+    const Color board = mix(rgb(0xe3dccb), rgb(0xcfd5d2), ramp(7, 9, panel)) * tone;
+    return {mix(board, gilding(u, v, 0.7, 224), line) * (0.85 + 0.15 * ramp(kCornice, kCornice + 20, y)), 1.6 * line};
+}
+
 }  // namespace
 
 void draw_salon(const Album& album) {
@@ -178,6 +218,7 @@ void draw_salon(const Album& album) {
     album.add("salon_yellow", kWallWidth, kWallHeight,
               salon_wall(damask_of(rgb(0xc2923f), rgb(0xe0bb6c)), white, rgb(0xdcc894)));
     album.add("salon_white", kWallWidth, kWallHeight, salon_wall(white_panel, white, rgb(0xcfd5d2)));
+    album.add("overdoor", kOverdoorWidth, kOverdoorHeight, overdoor);
     album.add("ceiling_rosettes", 256, 256, rosettes(rgb(0xe6dfcf), rgb(0xd4ccb9), true));
     album.add("ceiling_stucco", 256, 256, rosettes(rgb(0xe2ddd2), rgb(0xcfc9bb), false));
     album.add("ceiling_coffers", 256, 256, coffers);
