@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -16,7 +15,7 @@ struct Closer {
 using File = std::unique_ptr<std::FILE, Closer>;
 
 Error system_error(const std::string& path, const char* doing) {
-    return {path, std::string("cannot ") + doing + ": " + std::strerror(errno)};
+    return {path, std::string("cannot ") + doing + ": " + std::generic_category().message(errno)};
 }
 
 /// A name beside the path, so that the rename stays on one file system.
