@@ -24,7 +24,7 @@ namespace enfilade {
 struct Surface {
     TextureId texture;       ///< none: no texture ("-" or not given)
     Vec2 tile_m{1, 1};       ///< metres per tile (sky: wraps per turn, tangent of the height)
-    Vec2 offset_tiles;       ///< subtracted, in [0, 1) [tiles]
+    Vec2 offset_tiles;       ///< subtracted; in [0, 1) but for a portal's middle, which does not repeat upwards [tiles]
     Peg peg = Peg::ceiling;  ///< walls only
 };
 

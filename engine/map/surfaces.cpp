@@ -23,14 +23,20 @@ struct Lay {
     }
 
     Surface surface(const std::optional<TextureSpec>& spec, Peg peg) const {
+        Surface s = single(spec, peg);
+        s.offset_tiles = {fraction_of(s.offset_tiles.x), fraction_of(s.offset_tiles.y)};
+        return s;
+    }
+
+    /// For a picture that is shown once from top to bottom: how far it is moved is more than where a tile begins.
+    Surface single(const std::optional<TextureSpec>& spec, Peg peg) const {
         Surface s;
         s.peg = peg;
         if (!spec) return s;
         s.texture = spec->name == "-" ? TextureId() : textures.find(spec->name);
         const Texture& texture = textures[s.texture];
         s.tile_m = tile(*spec, texture);
-        s.offset_tiles = {fraction_of(spec->offset_tx.x / texture.width),
-                          fraction_of(spec->offset_tx.y / texture.height)};
+        s.offset_tiles = {spec->offset_tx.x / texture.width, spec->offset_tx.y / texture.height};
         return s;
     }
 };
@@ -54,7 +60,7 @@ void lay_wall(Draft& draft, WallId id) {
     }
     wall.upper = lay.surface(record.upper ? record.upper : record.texture, record.upper_peg);
     wall.lower = lay.surface(record.lower ? record.lower : record.texture, record.lower_peg);
-    wall.middle = lay.surface(record.middle, record.middle_peg);
+    wall.middle = lay.single(record.middle, record.middle_peg);
 }
 
 void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record, Flat& flat) {

@@ -1,6 +1,7 @@
 // The shading rules shared by all renderers: how bright a surface is, which texel it shows, what a sky looks like.
 #pragma once
 #include <cstdint>
+#include <initializer_list>
 
 #include "formats/map_file.h"
 #include "map/textures.h"
@@ -26,6 +27,21 @@ constexpr std::uint32_t shaded(std::uint32_t color, Shade shade) {
     const std::uint32_t green = ((color & 0x0000FF00u) * shade >> 8) & 0x0000FF00u;
     return 0xFF000000u | red_blue | green;
 }
+
+/// The colour `above` lying over `below`: its alpha says how much of `below` is hidden, 0 nothing, 255 all.
+/// The result is opaque; each channel is rounded to the nearest.
+constexpr std::uint32_t laid_over(std::uint32_t below, std::uint32_t above) {
+    const std::uint32_t alpha = above >> 24;
+    std::uint32_t mixed = 0xFF000000u;
+    for (int shift : {0, 8, 16}) {
+        const std::uint32_t sum = (above >> shift & 0xFF) * alpha + (below >> shift & 0xFF) * (255 - alpha);
+        mixed |= (sum + 127) / 255 << shift;
+    }
+    return mixed;
+}
+
+/// From this alpha on a masked picture's pixel counts as its own surface; below it what is seen through it does.
+inline constexpr std::uint32_t kSolidAlpha = 128;
 
 /// The part of a tile coordinate after the point, in [0, 1).
 double fraction(double tiles);

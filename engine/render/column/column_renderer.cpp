@@ -22,6 +22,7 @@ void start_frame(FrameState& state, const View& view, ColumnRange columns, int h
     state.pool.take_all_back();
     state.stack.clear();
     state.projections.start_frame();
+    state.masked.clear();
     state.poses.assign(1, pose_of(view));
     state.deepest = 0;
     state.cut = 0;
@@ -63,6 +64,7 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& 
         s.state.stack.pop_back();
         s.drawer.draw(scene, s.state, next);
     }
+    s.state.masked.draw(scene);
     s.canvas.copy_to(frame);
 }
 

@@ -40,6 +40,15 @@ void fill_wall(const Run& run, const WallRun& wall) {
         fill_wall_as<true>(run, wall);
 }
 
+void lay_wall(const Run& run, const WallRun& wall) {
+    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
+    for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
+        const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
+        const std::uint32_t alpha = texel & 0xFF000000u;
+        if (alpha != 0) run.pixels[i] = laid_over(run.pixels[i], (shaded(texel, wall.shade) & 0x00FFFFFFu) | alpha);
+    }
+}
+
 void fill_flat(const Run& run, const FlatRun& flat) {
     const Texture& texture = *flat.texture;
     const std::uint32_t* texels = texture.pixels.data();

@@ -32,6 +32,9 @@ struct WallRun {
 };
 void fill_wall(const Run& run, const WallRun& wall);
 
+/// The same for a picture with holes, laid over what is there already.
+void lay_wall(const Run& run, const WallRun& wall);
+
 /// A floor or ceiling along one column: tile position = base + depth(row) * step.
 struct FlatRun {
     const Texture* texture;

@@ -20,14 +20,20 @@ struct Scene {
     FrameFacts* facts;  ///< null where nobody asked what the pixels show
 };
 
-/// Notes what one pixel shows. Called outside the inner loops, and only where facts are wanted.
-inline void note(const Scene& scene, int x, int y, SurfaceId id, double depth, double u_tiles, double v_tiles) {
+/// Notes that something with holes covers what the pixel showed. Only where facts are wanted.
+inline void note_over(const Scene& scene, int x, int y, SurfaceId id, double depth, double u_tiles, double v_tiles) {
     const auto i =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.screen.width) + static_cast<std::size_t>(x);
     scene.facts->ids[i] = id;
     scene.facts->depths[i] = depth;
     scene.facts->texels[i] = {static_cast<float>(fraction(u_tiles)), static_cast<float>(fraction(v_tiles))};
-    ++scene.facts->writes[i];
+}
+
+/// Notes what one pixel shows, and that the opaque pass wrote it. Called outside the inner loops.
+inline void note(const Scene& scene, int x, int y, SurfaceId id, double depth, double u_tiles, double v_tiles) {
+    note_over(scene, x, y, id, depth, u_tiles, v_tiles);
+    ++scene.facts->writes[static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.screen.width) +
+                          static_cast<std::size_t>(x)];
 }
 
 }  // namespace enfilade::column

@@ -58,15 +58,16 @@ void ViewportDrawer::draw_column(const Scene& scene, FrameState& state, int x) {
     }
     if (!upper_open_) upper_.paint(scene, x, rows.wall_top, rows.opening_top, look);
     if (!lower_open_) lower_.paint(scene, x, rows.opening_bottom, rows.wall_bottom, look);
-    open_behind(scene, state, x, rows);
+    open_behind(scene, state, x, rows, look);
 }
 
-void ViewportDrawer::start_wall(const Scene& scene, FrameState&, int wall_index) {
+void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_index) {
     wall_index_ = wall_index;
     const WallId id = nearest_.wall(wall_index).wall;
     const Wall& wall = scene.map[id];
     const double light = scene.snapshot[wall.sector].light;
     is_portal_ = wall.kind != WallKind::solid;
+    masked_ = kNoMasked;
     if (!is_portal_) {
         middle_.start(scene, wall, wall.texture, peg_height(wall.texture.peg, here_, nullptr), light,
                       wall_id(scene.map, id, WallPart::middle));
@@ -85,12 +86,33 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState&, int wall_index)
                  wall_id(scene.map, id, WallPart::upper));
     lower_.start(scene, wall, wall.lower, peg_height(wall.lower.peg, here_, &behind_), light,
                  wall_id(scene.map, id, WallPart::lower));
+    if (wall.middle.texture) start_masked(scene, state, id);
 }
 
-void ViewportDrawer::open_behind(const Scene& scene, FrameState& state, int x, const RowSplit& rows) {
+/// A fence or window in the portal. Its picture is shown once from top to bottom, hanging from its peg or standing on
+/// it.
+void ViewportDrawer::start_masked(const Scene& scene, FrameState& state, WallId id) {
+    const Wall& wall = scene.map[id];
+    const Surface& surface = wall.middle;
+    const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
+    const double top = peg_height(surface.peg, here_, &behind_) + (stands ? surface.tile_m.y : 0);
+    picture_.ceiling = top - surface.offset_tiles.y * surface.tile_m.y;
+    picture_.floor = picture_.ceiling - surface.tile_m.y;
+    WallPainter painter;
+    painter.start(scene, wall, surface, top, scene.snapshot[wall.sector].light,
+                  wall_id(scene.map, id, WallPart::middle));
+    masked_ = state.masked.add(painter);
+}
+
+void ViewportDrawer::open_behind(const Scene& scene, FrameState& state, int x, const RowSplit& rows,
+                                 const WallHit& look) {
     const OpenRows open{upper_open_ ? rows.wall_top : rows.opening_top,
                         lower_open_ ? rows.wall_bottom : rows.opening_bottom};
     if (open.is_closed()) return;
+    if (masked_ != kNoMasked) {
+        const RowSplit picture = split_rows(scene.screen, open, look.depth, picture_, nullptr);
+        state.masked.note(masked_, x, {picture.wall_top, picture.wall_bottom}, look);
+    }
     const ProjectedWall& projected = nearest_.wall(wall_index_);
     Opening& opening = openings_[static_cast<std::size_t>(wall_index_)];
     if (opening.state == Opening::State::unknown) {

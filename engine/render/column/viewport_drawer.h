@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/column/flat_painter.h"
+#include "render/column/masked_columns.h"
 #include "render/column/nearest_walls.h"
 #include "render/column/projection_cache.h"
 #include "render/column/row_split.h"
@@ -17,6 +18,7 @@ struct FrameState {
     ViewportPool pool;
     ViewportStack stack;
     ProjectionCache projections;
+    MaskedColumns masked;
     int deepest = 0;
     std::size_t cut = 0;
 };
@@ -31,7 +33,8 @@ private:
     void start_viewport(const Scene& scene, FrameState& state, Viewport& viewport);
     void draw_column(const Scene& scene, FrameState& state, int x);
     void start_wall(const Scene& scene, FrameState& state, int wall_index);
-    void open_behind(const Scene& scene, FrameState& state, int x, const RowSplit& rows);
+    void start_masked(const Scene& scene, FrameState& state, WallId wall);
+    void open_behind(const Scene& scene, FrameState& state, int x, const RowSplit& rows, const WallHit& look);
     Viewport* child_of(const Scene& scene, FrameState& state, const Wall& wall, const ProjectedWall& projected);
     void push_children(FrameState& state);
 
@@ -50,10 +53,13 @@ private:
     std::vector<Opening> openings_;  ///< by number of nearest_
 
     // The wall being drawn.
+    static constexpr int kNoMasked = -1;
     int wall_index_ = NearestWalls::kNoWall;
     bool is_portal_ = false;
     bool upper_open_ = false, lower_open_ = false;  ///< a step that is not drawn: one sees over it
     RelativeHeights behind_;
+    int masked_ = kNoMasked;   ///< its picture with holes in FrameState::masked
+    RelativeHeights picture_;  ///< lower and upper end of that picture
     WallPainter middle_, upper_, lower_;
 };
 

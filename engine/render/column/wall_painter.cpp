@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "render/column/kernels.h"
-
 namespace enfilade::column {
 
 void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& surface, double peg, double light,
@@ -19,17 +17,36 @@ void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& sur
     v_at_peg_ = peg * v_per_m_ - surface.offset_tiles.y;
 }
 
+WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallHit& hit) const {
+    const double v_per_row = hit.depth / scene.screen.focal_y * v_per_m_;
+    return {hit.along * u_per_along_ - u_offset_, v_at_peg_ - (scene.screen.horizon - 0.5) * v_per_row, v_per_row};
+}
+
+WallRun WallPainter::run_of(const ColumnTexels& at, const WallHit& hit) const {
+    const std::uint32_t column = texel_index(fraction(at.u), texture_->width);
+    return {&texture_->pixels[std::size_t{column} * texture_->height], texture_->height, tile_steps(at.v_at_row_0),
+            tile_steps(at.v_per_row), shade_at(model_, light_, contrast_, hit.depth)};
+}
+
 void WallPainter::paint(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
     if (top >= bottom) return;
-    const double u = hit.along * u_per_along_ - u_offset_;
-    const double v_per_row = hit.depth / scene.screen.focal_y * v_per_m_;
-    const double v_at_row_0 = v_at_peg_ - (scene.screen.horizon - 0.5) * v_per_row;
-    const std::uint32_t column = texel_index(fraction(u), texture_->width);
-    fill_wall(scene.canvas.run(x, top, bottom),
-              {&texture_->pixels[std::size_t{column} * texture_->height], texture_->height, tile_steps(v_at_row_0),
-               tile_steps(v_per_row), shade_at(model_, light_, contrast_, hit.depth)});
+    const ColumnTexels at = texels_at(scene, hit);
+    fill_wall(scene.canvas.run(x, top, bottom), run_of(at, hit));
     if (scene.facts == nullptr) return;
-    for (int y = top; y < bottom; ++y) note(scene, x, y, id_, hit.depth, u, v_at_row_0 + y * v_per_row);
+    for (int y = top; y < bottom; ++y) note(scene, x, y, id_, hit.depth, at.u, at.v_at_row_0 + y * at.v_per_row);
+}
+
+void WallPainter::lay_over(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
+    if (top >= bottom) return;
+    const ColumnTexels at = texels_at(scene, hit);
+    const WallRun run = run_of(at, hit);
+    lay_wall(scene.canvas.run(x, top, bottom), run);
+    if (scene.facts == nullptr) return;
+    for (int y = top; y < bottom; ++y) {
+        const double v = at.v_at_row_0 + y * at.v_per_row;
+        const std::uint32_t texel = run.texels[texel_index(fraction(v), run.height)];
+        if (texel >> 24 >= kSolidAlpha) note_over(scene, x, y, id_, hit.depth, at.u, v);
+    }
 }
 
 double peg_height(Peg peg, const RelativeHeights& here, const RelativeHeights* behind) {

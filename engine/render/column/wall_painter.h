@@ -1,5 +1,6 @@
 // Walls and steps: which texel does a row of a column show?
 #pragma once
+#include "render/column/kernels.h"
 #include "render/column/pose.h"
 #include "render/column/row_split.h"
 #include "render/column/scene.h"
@@ -18,7 +19,17 @@ public:
     /// Rows [top, bottom) of column x, where the look meets the wall at `hit`.
     void paint(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
 
+    /// The same for a picture with holes, laid over what is there already.
+    void lay_over(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
+
 private:
+    /// Where on the picture the rows of one column are.
+    struct ColumnTexels {
+        double u, v_at_row_0, v_per_row;  ///< [tiles]
+    };
+    ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
+    WallRun run_of(const ColumnTexels& at, const WallHit& hit) const;
+
     const Texture* texture_ = nullptr;
     SurfaceId id_ = kNothing;
     LightModel model_ = LightModel::smooth;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "render/shade.h"
 
@@ -90,10 +91,43 @@ double peg_height(const Arrival& at, Peg peg) {
     return at.own.ceiling;
 }
 
-Seen wall(const Arrival& at, const Surface& surface, WallPart part) {
+/// peg: height above the eye that the texture hangs from.
+Seen wall(const Arrival& at, const Surface& surface, double peg, WallPart part) {
     const double u = at.hit.along * at.wall.length / surface.tile_m.x;
-    const double v = (peg_height(at, surface.peg) - at.climb * at.hit.depth) / surface.tile_m.y;
+    const double v = (peg - at.climb * at.hit.depth) / surface.tile_m.y;
     return painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth);
+}
+
+Seen wall(const Arrival& at, const Surface& surface, WallPart part) {
+    return wall(at, surface, peg_height(at, surface.peg), part);
+}
+
+/// A picture with holes in a portal, shown once from top to bottom, and how much of it hides what is behind.
+struct Pane {
+    Seen seen;
+    std::uint32_t alpha = 0;  ///< 0: the ray goes through a hole, or past the picture
+};
+
+Pane pane(const Arrival& at) {
+    const Surface& surface = at.wall.middle;
+    const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
+    const double top = peg_height(at, surface.peg) + (stands ? surface.tile_m.y : 0);
+    const double picture_top = top - surface.offset_tiles.y * surface.tile_m.y;
+    if (reaches(at, picture_top) || !reaches(at, picture_top - surface.tile_m.y)) return {};
+    Pane pane{wall(at, surface, top, WallPart::middle), 0};
+    pane.alpha = texel(at.scene.textures[surface.texture], pane.seen.texel.u, pane.seen.texel.v) >> 24;
+    return pane;
+}
+
+/// What is seen through panes, the nearest first: the farthest of them is laid over it first. It shows the nearest
+/// surface that hides more than half of what is behind.
+Seen through_panes(const std::vector<Pane>& panes, Seen seen) {
+    for (auto pane = panes.rbegin(); pane != panes.rend(); ++pane) {
+        const std::uint32_t color = laid_over(seen.color, (pane->seen.color & 0xFFFFFFu) | pane->alpha << 24);
+        if (pane->alpha >= kSolidAlpha) seen = pane->seen;
+        seen.color = color;
+    }
+    return seen;
 }
 
 Seen end_of_chain(const Arrival& at) {
@@ -112,7 +146,12 @@ bool has_upper_step(const Arrival& at) {
 
 Seen look(const Scene& scene, RayPath& path, double slope, double climb) {
     bool ambiguous = false;
-    const auto answer = [&](Seen seen) { return seen.ambiguous = ambiguous, seen; };
+    std::vector<Pane> panes;
+    const auto answer = [&](Seen seen) {
+        seen = through_panes(panes, seen);
+        seen.ambiguous = ambiguous;
+        return seen;
+    };
     for (std::size_t i = 0;; ++i) {
         const RayHit& hit = path[i];
         const Wall& met = scene.map[hit.wall];
@@ -131,6 +170,8 @@ Seen look(const Scene& scene, RayPath& path, double slope, double climb) {
             } else if (!reaches(at, at.behind.floor)) {
                 if (met.lower.texture) return answer(wall(at, met.lower, WallPart::lower));
             }
+            if (met.middle.texture)
+                if (const Pane met_pane = pane(at); met_pane.alpha > 0) panes.push_back(met_pane);
         }
         const bool is_linked = met.link != Wall::kNoLink;
         if (is_linked && hit.space.links >= scene.map.render.max_depth) return answer(end_of_chain(at));
