@@ -62,6 +62,7 @@ void read_record(Reading& reading, TomlNode table, Record& record) {
     const std::vector<TomlEntry> entries = table.entries();
     if constexpr (requires { record.place; }) record.place = table.place();
     for (const TomlEntry& entry : entries) {
+        if (reading.is_full()) return;
         const auto has_name = [&](const Key<Record>& key) { return key.name == entry.key; };
         const auto key = std::find_if(list.keys.begin(), list.keys.end(), has_name);
         if (key == list.keys.end())
@@ -103,7 +104,7 @@ void read_field(Reading& reading, const NamedValue& value, Range range, Field& f
     } else if constexpr (is_vector<Field>) {
         if (!expect(reading, value, TomlKind::array)) return;
         field.reserve(value.node.size());
-        for (std::size_t i = 0; i < value.node.size(); ++i)
+        for (std::size_t i = 0; i < value.node.size() && !reading.is_full(); ++i)
             read_field(reading, {value.name, value.node.at(i)}, range, field.emplace_back());
     } else if (expect(reading, value, TomlKind::table)) {
         read_record(reading, value.node, field);

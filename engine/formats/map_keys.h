@@ -26,6 +26,9 @@ inline constexpr Range kTexelsPerMetre{0x1p-16, 0x1p16};
 /// Angles: enough turns for anybody, few enough to stay exact [degrees or radians].
 inline constexpr Range kAngles{-0x1p30, 0x1p30};
 
+/// How far up and down a camera can look, short of straight up [degrees].
+inline constexpr Range kPitches{-89, 89};
+
 inline constexpr Range kLight{0, 1};
 
 /// The member of that name, or null.

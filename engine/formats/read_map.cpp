@@ -5,8 +5,7 @@ namespace enfilade {
 namespace {
 
 Dialect dialect_of(TomlNode root) {
-    const auto entries = root.entries();
-    return find_entry(entries, "format") ? Dialect::enfilade : Dialect::tutorial;
+    return root.find("format").kind() == TomlKind::absent ? Dialect::tutorial : Dialect::enfilade;
 }
 
 }  // namespace

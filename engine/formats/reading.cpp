@@ -22,12 +22,8 @@ std::string limit_text(double limit) {
 }
 
 void out_of_range(Reading& reading, const NamedValue& value, Range range, double found) {
-    std::string expected;
-    if (range.high == Range{}.high)
-        expected = "at least " + limit_text(range.low);
-    else
-        expected = "from " + limit_text(range.low) + " to " + limit_text(range.high);
-    reading.error(value.node.place(), "out-of-range", is_to_be(value, expected) + ", found " + number_text(found));
+    reading.error(value.node.place(), "out-of-range",
+                  is_to_be(value, range_text(range)) + ", found " + number_text(found));
 }
 
 /// The number in its range, or none with a finding.
@@ -47,6 +43,11 @@ std::optional<double> number_in(Reading& reading, const NamedValue& value, Range
 }
 
 }  // namespace
+
+std::string range_text(Range range) {
+    if (range.high == Range{}.high) return "at least " + limit_text(range.low);
+    return "from " + limit_text(range.low) + " to " + limit_text(range.high);
+}
 
 void Reading::error(TextPlace place, std::string_view code, std::string sentence) {
     if (findings.size() > kMaxFindings) return;
@@ -115,7 +116,7 @@ void read_value(Reading& reading, const NamedValue& value, Range, std::string& f
 void read_value(Reading& reading, const NamedValue& value, Range range, std::vector<std::string>& field) {
     if (!expect(reading, value, TomlKind::array)) return;
     field.clear();
-    for (std::size_t i = 0; i < value.node.size(); ++i)
+    for (std::size_t i = 0; i < value.node.size() && !reading.is_full(); ++i)
         read_value(reading, {value.name, value.node.at(i)}, range, field.emplace_back());
 }
 

@@ -24,6 +24,9 @@ struct Range {
     double high = std::numeric_limits<double>::max();
 };
 
+/// "from LOW to HIGH", or "at least LOW".
+std::string range_text(Range range);
+
 /// Findings that are kept of one file; a hostile file must not fill the memory with them.
 inline constexpr std::size_t kMaxFindings = 1000;
 
@@ -34,6 +37,8 @@ struct Reading {
 
     /// Notes an error. Beyond kMaxFindings only the fact that there are more.
     void error(TextPlace place, std::string_view code, std::string sentence);
+    /// Nothing more will be noted; loops over a file's values may stop.
+    bool is_full() const { return findings.size() > kMaxFindings; }
 };
 
 /// A value and what a message calls it.

@@ -24,9 +24,6 @@ namespace {
 // Scripts have one dialect only.
 constexpr auto kAlways = Dialect::tutorial;
 
-/// How far up and down the camera can look [degrees].
-constexpr Range kPitches{-89, 89};
-
 constexpr Range kLegSeconds{0, kMaxLegSeconds};
 
 /// More values than a script of kMaxScriptBytes that is written by hand could hold.

@@ -111,6 +111,11 @@ TomlNode TomlNode::at(std::size_t index) const {
     return TomlAccess::look_at(array[index]);
 }
 
+TomlNode TomlNode::find(std::string_view key) const {
+    const toml::node* member = as<toml::table>(node_).get(key);
+    return member ? TomlAccess::look_at(*member) : TomlNode();
+}
+
 std::vector<TomlEntry> TomlNode::entries() const {
     const auto& table = as<toml::table>(node_);
     std::vector<TomlEntry> entries;

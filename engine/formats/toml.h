@@ -32,8 +32,9 @@ public:
     std::int64_t integer() const;   ///< integer
     bool boolean() const;           ///< boolean
 
-    std::size_t size() const;              ///< array or table: how many members
-    TomlNode at(std::size_t index) const;  ///< array; index < size()
+    std::size_t size() const;                   ///< array or table: how many members
+    TomlNode at(std::size_t index) const;       ///< array; index < size()
+    TomlNode find(std::string_view key) const;  ///< table: the member of that name, or absent
     /// table: its members in the order of the text. Cost: O(n log n), one allocation.
     std::vector<TomlEntry> entries() const;
 

@@ -124,7 +124,7 @@ void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry> entries, MapFile& map) {
     const TomlEntry* player = find_entry(entries, "player");
-    if (map.player && player->value.kind() == TomlKind::table && !find_entry(player->value.entries(), "z"))
+    if (player && player->value.kind() == TomlKind::table && player->value.find("z").kind() == TomlKind::absent)
         stand_on_the_floor(map);
 }
 

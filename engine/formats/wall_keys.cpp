@@ -49,7 +49,7 @@ void read_vertices(Reading& reading, const NamedValue& value, Range range, LoopR
                       "'v' must have an x and a y for each vertex, found " + std::to_string(count) + " numbers");
     loop.vertices.resize(count / 2);
     loop.vertex_places.resize(count / 2);
-    for (std::size_t i = 0; i < count / 2; ++i) {
+    for (std::size_t i = 0; i < count / 2 && !reading.is_full(); ++i) {
         loop.vertex_places[i] = value.node.at(2 * i).place();
         read_value(reading, {value.name, value.node.at(2 * i)}, range, loop.vertices[i].x);
         read_value(reading, {value.name, value.node.at(2 * i + 1)}, range, loop.vertices[i].y);
