@@ -15,6 +15,7 @@ void Draft::error(TextPlace place, std::string_view code, std::string sentence) 
 }
 
 void Draft::warning(TextPlace place, std::string_view code, std::string sentence) {
+    if (!was_sound) return;
     ++warning_count;
     if (warning_count == kMostWarnings + 1)
         findings.push_back({{}, Severity::warning, "too-many-warnings", "there are more warnings than these"});

@@ -51,7 +51,7 @@ public:
 
     void check() {
         const SweepFindings found = sweep_edges(edges_);
-        for (const Clash& clash : found.clashes) report(clash);
+        for (const Clash& clash : found.clashes) report(as_overlap(clash));
         if (found.wrong_sided.empty()) return;
         std::vector<std::uint8_t> is_wrong(edges_.size());
         for (std::uint32_t edge : found.wrong_sided) {
@@ -66,6 +66,16 @@ public:
 private:
     const Loop& loop(std::uint32_t i) const { return draft_.loops[parts_.first_loop + i]; }
     TextPlace place_of(std::uint32_t edge) const { return draft_.walls[sector_.first_wall + edge].place; }
+
+    /// An edge that leans on another touches it, too, and which of the two the sweep meets first is chance.
+    Clash as_overlap(const Clash& clash) const {
+        const Wall &first = edges_[clash.first], &second = edges_[clash.second];
+        if (clash.kind != Meeting::touching) return clash;
+        const bool at_start = touching_end(first, second) == first.a;
+        const std::uint32_t neighbour = (at_start ? first.previous : first.next).index - sector_.first_wall;
+        if (meeting_of(edges_[neighbour], second) != Meeting::overlapping) return clash;
+        return {Meeting::overlapping, neighbour, clash.second};
+    }
 
     void report(const Clash& clash) {
         const Wall &first = edges_[clash.first], &second = edges_[clash.second];

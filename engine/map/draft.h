@@ -47,6 +47,7 @@ struct Draft {
     /// True for the enfilade dialect: what was ambiguous in the tutorial's is an error here.
     bool is_strict() const { return file.format != 0; }
     void error(TextPlace place, std::string_view code, std::string sentence);
+    /// Said only where the reader found no error: what is missing may be what could not be read.
     void warning(TextPlace place, std::string_view code, std::string sentence);
 
     std::size_t error_count = 0, warning_count = 0;

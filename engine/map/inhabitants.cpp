@@ -82,8 +82,8 @@ private:
 
     void check_eye(const PlayerStart& start) {
         const Sector& sector = draft_.map[start.sector];
-        const bool is_closed = sector.floor.z == sector.ceiling.z;
-        if (is_closed || (start.eye_z > sector.floor.z && start.eye_z < sector.ceiling.z)) return;
+        const bool is_open = sector.floor.z < sector.ceiling.z;
+        if (!is_open || (start.eye_z > sector.floor.z && start.eye_z < sector.ceiling.z)) return;
         draft_.warning(draft_.file.player->place, "player-eye",
                        "expected the player's eye between the floor at " + number_text(sector.floor.z) +
                            " m and the ceiling at " + number_text(sector.ceiling.z) +
@@ -111,7 +111,7 @@ void place_inhabitants(Draft& draft) {
         draft.warning({}, "no-player",
                       "the map has no [player]: it can be looked at with --view, but nobody can start");
     check_thing_names(draft);
-    if (!draft.file.player && draft.file.things.empty()) return;
+    if (draft.map.sectors.empty() || (!draft.file.player && draft.file.things.empty())) return;
     Inhabitants inhabitants(draft);
     if (draft.file.player) inhabitants.place_player(*draft.file.player);
     for (const ThingRecord& thing : draft.file.things) inhabitants.check_thing(thing);

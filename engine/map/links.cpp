@@ -87,7 +87,8 @@ void check_lengths(Draft& draft, WallId id) {
 void check_rises(Draft& draft, WallId id) {
     const auto there = draft.walls[id.index].record->rise;
     const auto back = draft.walls[draft.map[id].exit.index].record->rise;
-    if (!is_two_way(draft, id) || !there || !back || *there == -*back) return;
+    const bool is_later = draft.map[id].exit <= id;  // one of the two is enough
+    if (!is_later || !is_two_way(draft, id) || !there || !back || *there == -*back) return;
     draft.error(draft.walls[id.index].place, "link-rise",
                 "the way back is the way there reversed: this wall says rise = " + number_text(*there) +
                     " and its other side rise = " + number_text(*back) + ", expected " + number_text(-*there) +

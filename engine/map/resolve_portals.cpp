@@ -111,7 +111,9 @@ private:
         const std::string& behind = draft_.map[wall.behind].name;
         std::string sentence = "expected an edge " + edge_text(wall.b, wall.a) + " in sector " + quoted(behind) +
                                ", which this portal leads into, found none";
-        if (const WallId near = twins_.nearest(wall.behind, wall.a, wall.b))
+        if (twins_.find(wall.behind, wall.b, wall.a))
+            sentence += "; it has that edge the same way round, so both sectors lie on one side of it";
+        else if (const WallId near = twins_.nearest(wall.behind, wall.a, wall.b))
             sentence += "; its nearest edge is " + edge_text(draft_.map[near].a, draft_.map[near].b);
         sentence += "; give both sectors the same vertices, or link the walls by name with via";
         if (longer)

@@ -1,0 +1,108 @@
+// Every finding has a map in tests/data/bad_maps that shows it. The first line of each says which finding is expected
+// and where: "# expect: edges-cross at line 17". Line 0 is the file as a whole.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <set>
+
+#include "formats/png.h"
+#include "map/load.h"
+
+namespace enfilade {
+namespace {
+
+const std::string kSource = ENFILADE_SOURCE_DIR;
+
+/// Files in the order of their names.
+std::vector<std::string> files_in(const std::string& folder, const std::string& ending) {
+    std::vector<std::string> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ending) paths.push_back(entry.path().string());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+std::string text_in(const std::string& path) {
+    const auto bytes = read_file(path);
+    return bytes ? std::string(as_text(bytes.value())) : std::string();
+}
+
+/// Maps come from the disk; of pictures, "missing" is not there, "broken" is no picture, all others are one pixel.
+Result<Bytes> read_map_or_picture(const std::string& path) {
+    if (!path.ends_with(".png")) return read_file(path);
+    if (path.ends_with("/missing.png")) return Error{path, "no such file"};
+    if (path.ends_with("/broken.png")) return Bytes(100, std::byte{'?'});
+    return write_png({1, 1, {0xFF808080u}});
+}
+
+/// "edges-cross at line 17"
+std::string in_short(const Finding& finding) { return finding.code + " at line " + std::to_string(finding.place.line); }
+
+std::string expectation_of(const std::string& path) {
+    const std::string text = text_in(path), start = "# expect: ";
+    const std::string first_line = text.substr(0, text.find('\n'));
+    return first_line.starts_with(start) ? first_line.substr(start.size()) : "(no '# expect:' line)";
+}
+
+class BadMap : public testing::TestWithParam<std::string> {};
+
+TEST_P(BadMap, HasExactlyTheFindingItNames) {
+    const LoadedMap loaded = load_map(GetParam(), {}, read_map_or_picture);
+    std::vector<std::string> found;
+    std::string sentences;
+    for (const Finding& finding : loaded.findings) {
+        found.push_back(in_short(finding));
+        sentences += to_text(GetParam(), finding) + "\n";
+    }
+    EXPECT_THAT(found, testing::ElementsAre(expectation_of(GetParam()))) << sentences;
+}
+
+TEST_P(BadMap, IsRefusedExactlyIfTheFindingIsAnError) {
+    const LoadedMap loaded = load_map(GetParam(), {}, read_map_or_picture);
+    EXPECT_EQ(loaded.map.has_value(), !has_errors(loaded.findings));
+}
+
+/// "edges_cross" as EdgesCross.
+std::string test_name(const testing::TestParamInfo<std::string>& param) {
+    std::string name;
+    bool upper = true;
+    for (char c : std::filesystem::path(param.param).stem().string()) {
+        if (c != '_') name += upper ? static_cast<char>(std::toupper(c)) : c;
+        upper = c == '_';
+    }
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadMap, testing::ValuesIn(files_in(kSource + "/tests/data/bad_maps", ".toml")),
+                         test_name);
+
+/// Codes no small file can show: each has a test of its own.
+const std::set<std::string> kShownElsewhere{"too-large", "too-many-findings", "too-many-errors", "too-many-warnings"};
+
+/// Every "like-this" that the readers and the builder of maps note as a finding's code.
+std::set<std::string> codes_in_the_source() {
+    const std::regex code("\"([a-z]+(-[a-z0-9]+)+)\"");
+    std::set<std::string> codes;
+    for (const char* folder : {"/engine/formats", "/engine/map"})
+        for (const char* ending : {".cpp", ".h"})
+            for (const std::string& path : files_in(kSource + folder, ending)) {
+                const std::string text = text_in(path);
+                for (std::sregex_iterator it(text.begin(), text.end(), code), end; it != end; ++it)
+                    codes.insert((*it)[1]);
+            }
+    return codes;
+}
+
+TEST(BadMaps, ShowEveryCodeInTheSource) {
+    std::set<std::string> shown = kShownElsewhere;
+    for (const std::string& path : files_in(kSource + "/tests/data/bad_maps", ".toml")) {
+        const std::string expectation = expectation_of(path);
+        shown.insert(expectation.substr(0, expectation.find(' ')));
+    }
+    for (const std::string& code : codes_in_the_source()) EXPECT_TRUE(shown.count(code)) << code << " has no bad map";
+}
+
+}  // namespace
+}  // namespace enfilade
