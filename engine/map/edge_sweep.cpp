@@ -110,6 +110,7 @@ private:
     /// Takes edges out until the two neighbours that are left do not clash.
     void settle(Place low, Place high) {
         for (;;) {
+            ++found_.pairs_looked_at;
             const Meeting meeting = meeting_of(edges_[*low], edges_[*high]);
             if (meeting == Meeting::back_to_back) found_.is_paired[*low] = found_.is_paired[*high] = 1;
             if (meeting == Meeting::none || meeting == Meeting::back_to_back) return;

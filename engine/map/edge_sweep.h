@@ -35,6 +35,7 @@ struct SweepFindings {
     std::vector<std::uint32_t> wrong_sided;
     /// For each edge, whether another one is back to back with it.
     std::vector<std::uint8_t> is_paired;
+    std::size_t pairs_looked_at = 0;  ///< the work done: at most 3 for each edge, and 1 for each clash
 };
 
 /// Edges without a length are left out. Cost: O(n log n), by a sweep (Shamos, Hoey: "Geometric intersection problems",

@@ -81,6 +81,15 @@ INSTANTIATE_TEST_SUITE_P(All, BadMap, testing::ValuesIn(files_in(kSource + "/tes
 /// Codes no small file can show: each has a test of its own.
 const std::set<std::string> kShownElsewhere{"too-large", "too-many-findings", "too-many-errors", "too-many-warnings"};
 
+/// Files in engine/formats that read something else than maps, by the start of their names.
+constexpr std::string_view kOtherReaders[] = {"script", "tape", "views", "frame_hashes"};
+
+bool is_about_maps(const std::string& path) {
+    const std::string name = std::filesystem::path(path).filename().string();
+    return std::none_of(std::begin(kOtherReaders), std::end(kOtherReaders),
+                        [&](std::string_view start) { return name.starts_with(start); });
+}
+
 /// Every "like-this" that the readers and the builder of maps note as a finding's code.
 std::set<std::string> codes_in_the_source() {
     const std::regex code("\"([a-z]+(-[a-z0-9]+)+)\"");
@@ -88,7 +97,7 @@ std::set<std::string> codes_in_the_source() {
     for (const char* folder : {"/engine/formats", "/engine/map"})
         for (const char* ending : {".cpp", ".h"})
             for (const std::string& path : files_in(kSource + folder, ending)) {
-                const std::string text = text_in(path);
+                const std::string text = is_about_maps(path) ? text_in(path) : "";
                 for (std::sregex_iterator it(text.begin(), text.end(), code), end; it != end; ++it)
                     codes.insert((*it)[1]);
             }
@@ -101,7 +110,8 @@ TEST(BadMaps, ShowEveryCodeInTheSource) {
         const std::string expectation = expectation_of(path);
         shown.insert(expectation.substr(0, expectation.find(' ')));
     }
-    for (const std::string& code : codes_in_the_source()) EXPECT_TRUE(shown.count(code)) << code << " has no bad map";
+    for (const std::string& code : codes_in_the_source())
+        EXPECT_TRUE(shown.count(code)) << code << " has no bad map";  // or belongs to kOtherReaders
 }
 
 }  // namespace
