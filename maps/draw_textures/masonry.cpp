@@ -59,6 +59,23 @@ Painter plaster(Color base, Color shade, int seed) {
     };
 }
 
+// A plastered room: a dado in another colour under a painted line, and a line below the ceiling.
+Painter with_dado(const Painter& field, const Painter& dado, Color line) {
+    return [=](double x, double y, double u, double v) {
+        constexpr double kDado = 180, kSkirting = 246;
+        const Surface low = dado(x, y, u, v), high = field(x, y, u, v);
+        Surface s = y > kDado ? low : high;
+        const double hand = 0.4 * cloud(u, v, 16, 2, 2, 47);
+        const double stripe =
+            std::max(ramp(2.4, 1.6, std::abs(y - kDado + hand)), ramp(1.2, 0.5, std::abs(y - kDado + 8 + hand)));
+        s.color = mix(s.color, line, 0.85 * std::max(stripe, ramp(2.0, 1.2, std::abs(y - 14 + hand))));
+        const double skirting = ramp(kSkirting - 1, kSkirting + 1, y);
+        s.color = mix(s.color, line * 0.8, 0.8 * skirting);
+        s.height += 1.5 * skirting;
+        return s;
+    };
+}
+
 // Old brickwork showing where the plaster has come off.
 Painter broken_plaster(const Painter& whole, const Painter& behind, int seed) {
     return [=](double x, double y, double u, double v) {
@@ -100,6 +117,9 @@ void draw_masonry(const Album& album) {
     album.add("rubble", 256, 256, rubble(rgb(0xa3947b), rgb(0x7f8081), rgb(0x6b6152), 31));
     album.add("plaster_white", 256, 256, plaster(rgb(0xe6dfd0), rgb(0xcfc5b2), 41));
     album.add("plaster_ochre", 256, 256, plaster(rgb(0xd3ac6d), rgb(0xb98d56), 42));
+    album.add(
+        "plaster_dado", 256, 256,
+        with_dado(plaster(rgb(0xd9b67a), rgb(0xc59d66), 42), plaster(rgb(0x9c5648), rgb(0x874a40), 46), rgb(0x5b3a2e)));
     album.add("plaster_rose", 256, 256, plaster(rgb(0xc9988a), rgb(0xb08073), 43));
     album.add("plaster_broken", 256, 256, broken_plaster(plaster(rgb(0xd8c7a2), rgb(0xbfa67c), 44), red_brick, 45));
     album.add("majolica", 96, 72, majolica);
