@@ -19,7 +19,8 @@ enum class WallPart : std::uint8_t { middle, upper, lower };
 inline SurfaceId floor_id(SectorId sector) { return 1 + 2 * sector.index; }
 inline SurfaceId ceiling_id(SectorId sector) { return 2 + 2 * sector.index; }
 inline SurfaceId wall_id(const Map& map, WallId wall, WallPart part) {
-    return static_cast<SurfaceId>(1 + 2 * map.sectors.size() + std::size_t{3} * wall.index + static_cast<unsigned>(part));
+    return static_cast<SurfaceId>(1 + 2 * map.sectors.size() + std::size_t{3} * wall.index +
+                                  static_cast<unsigned>(part));
 }
 
 }  // namespace enfilade
