@@ -95,6 +95,22 @@ template <class T>
 concept Plain =
     requires(Reading& reading, const NamedValue& value, T& field) { read_value(reading, value, Range{}, field); };
 
+/// One key, for tests that hold the schemas and the manual to the readers.
+struct KeyInfo {
+    std::string path;  ///< "sectors.loops.walls.next"
+    bool tutorial;     ///< may stand in a tutorial file
+    bool required;
+    Range range;
+};
+
+/// Adds a record's keys, each with the prefix before its name.
+template <class Record>
+void add_key_infos(std::vector<KeyInfo>& all, const std::string& prefix) {
+    for (const Key<Record>& key : keys_of<Record>().keys)
+        all.push_back(
+            {prefix + std::string(key.name), key.since == Dialect::tutorial, key.need == Need::required, key.range});
+}
+
 template <class Field>
 void read_field(Reading& reading, const NamedValue& value, Range range, Field& field) {
     if constexpr (Plain<Field>) {

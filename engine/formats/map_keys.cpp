@@ -10,12 +10,6 @@ namespace {
 /// Widest line of vertices [characters].
 constexpr std::size_t kLineWidth = 100;
 
-template <class Record>
-void add_keys(std::vector<KeyInfo>& all, const std::string& prefix) {
-    for (const Key<Record>& key : keys_of<Record>().keys)
-        all.push_back({prefix + std::string(key.name), key.since == Dialect::tutorial, key.need == Need::required});
-}
-
 }  // namespace
 
 void needs_format_1(Reading& reading, const TomlEntry& entry) {
@@ -65,20 +59,20 @@ std::string vertices_text(std::span<const Vec2> vertices) {
 
 std::vector<KeyInfo> map_keys() {
     std::vector<KeyInfo> all;
-    add_keys<MapFile>(all, "");
-    add_keys<RenderRecord>(all, "render.");
-    add_keys<PlayerRecord>(all, "player.");
-    add_keys<SectorRecord>(all, "sectors.");
-    add_keys<FlatRecord>(all, "sectors.floor.");
-    add_keys<FlatRecord>(all, "sectors.ceiling.");
-    add_keys<DoomRecord>(all, "sectors.doom.");
-    add_keys<LoopRecord>(all, "sectors.loops.");
-    add_keys<WallRecord>(all, "sectors.loops.walls.");
-    add_keys<DoomRecord>(all, "sectors.loops.walls.doom.");
-    add_keys<PanelRecord>(all, "sectors.panels.");
-    add_keys<ThingRecord>(all, "things.");
-    add_keys<SpriteFrameRecord>(all, "things.frames.");
-    add_keys<DoomRecord>(all, "things.doom.");
+    add_key_infos<MapFile>(all, "");
+    add_key_infos<RenderRecord>(all, "render.");
+    add_key_infos<PlayerRecord>(all, "player.");
+    add_key_infos<SectorRecord>(all, "sectors.");
+    add_key_infos<FlatRecord>(all, "sectors.floor.");
+    add_key_infos<FlatRecord>(all, "sectors.ceiling.");
+    add_key_infos<DoomRecord>(all, "sectors.doom.");
+    add_key_infos<LoopRecord>(all, "sectors.loops.");
+    add_key_infos<WallRecord>(all, "sectors.loops.walls.");
+    add_key_infos<DoomRecord>(all, "sectors.loops.walls.doom.");
+    add_key_infos<PanelRecord>(all, "sectors.panels.");
+    add_key_infos<ThingRecord>(all, "things.");
+    add_key_infos<SpriteFrameRecord>(all, "things.frames.");
+    add_key_infos<DoomRecord>(all, "things.doom.");
     return all;
 }
 

@@ -85,13 +85,6 @@ void check_record(Reading&, TomlNode, std::span<const TomlEntry>, PlayerRecord&)
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, MapFile&);
 
-/// One key, for tests that hold the schema and the manual to the readers.
-struct KeyInfo {
-    std::string path;  ///< "sectors.loops.walls.next"
-    bool tutorial;     ///< may stand in a tutorial file
-    bool required;
-};
-
 /// Every key of a map file, in the order of the lists.
 std::vector<KeyInfo> map_keys();
 

@@ -166,6 +166,14 @@ void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries
     check_length(reading, script);
 }
 
+std::vector<KeyInfo> script_keys() {
+    std::vector<KeyInfo> all;
+    add_key_infos<ScriptFile>(all, "");
+    add_key_infos<StartRecord>(all, "start.");
+    add_key_infos<LegRecord>(all, "legs.");
+    return all;
+}
+
 ScriptReading read_script(std::string_view text) {
     ScriptReading result;
     const auto document = TomlDocument::parse(text, {kMaxScriptBytes, kMaxScriptValues}, result.findings);

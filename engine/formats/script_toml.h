@@ -1,8 +1,10 @@
 // Flythrough scripts as text.
 #pragma once
 #include <string_view>
+#include <vector>
 
 #include "base/finding.h"
+#include "formats/key.h"
 #include "formats/script.h"
 
 namespace enfilade {
@@ -16,6 +18,9 @@ struct ScriptReading {
 /// Reads a flythrough script; maps/FORMAT.md tells authors about it. Numbers come out finite and in their ranges.
 /// Any bytes are safe; scripts over kMaxScriptBytes are refused.
 ScriptReading read_script(std::string_view text);
+
+/// Every key of a script, for the tests of schema and manual.
+std::vector<KeyInfo> script_keys();
 
 /// Largest script that is read [bytes].
 inline constexpr std::size_t kMaxScriptBytes = std::size_t{1} << 20;

@@ -1,0 +1,215 @@
+// The manual and the schemas say what the readers do: the same keys, the same dialects, the same needs.
+#include <gmock/gmock.h>
+
+#include <charconv>
+#include <map>
+
+#include "base/files.h"
+#include "formats/json.h"
+#include "formats/lines.h"
+#include "formats/map_keys.h"
+#include "formats/map_toml.h"
+#include "formats/script_toml.h"
+
+namespace enfilade {
+namespace {
+
+using testing::IsEmpty;
+using testing::UnorderedElementsAreArray;
+
+std::string file_text(const std::string& path) {
+    const auto bytes = read_file(ENFILADE_SOURCE_DIR "/maps/" + path);
+    EXPECT_TRUE(bytes.ok());
+    return bytes ? std::string(as_text(bytes.value())) : "";
+}
+
+/// A key as these tests compare it.
+std::string described(const std::string& path, bool required) { return path + (required ? " (needed)" : ""); }
+
+std::vector<std::string> described(const std::vector<KeyInfo>& keys) {
+    std::vector<std::string> all;
+    for (const KeyInfo& key : keys) all.push_back(described(key.path, key.required));
+    return all;
+}
+
+/// Walks through a schema: what each key's path is and what is said about it.
+class SchemaWalk {
+public:
+    explicit SchemaWalk(const std::string& path) : schema_(JsonReader(text_ = file_text(path)).read()) {
+        visit(schema_, "");
+    }
+
+    std::vector<std::string> keys() const {
+        std::vector<std::string> all;
+        for (const auto& [path, key] : keys_) all.push_back(described(path, key.required));
+        return all;
+    }
+
+    /// What the schema says about one key, references followed.
+    const Json& about(const std::string& path) const { return *keys_.at(path).json; }
+
+    std::vector<std::string> without_description() const {
+        std::vector<std::string> all;
+        for (const auto& [path, key] : keys_)
+            if ((*key.json)["description"].text.empty() && path.find("doom.") == std::string::npos) all.push_back(path);
+        return all;
+    }
+
+private:
+    struct Key {
+        const Json* json;
+        bool required;
+    };
+
+    const Json& followed(const Json& json) const {
+        const std::string& reference = json["$ref"].text;
+        return reference.empty() ? json : schema_["definitions"][reference.substr(reference.rfind('/') + 1)];
+    }
+
+    void visit(const Json& object, const std::string& prefix) {
+        EXPECT_EQ(object["additionalProperties"].text, "false") << prefix;
+        for (const auto& [name, written] : object["properties"].members) {
+            const Json& json = followed(written);
+            bool required = false;
+            for (const Json& item : object["required"].items) required |= item.text == name;
+            keys_[prefix + name] = {&json, required};
+            const Json& inner = json["items"].members.empty() ? json : followed(json["items"]);
+            if (!inner["properties"].members.empty()) visit(inner, prefix + name + ".");
+        }
+    }
+
+    std::string text_;
+    Json schema_;
+    std::map<std::string, Key> keys_;
+};
+
+TEST(MapSchema, HasTheReadersKeys) {
+    EXPECT_THAT(SchemaWalk("enfilade.schema.json").keys(), UnorderedElementsAreArray(described(map_keys())));
+}
+
+TEST(MapSchema, DescribesEveryKey) { EXPECT_THAT(SchemaWalk("enfilade.schema.json").without_description(), IsEmpty()); }
+
+TEST(FlythroughSchema, HasTheReadersKeys) {
+    EXPECT_THAT(SchemaWalk("flythrough.schema.json").keys(), UnorderedElementsAreArray(described(script_keys())));
+}
+
+TEST(FlythroughSchema, DescribesEveryKey) {
+    EXPECT_THAT(SchemaWalk("flythrough.schema.json").without_description(), IsEmpty());
+}
+
+/// Checks the limits of the numbers among these keys.
+void expect_same_limits(const SchemaWalk& schema, const std::vector<KeyInfo>& keys) {
+    for (const KeyInfo& key : keys) {
+        const Json& json = schema.about(key.path);
+        for (const auto& [name, limit] : {std::pair("minimum", key.range.low), std::pair("maximum", key.range.high)}) {
+            double written = 0;
+            const std::string& text = json[name].text;
+            if (std::from_chars(text.data(), text.data() + text.size(), written).ec != std::errc()) continue;
+            EXPECT_NEAR(written, limit, 1e-6 * std::abs(limit)) << key.path << " " << name;
+        }
+    }
+}
+
+// Of vertices the schema knows the limit before, the reader after rounding; hence not bit for bit.
+TEST(MapSchema, HasTheReadersLimits) { expect_same_limits(SchemaWalk("enfilade.schema.json"), map_keys()); }
+
+TEST(FlythroughSchema, HasTheReadersLimits) { expect_same_limits(SchemaWalk("flythrough.schema.json"), script_keys()); }
+
+/// The keys in the table of one section of the manual, each as "PREFIXkey", with its marks.
+std::vector<std::string> manual_keys(std::string_view section, const std::string& prefix) {
+    const std::string text = file_text("FORMAT.md");
+    std::vector<std::string> keys;
+    bool inside = false;
+    for (LineReader lines(text); const auto line = lines.next();) {
+        if (line->text.starts_with('#')) inside = line->text == "### " + std::string(section);
+        if (!inside || !line->text.starts_with("| `")) continue;
+        const std::string_view row = line->text.substr(3);
+        const std::string_view before_meaning = row.substr(0, row.rfind(" | "));
+        const std::string_view usual = before_meaning.substr(before_meaning.rfind("| ") + 1);
+        keys.push_back(described(prefix + std::string(row.substr(0, row.find('`'))), usual == " needed") +
+                       (row.find("★") < row.find('|') ? " ★" : ""));
+    }
+    return keys;
+}
+
+struct Section {
+    const char* title;
+    const char* prefix;
+};
+
+void PrintTo(const Section& section, std::ostream* out) { *out << section.title; }
+
+/// The reader's keys directly below a prefix.
+std::vector<std::string> reader_keys(const std::vector<KeyInfo>& all, const std::string& prefix, bool with_stars) {
+    std::vector<std::string> keys;
+    for (const KeyInfo& key : all)
+        if (key.path.starts_with(prefix) && key.path.find('.', prefix.size()) == std::string::npos)
+            keys.push_back(described(key.path, key.required) + (with_stars && !key.tutorial ? " ★" : ""));
+    return keys;
+}
+
+class MapManual : public testing::TestWithParam<Section> {};
+
+TEST_P(MapManual, HasTheReadersKeys) {
+    const auto [title, prefix] = GetParam();
+    EXPECT_THAT(manual_keys(title, prefix), testing::ElementsAreArray(reader_keys(map_keys(), prefix, true)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Sections, MapManual,
+                         testing::Values(Section{"The map", ""}, Section{"The picture", "render."},
+                                         Section{"The player", "player."}, Section{"A sector", "sectors."},
+                                         Section{"A floor or ceiling", "sectors.floor."},
+                                         Section{"A floor or ceiling", "sectors.ceiling."},
+                                         Section{"A loop", "sectors.loops."}, Section{"A wall", "sectors.loops.walls."},
+                                         Section{"A panel", "sectors.panels."}, Section{"A thing", "things."},
+                                         Section{"A sprite's frame", "things.frames."},
+                                         Section{"Left-overs of Doom", "sectors.doom."},
+                                         Section{"Left-overs of Doom", "sectors.loops.walls.doom."},
+                                         Section{"Left-overs of Doom", "things.doom."}));
+
+class FlythroughManual : public testing::TestWithParam<Section> {};
+
+TEST_P(FlythroughManual, HasTheReadersKeys) {
+    const auto [title, prefix] = GetParam();
+    EXPECT_THAT(manual_keys(title, prefix), testing::ElementsAreArray(reader_keys(script_keys(), prefix, false)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Sections, FlythroughManual,
+                         testing::Values(Section{"A script", ""}, Section{"A start", "start."},
+                                         Section{"A leg", "legs."}));
+
+/// The manual's examples: what stands between ```toml and ```.
+std::vector<std::string> examples() {
+    const std::string text = file_text("FORMAT.md");
+    std::vector<std::string> all;
+    bool inside = false;
+    for (LineReader lines(text); const auto line = lines.next();) {
+        if (line->text == "```toml") all.emplace_back();
+        if (inside && line->text != "```") all.back() += std::string(line->text) + "\n";
+        inside = line->text == "```toml" || (inside && line->text != "```");
+    }
+    return all;
+}
+
+TEST(MapManual, HasASoundSmallestMap) { EXPECT_THAT(read_map(examples().at(0)).findings, IsEmpty()); }
+
+TEST(MapManual, HasASoundTutorialMap) {
+    for (const std::string& example : examples())
+        if (example.find("[sectors.floor]") != std::string::npos) {
+            EXPECT_THAT(read_map(example).findings, IsEmpty()) << example;
+            return;
+        }
+    ADD_FAILURE() << "no such example";
+}
+
+TEST(FlythroughManual, HasASoundScript) {
+    for (const std::string& example : examples())
+        if (example.find("[[legs]]") != std::string::npos) {
+            EXPECT_THAT(read_script(example).findings, IsEmpty()) << example;
+            return;
+        }
+    ADD_FAILURE() << "no such example";
+}
+
+}  // namespace
+}  // namespace enfilade
