@@ -91,8 +91,8 @@ const std::vector<Fence>& fences() {
          {"engine/render/stencil/", "engine/platform/"},
          "only the stencil renderer and engine/platform know OpenGL"},
         {std::regex(R"(^\s*#\s*include\s*<(thread|future|mutex|condition_variable)>)"),
-         {"engine/base/parallel.cpp", "engine/platform/"},
-         "threads live in base/parallel.cpp"}};
+         {"engine/base/parallel.cpp", "engine/platform/", "engine/app/"},
+         "below platform, threads live in base/parallel.cpp"}};
     return all;
 }
 

@@ -20,7 +20,7 @@ using Complaints = std::vector<std::string>;
 Complaints check_layers(const SourceFile& file);
 
 /// A library that only one place may know: SDL in engine/platform, toml++ in engine/formats, OpenGL in the stencil
-/// renderer and engine/platform, threads in base/parallel.cpp and engine/platform.
+/// renderer and engine/platform, threads in base/parallel.cpp and from engine/platform on up.
 Complaints check_fenced_libraries(const SourceFile& file);
 
 /// A header has `#pragma once`, and its first line is a comment that says what it holds.
