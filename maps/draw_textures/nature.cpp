@@ -9,7 +9,7 @@ struct Stone {
 };
 
 // Beds of rock, broken along joints.
-Painter rock(const Stone& stone, double bedding, int seed) {
+Painter rock(const Stone& stone, double bedding, double relief, int seed) {
     return [=](double, double, double u, double v) {
         const double wu = u + 0.10 * cloud(u, v, 3, 3, 4, seed + 1), wv = v + 0.10 * cloud(u, v, 3, 3, 4, seed + 2);
         const Cell big = cell_at(wu, wv, 2, 5, 0.9, seed + 3), small = cell_at(wu, wv, 6, 11, 0.9, seed + 4);
@@ -22,7 +22,7 @@ Painter rock(const Stone& stone, double bedding, int seed) {
         Color c =
             mix(stone.light, stone.dark, clamp01(0.5 + 0.45 * broad + 0.35 * beds * bedding + 0.3 * (big.tint - 0.5)));
         c = mix(c, stone.tint, 0.5 * ramp(0.05, 0.5, cloud(u, v, 3, 3, 5, seed + 8)));
-        return Surface{c * (1 + 0.07 * grain - 0.10 * crack - 0.05 * hairline), h};
+        return Surface{c * (1 + 0.07 * grain - 0.10 * crack - 0.03 * hairline), relief * h};
     };
 }
 
@@ -94,8 +94,8 @@ Surface water(double, double, double u, double v) {
 }  // namespace
 
 void draw_nature(const Album& album) {
-    album.add("rock", 256, 256, rock({rgb(0xa2937c), rgb(0x766a5b), rgb(0x8d7a55)}, 1.0, 461));
-    album.add("cave_rock", 256, 256, rock({rgb(0x8b8178), rgb(0x615b5c), rgb(0x6c7562)}, 0.4, 462));
+    album.add("rock", 256, 256, rock({rgb(0xa2937c), rgb(0x766a5b), rgb(0x8d7a55)}, 1.0, 0.7, 461));
+    album.add("cave_rock", 256, 256, rock({rgb(0x8b8178), rgb(0x615b5c), rgb(0x6c7562)}, 0.4, 0.5, 462));
     album.add("cave_floor", 256, 256, gravel(rgb(0x6a6055), rgb(0x857a6c), rgb(0x57504a), 0.45, 463));
     album.add("gravel", 256, 256, gravel(rgb(0xc0ac86), rgb(0xd8c9a8), rgb(0x9d8a69), 0.85, 464));
     album.add("earth", 256, 256, gravel(rgb(0x6e5439), rgb(0x8a7558), rgb(0x5a4631), 0.12, 465));
