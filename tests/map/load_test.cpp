@@ -1,0 +1,95 @@
+// Maps from files: where pictures are looked for, and what happens when nothing can be read.
+#include "map/load.h"
+
+#include <gmock/gmock.h>
+
+#include <map>
+
+#include "formats/png.h"
+
+namespace enfilade {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// Files in memory. Reading is noted, so that a test can see what was looked for.
+struct Folder {
+    std::map<std::string, std::string> texts;
+    std::vector<std::string> pictures;
+    std::vector<std::string> asked_for;
+
+    FileReader reader() {
+        return [this](const std::string& path) -> Result<Bytes> {
+            asked_for.push_back(path);
+            for (const std::string& picture : pictures)
+                if (picture == path) return write_png({2, 1, {0xFF0000FFu, 0xFF0000FFu}});
+            const auto it = texts.find(path);
+            if (it == texts.end()) return Error{path, "no such file"};
+            const auto bytes = std::as_bytes(std::span(it->second));
+            return Bytes(bytes.begin(), bytes.end());
+        };
+    }
+};
+
+const std::string kRoom = R"(format = 1
+[player]
+sector = "hall"
+x = 1
+y = 1
+z = 1
+[[sectors]]
+name = "hall"
+floor = { texture = "-" }
+ceiling = { texture = "-" }
+[[sectors.loops]]
+v = [0, 0,  4, 0,  4, 4]
+walls = [{ texture = "Brick" }, { texture = "-" }, { texture = "-" }]
+)";
+
+TEST(LoadMap, LooksForPicturesBesideTheMap) {
+    Folder folder{{{"maps/hall.toml", kRoom}}, {"maps/textures/Brick.png"}, {}};
+    const LoadedMap loaded = load_map("maps/hall.toml", {}, folder.reader());
+    ASSERT_TRUE(loaded.map);
+    EXPECT_TRUE(loaded.findings.empty());
+    EXPECT_EQ(loaded.textures[loaded.map->walls[0].texture.texture].width, 2u);
+}
+
+TEST(LoadMap, LooksInTheCallersFoldersFirst) {
+    Folder folder{{{"hall.toml", kRoom}}, {"mine/brick.png", "./textures/brick.png"}, {}};
+    load_map("hall.toml", {"mine"}, folder.reader());
+    EXPECT_THAT(folder.asked_for, ElementsAre("hall.toml", "mine/Brick.png", "mine/brick.png"));
+}
+
+TEST(LoadMap, TakesFoldersFromTheMap) {
+    Folder folder{{{"/maps/hall.toml", "textures = [\"art\", \"/shared\"]\n" + kRoom}}, {"/shared/brick.png"}, {}};
+    EXPECT_TRUE(load_map("/maps/hall.toml", {}, folder.reader()).findings.empty());
+    EXPECT_THAT(folder.asked_for, ElementsAre("/maps/hall.toml", "/maps/art/Brick.png", "/maps/art/brick.png",
+                                              "/shared/Brick.png", "/shared/brick.png"));
+}
+
+TEST(LoadMap, CallsAMapWithoutANameLikeItsFile) {
+    Folder folder{{{"maps/north.hall.toml", kRoom}}, {}, {}};
+    EXPECT_EQ(load_map("maps/north.hall.toml", {}, folder.reader()).map->name, "north.hall");
+}
+
+TEST(LoadMap, SaysInOneFindingThatAFileCannotBeRead) {
+    Folder folder;
+    const LoadedMap loaded = load_map("nowhere.toml", {}, folder.reader());
+    EXPECT_FALSE(loaded.map);
+    ASSERT_EQ(loaded.findings.size(), 1u);
+    EXPECT_EQ(to_text("nowhere.toml", loaded.findings[0]), "nowhere.toml: error: no such file [unreadable]");
+}
+
+TEST(LoadMap, SortsWhatReaderAndBuilderFoundByPlace) {
+    std::string text = kRoom;
+    text.replace(text.find("\"-\" }, {"), 3, "\"-\", next = \"cellar\"");  // unknown-sector, in the last line
+    text.replace(text.find("z = 1\n"), 6, "z = 1\nq = 2\n");               // unknown-key, above it
+    Folder folder{{{"hall.toml", text}}, {"./textures/brick.png"}, {}};
+    const LoadedMap loaded = load_map("hall.toml", {}, folder.reader());
+    std::vector<std::string> codes;
+    for (const Finding& finding : loaded.findings) codes.push_back(finding.code);
+    EXPECT_THAT(codes, ElementsAre("unknown-key", "unknown-sector"));
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,134 @@
+// Texture specs as tiles, offsets and pegs; contrast by direction.
+#include <gmock/gmock.h>
+
+#include "support/map_builder.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+/// One room; its first wall is what the test is about. Pictures are 64 x 64.
+MapFile one_room() { return map_of({box_room("hall", 0, 0, 4, 4)}); }
+
+Surface first_surface(const WallRecord& record) {
+    MapFile file = one_room();
+    file.sectors[0].loops[0].walls[0] = record;
+    return built(file).walls[0].texture;
+}
+
+WallRecord textured(const TextureSpec& spec) {
+    WallRecord wall;
+    wall.texture = spec;
+    return wall;
+}
+
+TEST(Surface, IsOneTileAMetreUnlessTheSpecSaysMore) {
+    EXPECT_EQ(first_surface(textured(spec("brick"))).tile_m, (Vec2{1, 1}));
+    EXPECT_EQ(first_surface(textured({"brick", Vec2{2, 0.5}, {}, {}})).tile_m, (Vec2{2, 0.5}));
+}
+
+TEST(Surface, TakesItsTileFromTheTexelsPerMetre) {
+    WallRecord wall = textured(spec("brick"));
+    wall.size = 32;
+    EXPECT_EQ(first_surface(wall).tile_m, (Vec2{2, 2}));
+}
+
+TEST(Surface, KeepsTheFractionOfItsOffsetInTiles) {
+    EXPECT_EQ(first_surface(textured({"brick", {}, {16, -16}, {}})).offset_tiles, (Vec2{0.25, 0.75}));
+    EXPECT_EQ(first_surface(textured({"brick", {}, {64 * 1000 + 32, -64}, {}})).offset_tiles, (Vec2{0.5, 0}));
+}
+
+TEST(Surface, MirrorsWithANegativeTile) {
+    EXPECT_EQ(first_surface(textured({"brick", Vec2{-1, 1}, {}, {}})).tile_m, (Vec2{-1, 1}));
+}
+
+TEST(Surface, OfADashHasNoTexture) {
+    EXPECT_FALSE(first_surface(textured(spec("-"))).texture);
+    EXPECT_TRUE(first_surface(textured(spec("brick"))).texture);
+}
+
+TEST(Surface, KeepsItsPeg) {
+    WallRecord wall = textured(spec("brick"));
+    wall.texture_peg = Peg::floor;
+    EXPECT_EQ(first_surface(wall).peg, Peg::floor);
+}
+
+TEST(Surface, FindsItsPictureInEitherCase) {
+    MapFile file = one_room();
+    file.sectors[0].loops[0].walls[0].texture = spec("BRICK");
+    file.sectors[0].loops[0].walls[1].texture = spec("brick");
+    const Map map = built(file);
+    EXPECT_EQ(map.walls[0].texture.texture, map.walls[1].texture.texture);
+}
+
+/// Two rooms, joined; gives the portal of the first.
+Wall portal_with(const WallRecord& looks) {
+    MapFile file = map_of({box_room("left", 0, 0, 4, 4), box_room("right", 4, 0, 8, 4, 0.5, 1.5)});
+    WallRecord& portal = wall(file, "left", {4, 0}, {4, 4});
+    portal = looks;
+    join_all(file);
+    return built(file).walls[1];
+}
+
+TEST(Surface, OfAPortalServesBothSteps) {
+    const Wall portal = portal_with(textured(spec("brick")));
+    EXPECT_TRUE(portal.upper.texture);
+    EXPECT_EQ(portal.upper.texture, portal.lower.texture);
+    EXPECT_FALSE(portal.texture.texture);
+}
+
+TEST(Surface, OfAStepComesBeforeThePortals) {
+    WallRecord looks = textured(spec("brick"));
+    looks.lower = spec("plank");
+    const Wall portal = portal_with(looks);
+    EXPECT_NE(portal.upper.texture, portal.lower.texture);
+}
+
+TEST(Surface, OfAMiddleIsKeptBesideTheSteps) {
+    WallRecord looks = textured(spec("brick"));
+    looks.middle = spec("bars");
+    const Wall portal = portal_with(looks);
+    EXPECT_TRUE(portal.middle.texture);
+    EXPECT_NE(portal.middle.texture, portal.upper.texture);
+}
+
+TEST(Flat, LiesFromTheWorldsOriginUnlessItIsRelative) {
+    MapFile file = map_of({box_room("hall", 3, 5, 8, 9)});
+    file.sectors[0].ceiling.is_relative = true;
+    const Map map = built(file);
+    EXPECT_EQ(map.sectors[0].floor.origin, (Vec2{0, 0}));
+    EXPECT_EQ(map.sectors[0].ceiling.origin, (Vec2{3, 5}));
+}
+
+TEST(Flat, IsSkyWhereItHasParallax) {
+    MapFile file = one_room();
+    file.sectors[0].ceiling.parallax = true;
+    file.sectors[0].ceiling.texture = TextureSpec{"sky", Vec2{4, 0.75}, {}, {}};
+    file.sectors[0].ceiling.size = 32;  // says nothing about wraps and a tangent
+    const Map map = built(file);
+    EXPECT_TRUE(map.sectors[0].ceiling.sky);
+    EXPECT_FALSE(map.sectors[0].floor.sky);
+    EXPECT_EQ(map.sectors[0].ceiling.surface.tile_m, (Vec2{4, 0.75}));
+}
+
+TEST(Contrast, OfSmoothLightGrowsFromWallsAlongXToWallsAlongY) {
+    MapFile file = map_of({room("hall", {{0, 0}, {4, 0}, {8, 4}, {8, 8}, {4, 9}})});
+    const Map map = built(file);
+    EXPECT_EQ(map.walls[0].contrast, 0.8);
+    EXPECT_NEAR(map.walls[1].contrast, 0.9, 1e-15);  // 45 degrees; 0.8 + 0.2 * 0.5, each rounded once
+    EXPECT_EQ(map.walls[2].contrast, 1);
+    EXPECT_LT(map.walls[3].contrast, map.walls[1].contrast);
+}
+
+TEST(Contrast, OfClassicLightDiffersOnlyExactlyAlongAnAxis) {
+    MapFile file = map_of({room("hall", {{0, 0}, {4, 0}, {4 + kVertexGrid, 4}, {4 + kVertexGrid, 8}, {0, 9}})});
+    file.render.light = LightModel::classic;
+    const Map map = built(file);
+    EXPECT_EQ(map.walls[0].contrast, 0.8);
+    EXPECT_EQ(map.walls[1].contrast, 1);
+    EXPECT_EQ(map.walls[2].contrast, 1.2);
+}
+
+}  // namespace
+}  // namespace enfilade
