@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/predicates.h"
+#include "space/beside.h"
 
 namespace enfilade {
 namespace {
@@ -24,23 +25,12 @@ bool reaches(const Map& map, const Leg& leg, Vec2 p) {
     return !way_out(map, {leg.sector, leg.from, p, leg.entry});
 }
 
-/// One grid step along the axis that leads most directly away from the wall, into its sector.
-Vec2 step_inward(const Wall& wall) {
-    const Vec2 inward = right_of(wall.b - wall.a);
-    if (std::fabs(inward.x) >= std::fabs(inward.y)) return {inward.x > 0 ? kPointGrid : -kPointGrid, 0};
-    return {0, inward.y > 0 ? kPointGrid : -kPointGrid};
-}
-
 /// The point of the wall that is nearest to p, rounded.
 Vec2 nearest_on(const Wall& wall, Vec2 p) {
     const Vec2 along = wall.b - wall.a;
     const double t = dot(p - wall.a, along) / dot(along, along);
     return wall.a + along * std::clamp(t, 0.0, 1.0);
 }
-
-/// Steps tried when a point has to get behind a wall it lies on, up to rounding: a point that was rounded once or
-/// twice is less than two steps off, and the step goes along an axis, at worst 45 degrees off the shortest way.
-constexpr double kStepsBehind[] = {1, 2, 3, 4};
 
 /// How far the place of entry is drawn to the middle of the wall if the sector is too narrow at its end [1]. The
 /// first is more than a grid step, because no wall is shorter than 2^22 of them.
@@ -52,20 +42,10 @@ std::optional<Vec2> point_behind(const Map& map, WallId id, Vec2 p) {
     const Vec2 on_wall = nearest_on(wall, p), middle = (wall.a + wall.b) * 0.5, inward = step_inward(wall);
     for (double pull : kPullsToMiddle) {
         const Vec2 base = snap_to_point_grid(on_wall + (middle - on_wall) * pull);
-        for (double steps : kStepsBehind) {
+        for (double steps : kStepsBeside) {
             const Leg hop{wall.sector, base - inward * steps, base + inward * steps, id};
             if (comes_in_through(wall, hop.from, hop.to) && !way_out(map, hop)) return hop.to;
         }
-    }
-    return {};
-}
-
-/// p, or the first grid point straight behind it that is behind the wall's line.
-std::optional<Vec2> moved_behind(const Wall& wall, Vec2 p) {
-    if (side_of_line(wall.a, wall.b, p) > 0) return p;
-    for (double steps : kStepsBehind) {
-        const Vec2 moved = p + step_inward(wall) * steps;
-        if (side_of_line(wall.a, wall.b, moved) > 0) return moved;
     }
     return {};
 }
@@ -78,7 +58,7 @@ std::optional<Leg> carried_leg(const Map& map, const Leg& leg, const Wall& porta
 
     const Vec2 crossing = leg.from + (leg.to - leg.from) * fraction_at(leg, portal);
     const auto start = point_behind(map, portal.exit, link.apply(crossing));
-    const auto end = moved_behind(exit, to);
+    const auto end = put_on_side(exit, to, 1);
     if (!start || !end) return {};
     return Leg{portal.behind, *start, *end, {}};
 }

@@ -1,0 +1,67 @@
+#include "space/cone.h"
+
+#include <cmath>
+
+#include "math/predicates.h"
+
+namespace enfilade {
+namespace {
+
+/// u before v, clockwise as seen from p (both less than half a turn apart).
+bool is_left_of(Vec2 u, Vec2 v, Vec2 p) { return u != v && side_of_line(u, v, p) > 0; }
+
+bool is_in(const Cone& cone, Vec2 v, Vec2 p) {
+    return (v == cone.left || is_left_of(cone.left, v, p)) && is_left_of(v, cone.right, p);
+}
+
+/// Where p itself is the corner looked at, the tie rule moves p by (e, e^2), and the corner lies this way.
+constexpr Vec2 kTowardsOwnPoint{-1, 0};
+
+Vec2 direction_to(Vec2 v, Vec2 p) { return v == p ? kTowardsOwnPoint : v - p; }
+
+Vec2 unit(Vec2 v) { return v * (1 / std::sqrt(dot(v, v))); }
+
+/// How many times `ahead` leads from p to the line of the wall, which it approaches from the wall's own side.
+double lengths_to_wall(const Wall& wall, Vec2 p, Vec2 ahead) {
+    return exact_cross(wall.a, wall.b, p) / -cross(wall.b - wall.a, ahead);
+}
+
+/// Where the look from p past the corner v meets the wall; `end` where the two are all but parallel.
+Vec2 seen_past(const Wall& wall, Vec2 p, Vec2 v, Vec2 end) {
+    const Vec2 ahead = direction_to(v, p);
+    const double lengths = lengths_to_wall(wall, p, ahead);
+    return lengths >= 0 && lengths * std::sqrt(dot(ahead, ahead)) < kWorldLimit ? p + ahead * lengths : end;
+}
+
+}  // namespace
+
+std::optional<Cone> cone_of(const Wall& wall, Vec2 p, const std::optional<Cone>& window) {
+    if (side_of_line(wall.a, wall.b, p) < 0) return {};
+    const Cone whole{wall.a, wall.b};
+    if (!window) return whole;
+    Cone seen = whole;
+    if (!is_in(*window, wall.a, p)) {
+        if (!is_in(whole, window->left, p)) return {};
+        seen.left = window->left;
+    }
+    if (is_in(whole, window->right, p)) seen.right = window->right;
+    return seen;
+}
+
+Stretch stretch_in(const Wall& wall, Vec2 p, const Cone& cone) {
+    return {cone.left == wall.a ? wall.a : seen_past(wall, p, cone.left, wall.a),
+            cone.right == wall.b ? wall.b : seen_past(wall, p, cone.right, wall.b)};
+}
+
+bool is_beyond(const Wall& wall, const Wall& window_wall, Vec2 p, const Cone& cone) {
+    const int a = corner(window_wall.a, window_wall.b, wall.a), b = corner(window_wall.a, window_wall.b, wall.b);
+    if (a >= 0 && b >= 0) return true;
+    if (a <= 0 && b <= 0) return false;
+    // The wall crosses the window's line beside the window: one look down the middle of the cone tells.
+    const Vec2 ahead = unit(direction_to(cone.left, p)) + unit(direction_to(cone.right, p));
+    const Vec2 window_along = window_wall.b - window_wall.a;
+    const double to_window = exact_cross(window_wall.a, window_wall.b, p) / -cross(window_along, ahead);
+    return lengths_to_wall(wall, p, ahead) > to_window;
+}
+
+}  // namespace enfilade

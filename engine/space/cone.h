@@ -1,0 +1,31 @@
+// What can be seen of a wall from a point, through the portal one looks through: cones of sight, decided exactly.
+#pragma once
+#include <optional>
+
+#include "map/map.h"
+
+namespace enfilade {
+
+/// The directions from a point between two points, left and right as seen from it: less than half a turn apart, left
+/// included, right not. Under the tie rule the point never lies in line with the two.
+struct Cone {
+    Vec2 left, right;
+};
+
+/// The part of the cone in which the wall is seen from its own side, or none. `window` none: all directions.
+/// p: where the eye is, on the point grid.
+std::optional<Cone> cone_of(const Wall& wall, Vec2 p, const std::optional<Cone>& window);
+
+/// A stretch of a wall; neither end needs to be on a grid, unless it is an end of the wall.
+struct Stretch {
+    Vec2 a, b;
+};
+
+/// The stretch of the wall inside a cone that cone_of() gave for it. Ends that the cone does not cut are exact.
+Stretch stretch_in(const Wall& wall, Vec2 p, const Cone& cone);
+
+/// True where the wall, inside a cone that lies within `window_wall`, is farther from p than that one: seen through
+/// it, not before it. The two do not cross.
+bool is_beyond(const Wall& wall, const Wall& window_wall, Vec2 p, const Cone& cone);
+
+}  // namespace enfilade

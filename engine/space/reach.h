@@ -1,0 +1,51 @@
+// What a disc around a place touches: the sectors it overlaps and the walls it meets, through every portal on the way.
+// This is how a body stands in several rooms at once, also on both sides of a link.
+//
+// A point is touched where it can be reached from the middle of the disc on a straight way that is shorter than the
+// radius and passes only portals that may be passed. So of two rooms that overlap on the map, only the one
+// that the portals lead to counts. A wall that stands behind another wall of the same room is reported, too: then
+// the other one is nearer.
+#pragma once
+#include <vector>
+
+#include "space/cone.h"
+#include "space/trace.h"
+
+namespace enfilade {
+
+/// A wall that a disc touches and that nothing passes: solid, a mirror, or a portal that may not be passed.
+struct ReachedWall {
+    WallId wall;
+    Rigid passage;    ///< from the space of the place into that of the wall
+    Vec2 centre;      ///< the middle of the disc in the space of the wall, on the point grid
+    Stretch stretch;  ///< the part that can be reached at any radius
+    bool is_cut;      ///< the stretch is not the whole wall
+};
+
+/// A sector that a disc overlaps.
+struct ReachedSector {
+    SectorId sector;
+    Rigid passage;  ///< from the space of the place into that of the sector
+};
+
+struct Reach {
+    std::vector<ReachedWall> walls;
+    std::vector<ReachedSector> sectors;  ///< the place's own first; one that is overlapped in two ways is there twice
+};
+
+/// Everything nearer to the place than `radius`; touching at exactly that distance does not count. Exact where a wall
+/// is reached whole; a distance to a stretch of a wall is rounded.
+///
+/// radius   : on the point grid [m]; 0 reaches the place's own sector only
+/// may_pass : asked for each portal the disc touches; empty: every portal may be passed
+/// Cost: the walls of the sectors overlapped. Beyond kMaxReachedSectors, portals count as walls.
+Reach reach(const Map& map, const Place& place, double radius, const MayPass& may_pass = {});
+
+/// A disc as large as a body overlaps a dozen sectors on a fine stair. Around a point where links meet at a small
+/// angle it may overlap one sector many times.
+inline constexpr std::size_t kMaxReachedSectors = 1024;
+
+/// The point of the stretch that is nearest to p, rounded.
+Vec2 nearest_point(const Stretch& stretch, Vec2 p);
+
+}  // namespace enfilade

@@ -1,0 +1,193 @@
+// What a disc touches, checked by walking straight from its middle in many directions.
+#include "space/reach.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+#include "math/grid.h"
+#include "space/mosaic.h"
+#include "support/map_builder.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+const SectorId kFirst(0u), kSecond(1u);
+
+std::vector<WallId> walls_of(const Reach& found) {
+    std::vector<WallId> walls;
+    for (const ReachedWall& w : found.walls) walls.push_back(w.wall);
+    return walls;
+}
+
+std::vector<SectorId> sectors_of(const Reach& found) {
+    std::vector<SectorId> sectors;
+    for (const ReachedSector& s : found.sectors) sectors.push_back(s.sector);
+    return sectors;
+}
+
+bool overlaps(const Reach& found, SectorId sector) {
+    return std::any_of(found.sectors.begin(), found.sectors.end(),
+                       [&](const ReachedSector& s) { return s.sector == sector; });
+}
+
+double distance_to_nearest(const Reach& found) {
+    double nearest = kWorldLimit;
+    for (const ReachedWall& w : found.walls) {
+        const Vec2 to_it = nearest_point(w.stretch, w.centre) - w.centre;
+        nearest = std::min(nearest, std::sqrt(dot(to_it, to_it)));
+    }
+    return nearest;
+}
+
+/// Walks from the place in many directions; each way must be stopped only by what was found, and must end in a
+/// sector that was found.
+void expect_no_more_than_found(const Map& map, const Place& place, double radius, const Reach& found) {
+    constexpr int kDirections = 64;
+    const double nearest = distance_to_nearest(found);
+    for (std::uint32_t i = 0; i < kDirections; ++i) {
+        const Vec2 ahead = direction({i * (1u << 26) + 12345u});
+        const double length = std::min(radius, nearest) - 4 * kPointGrid;
+        if (length <= 0) return;
+        const Trace way = trace(map, place, snap_to_point_grid(place.point + ahead * length));
+        ASSERT_TRUE(way.stopped.is_none()) << "direction " << i;
+        ASSERT_TRUE(overlaps(found, way.end.sector)) << "direction " << i;
+    }
+}
+
+Place random_place(const Mosaic& mosaic, Random& random) {
+    while (true) {
+        const Vec2 p = snap_to_point_grid({random.uniform(0, 32), random.uniform(0, 32)});
+        if (const SectorId sector = mosaic.sector_at(p)) return {sector, p};
+    }
+}
+
+TEST(Reach, FindsAllThatStraightWaysRunInto) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const Mosaic mosaic = lay_mosaic({.jitter = 0.9, .labels = 12, .solid = 0.3}, seed);
+        Random random(seed);
+        for (int i = 0; i < 300; ++i) {
+            const Place place = random_place(mosaic, random);
+            const double radius = snap_to_point_grid(random.uniform(0.1, 5));
+            const Reach found = reach(mosaic.map, place, radius);
+            expect_no_more_than_found(mosaic.map, place, radius, found);
+            ASSERT_FALSE(testing::Test::HasFatalFailure()) << "seed " << seed << ", disc " << i;
+        }
+    }
+}
+
+TEST(Reach, FindsNoNearestWallThatAStraightWayDoesNotRunInto) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const Mosaic mosaic = lay_mosaic({.jitter = 0.9, .labels = 12, .solid = 0.3}, seed);
+        Random random(seed);
+        for (int i = 0; i < 300; ++i) {
+            const Place place = random_place(mosaic, random);
+            const Reach found = reach(mosaic.map, place, 2);
+            if (found.walls.empty()) continue;
+            const auto nearest = std::min_element(found.walls.begin(), found.walls.end(),
+                                                  [](const ReachedWall& v, const ReachedWall& w) {
+                                                      const Vec2 to_v = nearest_point(v.stretch, v.centre) - v.centre;
+                                                      const Vec2 to_w = nearest_point(w.stretch, w.centre) - w.centre;
+                                                      return dot(to_v, to_v) < dot(to_w, to_w);
+                                                  });
+            // A little beyond the wall, off its ends: there the way has to end.
+            const Vec2 inner = (nearest->stretch.a + nearest->stretch.b) * 0x1p-20 +
+                               nearest_point(nearest->stretch, place.point) * (1 - 0x1p-19);
+            const Vec2 beyond = snap_to_point_grid(place.point + (inner - place.point) * 1.0001);
+            ASSERT_TRUE(trace(mosaic.map, place, beyond).stopped) << "seed " << seed << ", disc " << i;
+        }
+    }
+}
+
+TEST(Reach, DoesNotCountTouching) {
+    const Map map = built(map_of({box_room("room", 0, 0, 4, 4)}));
+    EXPECT_THAT(reach(map, {kFirst, {2, 1}}, 1).walls, IsEmpty());
+    EXPECT_THAT(reach(map, {kFirst, {2, 1}}, 1 + kPointGrid).walls, SizeIs(1));
+}
+
+TEST(Reach, LooksThroughPortals) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 0, 4.25, 4)});
+    join_all(file);
+    const Map map = built(file);
+    const Reach found = reach(map, {kFirst, {3.5, 2}}, 1);
+    EXPECT_THAT(sectors_of(found), testing::ElementsAre(kFirst, kSecond));
+    ASSERT_THAT(found.walls, SizeIs(1));
+    EXPECT_EQ(map[found.walls[0].wall].a, (Vec2{4.25, 0}));
+}
+
+TEST(Reach, CountsARefusedPortalAsAWall) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 0, 8, 4)});
+    join_all(file);
+    const Map map = built(file);
+    const Reach found = reach(map, {kFirst, {3.5, 2}}, 1, [](WallId, const Rigid&) { return false; });
+    EXPECT_THAT(walls_of(found), testing::ElementsAre(WallId(1u)));
+    EXPECT_THAT(sectors_of(found), testing::ElementsAre(kFirst));
+}
+
+TEST(Reach, LooksThroughLinksFromBothSides) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 100, 50, 104, 54)});
+    link(file, "a", {4, 0}, {4, 4}, "b", {100, 50}, {104, 50});
+    const Map map = built(file);
+    const Reach found = reach(map, {kFirst, {3.5, 0.25}}, 1);
+    // The north wall of a, and beyond the link the east wall of b, which stands in line with it.
+    ASSERT_THAT(found.walls, SizeIs(2));
+    EXPECT_EQ(map[found.walls[1].wall].a, (Vec2{104, 50}));
+    EXPECT_EQ(found.walls[1].centre, (Vec2{103.75, 49.5}));
+}
+
+TEST(Reach, IgnoresWallsOfTheOtherRoomThatLieOnThisSideOfTheDoorway) {
+    // "big" surrounds "hut" and overlaps it: its pillar stands, on the drawing, in the middle of the hut.
+    SectorRecord big = box_room("big", -10, -10, 14, 14);
+    cut_pillar(big, 1, 1, 2, 3);
+    big.loops.push_back(loop_of({{4, 0}, {3.75, 0}, {3.75, 4}, {4, 4}}));
+    MapFile file = map_of({box_room("hut", 0, 0, 4, 4), std::move(big)});
+    wall(file, "hut", {4, 0}, {4, 4}).next = "big";
+    wall(file, "big", {4, 4}, {4, 0}).next = "hut";
+    const Map map = built(file);
+    const Reach found = reach(map, {kFirst, {2.5, 2}}, 1.75);
+    for (const ReachedWall& w : found.walls) EXPECT_EQ(map[w.wall].sector, kFirst);
+    EXPECT_TRUE(overlaps(found, kSecond));
+}
+
+TEST(Reach, CutsAWallToThePartThatIsSeenThroughTheDoorway) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 1, 5, 3)});
+    split_and_join(file);
+    const Map map = built(file);
+    const Reach found = reach(map, {kFirst, {3.5, 2}}, 2);
+    const auto east = std::find_if(found.walls.begin(), found.walls.end(),
+                                   [&](const ReachedWall& w) { return map[w.wall].a == (Vec2{5, 1}); });
+    ASSERT_NE(east, found.walls.end());
+    EXPECT_FALSE(east->is_cut) << "the look through the doorway is wider than the niche";
+    const Reach beside = reach(map, {kFirst, {3.5, 0.5}}, 2.5);
+    const auto cut = std::find_if(beside.walls.begin(), beside.walls.end(),
+                                  [&](const ReachedWall& w) { return map[w.wall].a == (Vec2{5, 1}); });
+    ASSERT_NE(cut, beside.walls.end());
+    EXPECT_TRUE(cut->is_cut);
+    EXPECT_EQ(cut->stretch.a, (Vec2{5, 2})) << "past the door post at 4, 1";
+}
+
+TEST(Reach, EndsInARoomThatIsLinkedToItself) {
+    MapFile file = map_of({box_room("loop", 0, 0, 1, 1)});
+    link(file, "loop", {1, 0}, {1, 1}, "loop", {0, 1}, {0, 0});
+    const Reach found = reach(built(file), {kFirst, {0.5, 0.5}}, 10);
+    EXPECT_THAT(found.sectors, SizeIs(testing::AllOf(testing::Ge(21u), testing::Le(kMaxReachedSectors))));
+}
+
+TEST(Reach, LooksAcrossACornerItStandsOn) {
+    MapFile file = map_of({box_room("nw", 0, 0, 2, 2), box_room("ne", 2, 0, 4, 2), box_room("sw", 0, 2, 2, 4),
+                           box_room("se", 2, 2, 4, 4)});
+    join_all(file);
+    const Reach found = reach(built(file), {SectorId(3u), {2, 2}}, 1);
+    EXPECT_THAT(found.walls, IsEmpty());
+    for (std::uint32_t s = 0; s < 4; ++s) EXPECT_TRUE(overlaps(found, SectorId(s))) << s;
+}
+
+}  // namespace
+}  // namespace enfilade
