@@ -1,0 +1,49 @@
+// A body: an upright cylinder that stands, walks and falls in the rooms its disc overlaps.
+#pragma once
+#include "map/map.h"
+#include "math/grid.h"
+#include "space/reach.h"
+
+namespace enfilade {
+
+/// Measures of a person [m]. A bit slimmer than Doom's marine (0.5), so that doors of 1 m can be walked through at an
+/// angle; as tall as 56 of Doom's units, and it climbs what those climb (24 units).
+inline constexpr double kBodyRadius = snap_to_point_grid(0.35);
+inline constexpr double kStandingHeight = 1.75;
+inline constexpr double kCrouchedHeight = 1.0;
+inline constexpr double kMaxStep = 0.75;  ///< highest step that is climbed, and deepest that is walked down
+
+struct Body {
+    Place place;
+    double feet_z = 0;                ///< [m]
+    double height = kStandingHeight;  ///< of the moment [m]
+    double radius = kBodyRadius;      ///< on the point grid [m]
+    double ceiling_z = kWorldLimit;   ///< lowest ceiling over the disc [m]
+};
+
+/// Highest floor and lowest ceiling of the sectors a disc overlaps, in the space of its place [m].
+struct Clearance {
+    double floor_z;
+    double ceiling_z;
+};
+Clearance clearance(const Map& map, const std::vector<ReachedSector>& sectors);
+
+/// Heights are compared to the millimetre of the vertex grid, so that a step that was written as 0.75 may be climbed
+/// whatever binary fractions its two floors became. True where `height` is not more than `limit` [m].
+constexpr bool is_at_most(double height, double limit) { return snap_to_vertex_grid(height - limit) <= 0; }
+
+/// Whether the body can get through a portal: over the step behind it and under what is left of the opening, which
+/// its own ceiling bounds as well, because on a step it stands under both. `passage` as in MayPass.
+bool can_pass(const Map& map, const Body& body, WallId portal, const Rigid& passage);
+
+/// Whether the body, where it is, touches no wall and has headroom on the highest floor it stands on.
+bool fits(const Map& map, const Body& body, const Reach& around);
+
+/// The body where it is, made as wide, and at most as high, as there is room: a body that was put closer to a wall
+/// than its radius can still walk, and gets its width back as it leaves. Sets its ceiling.
+Body squeezed(const Map& map, Body body);
+
+/// reach() of the body's disc through the portals it can pass.
+Reach around(const Map& map, const Body& body);
+
+}  // namespace enfilade

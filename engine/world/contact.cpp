@@ -1,0 +1,63 @@
+#include "world/contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/grid.h"
+#include "math/predicates.h"
+
+namespace enfilade {
+namespace {
+
+/// The disc's way in the space of one wall.
+struct Way {
+    Vec2 from, move;
+    double radius;
+};
+
+std::optional<Contact> contact_with_face(const Wall& wall, const Stretch& stretch, const Way& way) {
+    const Vec2 along = (wall.b - wall.a) * (1 / wall.length), normal = right_of(along);
+    const double approach = -dot(way.move, normal);
+    if (approach < kPointGrid) return {};
+    const double gap = exact_cross(wall.a, wall.b, way.from) / wall.length - way.radius;
+    const double fraction = std::max(0.0, gap / approach);
+    if (fraction > 1) return {};
+    const Vec2 foot = way.from + way.move * fraction;
+    if (dot(foot - stretch.a, along) < 0 || dot(foot - stretch.b, along) > 0) return {};
+    return Contact{fraction, normal};
+}
+
+std::optional<Contact> contact_with_end(Vec2 end, const Way& way) {
+    if (!segment_is_nearer(way.from, way.from + way.move, end, way.radius - kPointGrid)) return {};
+    const double length = std::sqrt(dot(way.move, way.move));
+    const Vec2 to_end = end - way.from;
+    const double ahead = dot(way.move, to_end) / length;
+    if (ahead <= 0) return {};
+    const double beside_squared = dot(to_end, to_end) - ahead * ahead;
+    const double depth_squared = std::max(0.0, way.radius * way.radius - beside_squared);
+    const double fraction = std::clamp((ahead - std::sqrt(depth_squared)) / length, 0.0, 1.0);
+    const Vec2 from_end = way.from + way.move * fraction - end;
+    return Contact{fraction, from_end * (1 / std::sqrt(dot(from_end, from_end)))};
+}
+
+void keep_first(std::optional<Contact>& first, const std::optional<Contact>& next, const Rigid& passage) {
+    if (!next || (first && first->fraction <= next->fraction)) return;
+    first = Contact{next->fraction, inverse(passage).turn(next->normal)};
+}
+
+}  // namespace
+
+std::optional<Contact> first_contact(const Map& map, const Reach& around, Vec2 target, double radius) {
+    std::optional<Contact> first;
+    for (const ReachedWall& reached : around.walls) {
+        const Wall& wall = map[reached.wall];
+        const Vec2 to = snap_to_point_grid(reached.passage.apply(target));
+        const Way way{reached.centre, to - reached.centre, radius};
+        keep_first(first, contact_with_face(wall, reached.stretch, way), reached.passage);
+        if (reached.stretch.a == wall.a) keep_first(first, contact_with_end(wall.a, way), reached.passage);
+        if (reached.stretch.b == wall.b) keep_first(first, contact_with_end(wall.b, way), reached.passage);
+    }
+    return first;
+}
+
+}  // namespace enfilade

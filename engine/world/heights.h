@@ -1,0 +1,15 @@
+// Floor and ceiling of a sector at this moment. The one place where the world asks for them.
+#pragma once
+#include "map/map.h"
+
+namespace enfilade {
+
+struct Heights {
+    double floor_z;    ///< [m]
+    double ceiling_z;  ///< [m]
+};
+
+/// Nothing moves yet: the heights at rest.
+inline Heights heights_of(const Map& map, SectorId sector) { return {map[sector].floor.z, map[sector].ceiling.z}; }
+
+}  // namespace enfilade

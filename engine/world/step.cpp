@@ -1,0 +1,112 @@
+#include "world/step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "world/walk.h"
+
+namespace enfilade {
+namespace {
+
+/// Share of the difference between the speed one has and the speed one wants that a tick makes up for [1]. On the
+/// ground: 90 % within a sixth of a second, both getting going and coming to rest. In the air: hardly any.
+constexpr double kGripOnGround = 0.2, kGripInAir = 0.02;
+
+/// Below this, who does not want to go anywhere stands [m/s]: a quarter of a millimetre a tick. Without it the speed
+/// would halve for ever, down to denormal numbers, which some machines flush to zero and some do not.
+constexpr double kStandstill = 0x1p-6;
+
+/// [m/s^2]. More than on Earth, less than Doom's 38: falls look right at the pace people run at here.
+constexpr double kGravity = 16;
+constexpr double kMaxFallSpeed = 40;  ///< [m/s]
+
+/// How fast one stands up and crouches [m/s]: 0.15 s from one to the other.
+constexpr double kStanceSpeed = 5;
+
+/// Share of the eye's lag that is left after a tick [1]: nine tenths of a step are made up for in a fifth of a second.
+constexpr double kLagLeft = 0.82;
+constexpr double kLeastLag = 0x1p-10;  ///< less than this is none [m]
+
+constexpr double kFullPace = 127;  ///< InputRecord's
+
+void look(Player& player, const TickInput& input) {
+    player.yaw.steps += static_cast<std::uint32_t>(input.yaw_steps);
+    const std::int64_t pitch = std::int64_t{player.pitch_steps} + input.pitch_steps;
+    player.pitch_steps = static_cast<std::int32_t>(std::clamp<std::int64_t>(pitch, -kMaxPitchSteps, kMaxPitchSteps));
+}
+
+/// Grows or shrinks towards the height asked for, as far as the ceiling lets it.
+void stand_or_crouch(Player& player, const Body& body, bool crouch) {
+    const double wanted = crouch ? kCrouchedHeight : kStandingHeight, change = kStanceSpeed * kTickSeconds;
+    const double grown = std::clamp(wanted, player.height - change, player.height + change);
+    player.height = std::clamp(body.ceiling_z - player.feet_z, 0.0, grown);
+}
+
+/// The velocity asked for, in the space of the player.
+Vec2 wish(const Player& player, const TickInput& input) {
+    const Vec2 ahead = direction(player.yaw);
+    Vec2 way = ahead * (input.forward / kFullPace) + right_of(ahead) * (input.strafe / kFullPace);
+    const double pace = std::sqrt(dot(way, way));
+    if (pace > 1) way = way * (1 / pace);
+    if (input.buttons & kButtonCrouch) return way * kCrouchSpeed;
+    return way * (input.buttons & kButtonRun ? kRunSpeed : kWalkSpeed);
+}
+
+void speed_up(Player& player, Vec2 wish) {
+    const double grip = player.on_ground ? kGripOnGround : kGripInAir;
+    player.velocity = player.velocity + (wish - player.velocity) * grip;
+    const bool is_slow = dot(player.velocity, player.velocity) < kStandstill * kStandstill;
+    if (is_slow && wish == Vec2{}) player.velocity = {};
+}
+
+/// Everything the player has is carried into the space where the walk ended.
+void arrive(Player& player, const Walk& walk) {
+    player.place = walk.end;
+    player.velocity = walk.velocity;
+    player.feet_z += walk.passage.rise;
+    player.yaw = player.yaw + angle_of({walk.passage.c, walk.passage.s});
+}
+
+/// Up a step at once, down a step at once, deeper under gravity; the eye follows.
+void step_or_fall(Player& player, double floor_z) {
+    const double above = player.feet_z - floor_z;
+    const bool takes_step = above <= 0 || (player.on_ground && is_at_most(above, kMaxStep));
+    if (takes_step) {
+        player.eye_lag += above;
+        player.feet_z = floor_z;
+    } else {
+        player.fall_speed = std::min(player.fall_speed + kGravity * kTickSeconds, kMaxFallSpeed);
+        player.feet_z = std::max(floor_z, player.feet_z - player.fall_speed * kTickSeconds);
+    }
+    player.on_ground = player.feet_z <= floor_z;
+    if (player.on_ground) player.fall_speed = 0;
+}
+
+void settle_eye(Player& player, double ceiling_z) {
+    player.eye_lag = std::clamp(player.eye_lag * kLagLeft, -kMaxStep, kMaxStep);
+    if (std::fabs(player.eye_lag) < kLeastLag) player.eye_lag = 0;
+    player.eye_z = eye_z_of(player, ceiling_z);
+}
+
+}  // namespace
+
+void step(const Map& map, World& world, const TickInput& input) {
+    world.before = world.player;
+    Player& player = world.player;
+    look(player, input);
+    stand_or_crouch(player, body_of(map, player), input.buttons & kButtonCrouch);
+    speed_up(player, wish(player, input));
+
+    Body body = body_of(map, player);
+    const Walk walked = walk(map, body, player.velocity, kTickSeconds);
+    arrive(player, walked);
+    world.passage = walked.passage;
+
+    body = body_of(map, player);
+    const Clearance free = clearance(map, around(map, body).sectors);
+    step_or_fall(player, free.floor_z);
+    settle_eye(player, free.ceiling_z);
+    ++world.tick;
+}
+
+}  // namespace enfilade

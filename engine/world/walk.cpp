@@ -1,0 +1,186 @@
+#include "world/walk.h"
+
+#include <array>
+#include <cmath>
+
+#include "world/contact.h"
+
+namespace enfilade {
+namespace {
+
+/// Touches in one tick after which a body stops: in a corner it takes two, on a round wall one for each piece.
+constexpr int kMaxTouches = 5;
+
+/// How far a place is moved off walls it violates, in turn [grid steps]: rounding costs at most one along each axis.
+constexpr std::array<double, 4> kStepsOff{0, 1, 2, 4};
+
+/// Parts of the way that are tried where the whole does not fit [1].
+constexpr std::array<double, 6> kPartsOfWay{0x1p-1, 0x1p-2, 0x1p-3, 0x1p-4, 0x1p-6, 0x1p-8};
+
+double round_towards(double x, double sign) {
+    const double nearest = snap_to_point_grid(x);
+    if (sign > 0 && nearest < x) return nearest + kPointGrid;
+    if (sign < 0 && nearest > x) return nearest - kPointGrid;
+    return nearest;
+}
+
+/// The grid point beside p on the side that `outward` points to.
+Vec2 round_outward(Vec2 p, Vec2 outward) { return {round_towards(p.x, outward.x), round_towards(p.y, outward.y)}; }
+
+double length(Vec2 v) { return std::sqrt(dot(v, v)); }
+
+/// The directions in which the walls that are touched at once push.
+class Normals {
+public:
+    void clear() { count_ = 0; }
+    void add(Vec2 normal) {
+        if (count_ < all_.size()) all_[count_++] = normal;
+    }
+    void turn(const Rigid& passage) {
+        for (std::size_t i = 0; i < count_; ++i) all_[i] = passage.turn(all_[i]);
+    }
+    Vec2 sum() const {
+        Vec2 sum;
+        for (std::size_t i = 0; i < count_; ++i) sum = sum + all_[i];
+        return sum;
+    }
+
+    /// What is left of v when it may go into none of the walls: v, v along one of them, or nothing in a corner.
+    /// A length below `least` into a wall is none.
+    Vec2 left_of(Vec2 v, double least) const {
+        if (is_free(v, least)) return v;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Vec2 along = v - all_[i] * std::fmin(0.0, dot(v, all_[i]));
+            if (is_free(along, least)) return along;
+        }
+        return {};
+    }
+
+private:
+    bool is_free(Vec2 v, double least) const {
+        for (std::size_t i = 0; i < count_; ++i)
+            if (dot(v, all_[i]) <= -least) return false;
+        return true;
+    }
+
+    std::array<Vec2, kMaxTouches> all_;
+    std::size_t count_ = 0;
+};
+
+class Walker {
+public:
+    Walker(const Map& map, const Body& body, Vec2 velocity) : map_(map), body_(body), velocity_(velocity) {}
+
+    Walk run(double seconds) {
+        move_ = velocity_ * seconds;
+        for (int touches = 0; touches < kMaxTouches && move_ != Vec2{}; ++touches)
+            if (!go_to_next_touch()) break;
+        velocity_ = normals_.left_of(velocity_, kPointGrid / seconds);
+        return {body_.place, passage_, velocity_};
+    }
+
+private:
+    bool may_pass(WallId portal, const Rigid& passage) const { return can_pass(map_, body_, portal, passage); }
+
+    /// False where the way is over: all of it gone, or no part of it possible.
+    bool go_to_next_touch() {
+        const Vec2 from = body_.place.point;
+        const Vec2 target = round_outward(from + move_, normals_.sum());
+        if (target == from) return false;
+        const double way = length(target - from);
+        const auto touch = first_contact(map_, within(way), target, body_.radius);
+        if (!touch) return advance_part(target);
+        const Vec2 spent = move_ * touch->fraction;
+        move_ = move_ - spent;
+        // Nearer than a grid step is touching already.
+        Rigid turned;
+        const bool moves = touch->fraction * way >= kPointGrid &&
+                           advance(round_outward(from + (target - from) * touch->fraction, touch->normal), &turned);
+        const Vec2 normal = turned.turn(touch->normal);
+        if (moves) normals_.clear();
+        normals_.add(normal);
+        move_ = normals_.left_of(move_, kPointGrid);
+        return true;
+    }
+
+    /// What the disc might touch on a way of this length.
+    Reach within(double way) const {
+        const double radius = snap_to_point_grid(body_.radius + way) + kPointGrid;
+        return reach(map_, body_.place, radius, [this](WallId p, const Rigid& r) { return may_pass(p, r); });
+    }
+
+    /// Goes to the target, or as much of the way there as can be; then there is some left to go.
+    bool advance_part(Vec2 target) {
+        Rigid turned;
+        if (advance(target, &turned)) return false;
+        for (double part : kPartsOfWay) {
+            const Vec2 from = body_.place.point;
+            if (!advance(round_outward(from + (target - from) * part, normals_.sum()), &turned)) continue;
+            move_ = move_ * (1 - part);
+            return true;
+        }
+        velocity_ = {};
+        return false;
+    }
+
+    /// Puts the body at the target, or a few grid steps off, if it fits there; else leaves everything as it is.
+    bool advance(Vec2 target, Rigid* turned) {
+        Vec2 off;
+        for (double steps : kStepsOff) {
+            const Vec2 p = round_outward(target + off * (steps * kPointGrid), off);
+            if (p == body_.place.point) return false;
+            const Trace way = trace(map_, body_.place, p, [this](WallId w, const Rigid& r) { return may_pass(w, r); });
+            if (way.stopped) return false;
+            const Body there = carried(way);
+            const Reach found = around(map_, there);
+            if (fits(map_, there, found)) {
+                settle(there, way.passage);
+                *turned = way.passage;
+                return true;
+            }
+            if (found.walls.empty()) return false;
+            off = inverse(way.passage).turn(away_from(found));
+        }
+        return false;
+    }
+
+    Body carried(const Trace& way) const {
+        Body there = body_;
+        there.place = way.end;
+        there.feet_z += way.passage.rise;
+        there.ceiling_z += way.passage.rise;
+        return there;
+    }
+
+    /// The direction that leads off all walls found, in the space of the place.
+    static Vec2 away_from(const Reach& found) {
+        Vec2 sum;
+        for (const ReachedWall& wall : found.walls) {
+            const Vec2 out = wall.centre - nearest_point(wall.stretch, wall.centre);
+            if (out != Vec2{}) sum = sum + inverse(wall.passage).turn(out * (1 / length(out)));
+        }
+        return sum;
+    }
+
+    void settle(const Body& there, const Rigid& passage) {
+        body_ = there;
+        passage_ = then(passage_, passage);
+        move_ = passage.turn(move_);
+        velocity_ = passage.turn(velocity_);
+        normals_.turn(passage);
+    }
+
+    const Map& map_;
+    Body body_;
+    Vec2 velocity_, move_;
+    Rigid passage_;
+    Normals normals_;
+};
+
+}  // namespace
+
+Walk walk(const Map& map, const Body& body, Vec2 velocity, double seconds) {
+    return Walker(map, body, velocity).run(seconds);
+}
+
+}  // namespace enfilade

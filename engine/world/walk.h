@@ -1,0 +1,27 @@
+// One tick of walking: a body moves, slides along what it touches, and never gets into a wall.
+//
+// Sweep, then certify: where the body touches is found in double; where it is put is tested exactly. A place is taken
+// only if the middle of the body gets there on a straight way (space/trace.h) and the disc touches nothing
+// there (space/reach.h). If it does not fit, it is moved off by a few grid steps, and failing that it goes only part of
+// the way. So a body that fits goes on fitting, for ever, and no tolerance decides anything.
+#pragma once
+#include "world/body.h"
+
+namespace enfilade {
+
+/// Where a walk led.
+struct Walk {
+    Place end;
+    Rigid passage;  ///< from the space of the start into that of the end
+    Vec2 velocity;  ///< what the walls left of it, in the space of the end [m/s]
+};
+
+/// Moves a body that fits for some time. Its feet stay at their height: steps are taken afterwards.
+/// Pushing straight at a wall moves it by nothing, however often it is repeated.
+///
+/// body     : fits (world/body.h: squeezed)
+/// velocity : [m/s]; |velocity| * seconds may be longer than the body is wide
+/// Cost: a few queries of the sectors the body overlaps.
+Walk walk(const Map& map, const Body& body, Vec2 velocity, double seconds);
+
+}  // namespace enfilade

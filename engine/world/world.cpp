@@ -1,0 +1,59 @@
+#include "world/world.h"
+
+#include "base/hash.h"
+#include "formats/number_text.h"
+
+namespace enfilade {
+namespace {
+
+/// Calls visit(name, value of a, value of b) for everything that the state consists of, in a fixed order.
+template <class Visit>
+void each_value(const World& a, const World& b, Visit visit) {
+    const Player &p = a.player, &q = b.player;
+    visit("tick", a.tick, b.tick);
+    visit("player.sector", p.place.sector.index, q.place.sector.index);
+    visit("player.x", p.place.point.x, q.place.point.x);
+    visit("player.y", p.place.point.y, q.place.point.y);
+    visit("player.feet_z", p.feet_z, q.feet_z);
+    visit("player.velocity.x", p.velocity.x, q.velocity.x);
+    visit("player.velocity.y", p.velocity.y, q.velocity.y);
+    visit("player.fall_speed", p.fall_speed, q.fall_speed);
+    visit("player.height", p.height, q.height);
+    visit("player.eye_lag", p.eye_lag, q.eye_lag);
+    visit("player.eye_z", p.eye_z, q.eye_z);
+    visit("player.yaw", p.yaw.steps, q.yaw.steps);
+    visit("player.pitch", p.pitch_steps, q.pitch_steps);
+    visit("player.on_ground", p.on_ground, q.on_ground);
+}
+
+std::string text(double x) { return number_text(x); }
+std::string text(bool x) { return x ? "yes" : "no"; }
+template <class Whole>
+std::string text(Whole x) {
+    return std::to_string(x);
+}
+
+}  // namespace
+
+std::optional<World> start_of(const Map& map) {
+    if (!map.player) return {};
+    World world;
+    world.player = world.before = player_at(map, *map.player);
+    return world;
+}
+
+std::uint64_t hash(const World& world) {
+    Hash sum;
+    each_value(world, world, [&](const char*, auto value, auto) { sum.add(value); });
+    return sum.value();
+}
+
+std::string difference(const World& a, const World& b) {
+    std::string lines;
+    each_value(a, b, [&](const char* name, auto x, auto y) {
+        if (x != y) lines += std::string(name) + ": " + text(x) + " / " + text(y) + "\n";
+    });
+    return lines;
+}
+
+}  // namespace enfilade

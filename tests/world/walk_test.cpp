@@ -1,0 +1,250 @@
+// A body against walls: contact, sliding, corners, gaps, and rooms joined by links.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/random.h"
+#include "math/predicates.h"
+#include "world/game.h"
+#include "world/walk.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+constexpr double kGrid = kPointGrid;
+
+MapFile box_with_player(double x, double y, double yaw) {
+    MapFile file = map_of({box_room("box", 0, 0, 10, 10)});
+    place_player(file, "box", {x, y}, kEyeOnFloor, yaw);
+    return file;
+}
+
+/// No wall of the player's sector is nearer than the body's radius, exactly.
+bool touches_nothing(const Game& game) {
+    const Sector& sector = game.map[game.player().place.sector];
+    for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i) {
+        const Wall& wall = game.map.walls[i];
+        if (wall.kind == WallKind::solid && segment_is_nearer(wall.a, wall.b, game.point(), kBodyRadius)) return false;
+    }
+    return true;
+}
+
+TEST(Walk, StopsABodysRadiusFromAWall) {
+    Game game(box_with_player(5, 5, 0));
+    game.hold(kForward, 200);
+    EXPECT_EQ(game.point().x, 10 - kBodyRadius);
+    EXPECT_EQ(game.point().y, 5);
+}
+
+TEST(Walk, IsNotMovedByTenThousandTicksAgainstAWall) {
+    Game game(box_with_player(5, 5, 0));
+    game.hold(kRunForward, 200);
+    const Vec2 before = game.point();
+    game.hold(kRunForward, 10000);
+    EXPECT_EQ(game.point(), before);
+}
+
+TEST(Walk, IsNotMovedByTenThousandTicksAgainstASlantedWall) {
+    MapFile file = map_of({room("slanted", {{0, 0}, {10, 0}, {7, 9}, {0, 10}})});
+    place_player(file, "slanted", {4, 4}, kEyeOnFloor);
+    Game game(file);
+    // Straight at the wall from (10, 0) to (7, 9), whose inward normal is (-3, -1): 18.43 degrees.
+    game.world.player.yaw = angle_of({3, 1});
+    game.hold(kForward, 400);
+    const Vec2 before = game.point();
+    game.hold(kForward, 10000);
+    // The yaw is off the normal by up to half a step of the angle, which leaves that share of the pace to slide by.
+    EXPECT_LE(
+        std::fabs(exact_cross({10, 0}, {7, 9}, game.point()) - exact_cross({10, 0}, {7, 9}, before)) / std::sqrt(90.0),
+        2 * kGrid);
+    EXPECT_TRUE(touches_nothing(game));
+}
+
+TEST(Walk, SlidesAlongAWallAtTheSpeedThatIsLeft) {
+    Game game(box_with_player(5, 9, 60));
+    game.hold(kForward, 30);
+    const double x = game.point().x;
+    EXPECT_EQ(game.point().y, 10 - kBodyRadius);
+    game.hold(kForward, 30);
+    EXPECT_EQ(game.point().y, 10 - kBodyRadius) << "not a grid step off while sliding";
+    EXPECT_NEAR(game.point().x - x, kWalkSpeed / 2 * 30 * kTickSeconds, 1e-3);
+}
+
+TEST(Walk, SlidesAlongSixtyFourPiecesAsAlongOne) {
+    Game whole(box_with_player(1, 9, 45));
+    MapFile file = box_with_player(1, 9, 45);
+    std::vector<Vec2> outline{{0, 0}, {10, 0}, {10, 10}};
+    for (int i = 1; i < 64; ++i) outline.push_back({10 - snap_to_vertex_grid(i * 10.0 / 64), 10});
+    outline.push_back({0, 10});
+    file.sectors[0] = room("box", outline);
+    Game pieces(file);
+    for (int i = 0; i < 250; ++i) {
+        whole.hold(kForward);
+        pieces.hold(kForward);
+        ASSERT_EQ(pieces.point(), whole.point()) << "tick " << i;
+    }
+}
+
+TEST(Walk, SlidesAlongPiecesThatBelongToManyRooms) {
+    std::vector<SectorRecord> rooms;
+    for (int i = 0; i < 20; ++i) rooms.push_back(box_room(std::to_string(i), 0.5 * i, 0, 0.5 * i + 0.5, 10));
+    MapFile file = map_of(std::move(rooms));
+    join_all(file);
+    place_player(file, "2", {1.25, 9}, kEyeOnFloor, 45);
+    Game pieces(file), whole(box_with_player(1.25, 9, 45));
+    for (int i = 0; i < 200; ++i) {
+        whole.hold(kForward);
+        pieces.hold(kForward);
+        ASSERT_EQ(pieces.point(), whole.point()) << "tick " << i;
+    }
+}
+
+TEST(Walk, GivesTheMirroredWayInTheMirroredMap) {
+    const std::vector<Vec2> outline{{0, 0}, {9, 1}, {12, 5}, {8, 7}, {9, 11}, {1, 10}};
+    std::vector<Vec2> mirrored;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec2 v = outline[(outline.size() - i) % outline.size()];
+        mirrored.push_back({v.x, -v.y});
+    }
+    MapFile file = map_of({room("room", outline)}), image = map_of({room("room", mirrored)});
+    place_player(file, "room", {5, 5}, kEyeOnFloor, 10);
+    place_player(image, "room", {5, -5}, kEyeOnFloor, -10);
+    Game game(file), reflected(image);
+    Random random(4);
+    for (int i = 0; i < 2000; ++i) {
+        const auto turn = static_cast<std::int32_t>(random.bits()) / 32;
+        game.hold({.forward = 127, .strafe = 40, .yaw_steps = turn, .buttons = kButtonRun});
+        reflected.hold({.forward = 127, .strafe = -40, .yaw_steps = -turn, .buttons = kButtonRun});
+        ASSERT_EQ(reflected.point(), (Vec2{game.point().x, -game.point().y})) << "tick " << i;
+    }
+}
+
+TEST(Walk, ComesToRestInASharpCorner) {
+    // Six degrees at the tip, pushed into for twenty seconds.
+    MapFile sharp = map_of({room("spike", {{0, -1}, {20, 0}, {0, 1}})});
+    place_player(sharp, "spike", {1, 0.1}, kEyeOnFloor, 1);
+    Game game(sharp);
+    game.hold(kRunForward, 600);
+    ASSERT_TRUE(touches_nothing(game));
+    const Vec2 at_rest = game.point();
+    for (int i = 0; i < 600; ++i) {
+        game.hold(kRunForward);
+        ASSERT_TRUE(touches_nothing(game));
+        ASSERT_NEAR(game.point().x, at_rest.x, 4 * kGrid);
+        ASSERT_NEAR(game.point().y, at_rest.y, 4 * kGrid);
+    }
+}
+
+TEST(Walk, NeverGetsIntoTheWallsOfASharpCornerHoweverItTurns) {
+    MapFile file = map_of({room("spike", {{0, -1}, {20, 0}, {0, 1}})});
+    place_player(file, "spike", {1, 0.1}, kEyeOnFloor);
+    Game game(file);
+    Random random(6);
+    for (int i = 0; i < 20000; ++i) {
+        const auto turn = static_cast<std::int32_t>(random.bits()) / 64;
+        game.hold({.forward = 127, .yaw_steps = turn, .buttons = kButtonRun});
+        ASSERT_TRUE(touches_nothing(game)) << "tick " << i;
+    }
+}
+
+TEST(Walk, RoundsAPillarWithoutStopping) {
+    MapFile file = map_of({box_room("hall", 0, 0, 10, 10)});
+    cut_pillar(file.sectors[0], 4, 4, 6, 6);
+    place_player(file, "hall", {3, 3.9}, kEyeOnFloor, 0);
+    Game game(file);
+    game.hold(kForward, 240);
+    EXPECT_GT(game.point().x, 7) << "past the pillar's corner, which its middle passes 0.1 m off";
+}
+
+TEST(Walk, PassesADoorThatIsWiderThanTheBodyOnly) {
+    for (const double width : {0.75, 0.625}) {
+        MapFile file = map_of(
+            {box_room("a", 0, 0, 4, 4), box_room("b", 4, 2 - width / 2, 5, 2 + width / 2), box_room("c", 5, 0, 9, 4)});
+        split_and_join(file);
+        place_player(file, "a", {2, 2}, kEyeOnFloor, 0);
+        Game game(file);
+        game.hold(kForward, 200);
+        EXPECT_EQ(game.room(), width > 2 * kBodyRadius ? "c" : "a") << width;
+    }
+}
+
+TEST(Walk, CollidesBehindALinkWithTheHalfThatIsThere) {
+    // Only the far room has the pillar; with all of it in one room the way must be the same.
+    MapFile near_and_far = map_of({box_room("near", 0, 0, 4, 4), box_room("far", 104, 0, 108, 4)});
+    cut_pillar(near_and_far.sectors[1], 104.25, 1, 105, 1.75);
+    link(near_and_far, "near", {4, 0}, {4, 4}, "far", {104, 4}, {104, 0});
+    MapFile one = map_of({box_room("near", 0, 0, 4, 4), box_room("far", 4, 0, 8, 4)});
+    cut_pillar(one.sectors[1], 4.25, 1, 5, 1.75);
+    join_all(one);
+    for (const double y : {1.0, 1.5, 1.9, 2.0, 2.2}) {
+        place_player(near_and_far, "near", {2, y}, kEyeOnFloor, 5);
+        place_player(one, "near", {2, y}, kEyeOnFloor, 5);
+        Game linked(near_and_far), plain(one);
+        for (int i = 0; i < 120; ++i) {
+            linked.hold(kForward);
+            plain.hold(kForward);
+            const double shift = linked.room() == "far" ? 100 : 0;
+            ASSERT_EQ(linked.room(), plain.room());
+            ASSERT_EQ(linked.point(), (Vec2{plain.point().x + shift, plain.point().y})) << y << ", tick " << i;
+        }
+    }
+}
+
+TEST(Walk, TurnsWithALinkThatTurns) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 100, 50, 104, 54)});
+    link(file, "a", {4, 0}, {4, 4}, "b", {100, 50}, {104, 50});
+    place_player(file, "a", {3, 2}, kEyeOnFloor, 0);
+    Game game(file);
+    game.hold(kForward, 40);
+    EXPECT_EQ(game.room(), "b");
+    EXPECT_EQ(game.player().yaw.degrees(), 90);
+    EXPECT_EQ(game.player().velocity.x, 0);
+    EXPECT_NEAR(game.player().velocity.y, kWalkSpeed, 0.01);
+    EXPECT_EQ(game.point().x, 102);
+}
+
+TEST(Walk, IsNotStoppedByARoomThatMerelyOverlaps) {
+    // The pillar of "big" stands where the hall is, but no portal near the player leads to it.
+    MapFile file = map_of({box_room("hall", 0, 0, 10, 4), box_room("big", 0, 0, 10, 4)});
+    cut_pillar(file.sectors[1], 4, 1, 6, 3);
+    place_player(file, "hall", {2, 2}, kEyeOnFloor, 0);
+    Game game(file);
+    game.hold(kForward, 200);
+    EXPECT_EQ(game.point().x, 10 - kBodyRadius);
+}
+
+TEST(Walk, LeavesAStartThatIsTooNearToAWall) {
+    for (const Vec2 start : {Vec2{0.01, 5}, Vec2{0, 0}, Vec2{9.99, 9.99}, Vec2{5, 0}}) {
+        Game game(box_with_player(start.x, start.y, 0));
+        EXPECT_TRUE(touches_nothing(game)) << "there is room to be moved off";
+        EXPECT_TRUE(game.is_contained());
+    }
+}
+
+TEST(Walk, LeavesAGapThatIsNarrowerThanTheBody) {
+    MapFile file = map_of({box_room("gap", 0, 1.75, 4, 2.25), box_room("hall", 4, 0, 8, 4)});
+    split_and_join(file);
+    place_player(file, "gap", {1, 1.9}, kEyeOnFloor, 3);
+    Game game(file);
+    game.hold(kForward, 150);
+    EXPECT_EQ(game.room(), "hall");
+    EXPECT_TRUE(touches_nothing(game)) << "and is as wide as ever";
+    game.world.player.yaw = game.player().yaw + Angle::from_degrees(180);
+    game.hold(kForward, 200);
+    EXPECT_EQ(game.room(), "hall") << "no way back";
+}
+
+TEST(Walk, GoesAnyDistanceInOneTickWithoutPassingAWall) {
+    Game game(box_with_player(5, 5, 0));
+    Body body = body_of(game.map, game.player());
+    for (const Vec2 velocity : {Vec2{1e6, 0}, Vec2{-1e6, 3e5}, Vec2{0, -1e6}, Vec2{600, 601}}) {
+        const Walk gone = walk(game.map, body, velocity, kTickSeconds);
+        body.place = gone.end;
+        EXPECT_TRUE(fits(game.map, body, around(game.map, body)));
+    }
+}
+
+}  // namespace
+}  // namespace enfilade
