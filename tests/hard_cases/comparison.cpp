@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <sstream>
 #include <vector>
 
 #include "base/parallel.h"
@@ -27,14 +28,42 @@ std::string text_of(const Map& map, SurfaceId id) {
     return std::string(part[(id - first_wall) % 3]) + text + " of '" + map[w.sector].name + "'";
 }
 
+std::string hex(std::uint32_t color) {
+    char text[16];
+    std::snprintf(text, sizeof text, "%08x", color);
+    return text;
+}
+
 double yaw_degrees(const View& view) { return std::atan2(view.forward.y, view.forward.x) * 180 / std::numbers::pi; }
+
+const Texture& texture_of(const Subject& subject, SurfaceId id) {
+    const Map& map = subject.map;
+    const auto first_wall = static_cast<SurfaceId>(1 + 2 * map.sectors.size());
+    if (id < first_wall) {
+        const Sector& sector = map.sectors[(id - 1) / 2];
+        return subject.textures[(id % 2 ? sector.floor : sector.ceiling).surface.texture];
+    }
+    const Wall& wall = map.walls[(id - first_wall) / 3];
+    const Surface* const parts[] = {&wall.texture, &wall.upper, &wall.lower};
+    return subject.textures[parts[(id - first_wall) % 3]->texture];
+}
+
+/// So near a texel's edge that rounding may choose either side. Facts are floats, good to 2^-24 of a tile.
+bool is_on_edge(TexelPosition p, const Texture& texture) {
+    constexpr double kNear = 1e-3;  // [texels]
+    const auto is_near = [](double texels, double tile) {
+        return std::fabs(texels - std::round(texels)) < kNear + tile * 0x1p-24;
+    };
+    return is_near(static_cast<double>(p.u) * texture.width, texture.width) ||
+           is_near(static_cast<double>(p.v) * texture.height, texture.height);
+}
 
 struct BothPictures {
     Frame column, reference;
     FrameFacts column_facts, reference_facts;
 };
 
-void note_pixel(const Map& map, const BothPictures& both, std::size_t i, Comparison& result) {
+void note_pixel(const Subject& subject, const BothPictures& both, std::size_t i, Comparison& result) {
     const SurfaceId shown = both.column_facts.ids[i], truth = both.reference_facts.ids[i];
     const int writes = both.column_facts.writes[i];
     const bool is_sure = both.reference_facts.ambiguous[i] == 0;
@@ -42,12 +71,16 @@ void note_pixel(const Map& map, const BothPictures& both, std::size_t i, Compari
     result.written_twice += writes > 1;
     result.ambiguous += !is_sure;
     result.wrong += shown != truth && is_sure;
-    result.other_color += shown == truth && both.column.pixels[i] != both.reference.pixels[i];
+    if (shown == truth && shown != kRecursionEnd && both.column.pixels[i] != both.reference.pixels[i]) {
+        const bool on_edge = is_on_edge(both.reference_facts.texels[i], texture_of(subject, truth));
+        ++(on_edge || !is_sure ? result.other_texel : result.wrong_color);
+    }
     if (result.is_faultless() || !result.first_fault.empty()) return;
     const std::size_t width = static_cast<std::size_t>(both.column.width);
     result.first_fault = "pixel (" + std::to_string(i % width) + ", " + std::to_string(i / width) + "), written " +
-                         std::to_string(writes) + " times, shows " + text_of(map, shown) + " instead of " +
-                         text_of(map, truth);
+                         std::to_string(writes) + " times, shows " + text_of(subject.map, shown) + " instead of " +
+                         text_of(subject.map, truth) + ", color " + hex(both.column.pixels[i]) + " instead of " +
+                         hex(both.reference.pixels[i]);
 }
 
 }  // namespace
@@ -58,23 +91,22 @@ Comparison& Comparison::operator+=(const Comparison& other) {
     written_twice += other.written_twice;
     wrong += other.wrong;
     ambiguous += other.ambiguous;
-    other_color += other.other_color;
+    other_texel += other.other_texel;
+    wrong_color += other.wrong_color;
     if (first_fault.empty()) first_fault = other.first_fault;
     return *this;
 }
 
 std::string describe(const Comparison& c) {
-    char text[300];
     const auto per_million = [&](std::uint64_t n) {
         return 1e6 * static_cast<double>(n) / static_cast<double>(c.pixels);
     };
-    std::snprintf(text, sizeof text,
-                  "of %.3g million pixels %llu unwritten, %llu written twice, %llu wrong; %.3g per million "
-                  "ambiguous, %.3g of another colour\n  ",
-                  static_cast<double>(c.pixels) * 1e-6, static_cast<unsigned long long>(c.unwritten),
-                  static_cast<unsigned long long>(c.written_twice), static_cast<unsigned long long>(c.wrong),
-                  per_million(c.ambiguous), per_million(c.other_color));
-    return text + c.first_fault;
+    std::ostringstream text;
+    text << "of " << c.pixels << " pixels " << c.unwritten << " unwritten, " << c.written_twice << " written twice, "
+         << c.wrong << " wrong, " << c.wrong_color << " of a wrong colour; " << per_million(c.ambiguous)
+         << " per million ambiguous, " << per_million(c.other_texel) << " of a neighbouring texel";
+    if (!c.first_fault.empty()) text << "\n  " << c.first_fault;
+    return text.str();
 }
 
 std::string command_line(const std::string& map_name, const Map& map, const View& view, PictureSize size) {
@@ -98,7 +130,7 @@ Comparison compare(const Subject& subject, const Snapshot& snapshot, const View&
     render_reference(both.reference, &both.reference_facts, subject.map, subject.textures, snapshot, view);
     Comparison result;
     result.pixels = both.column.pixels.size();
-    for (std::size_t i = 0; i < result.pixels; ++i) note_pixel(subject.map, both, i, result);
+    for (std::size_t i = 0; i < result.pixels; ++i) note_pixel(subject, both, i, result);
     if (!result.first_fault.empty()) result.first_fault += "\n  " + command_line(subject.name, subject.map, view, size);
     return result;
 }

@@ -75,9 +75,10 @@ void FlatPainter::prepare_rows(const Scene& scene, int top, int bottom) {
 }
 
 void FlatPainter::prepare_row(const Scene& scene, int row) {
-    const double depth = height_ * scene.screen.row_depths[row];
-    // Behind the eye or nowhere: only where the eye is above the ceiling or below the floor it looks at.
-    row_depths_[row] = depth >= 0 ? depth : depth < 0 ? 0 : std::numeric_limits<double>::infinity();
+    const double depth_per_metre = scene.screen.row_depths[row];
+    // A level ray meets a level plane at infinity, also one at its own height. Behind the eye (below 0) only where the
+    // eye is above the ceiling or below the floor it looks at.
+    row_depths_[row] = std::isinf(depth_per_metre) ? depth_per_metre : std::max(height_ * depth_per_metre, 0.0);
     row_shades_[row] = shade_at(scene.map.render.light, light_, 1, row_depths_[row]);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "render/shade.h"
@@ -49,6 +50,8 @@ std::uint32_t texel(const Texture& texture, double u, double v) {
     return texture.at(texel_index(u, texture.width), texel_index(v, texture.height));
 }
 
+constexpr std::uint32_t kAlpha = 0xFF000000u;
+
 Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, double v, double contrast,
              double depth) {
     Seen seen{id, depth, {}, 0, false};
@@ -56,7 +59,8 @@ Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, 
     const std::uint32_t color = texel(at.scene.textures[surface.texture], tile_u, tile_v);
     const double light = at.scene.snapshot[at.hit.sector].light;
     seen.texel = {static_cast<float>(tile_u), static_cast<float>(tile_v)};
-    seen.color = shaded(color, shade_at(at.scene.map.render.light, light, contrast, depth));
+    const std::uint32_t shade = shade_at(at.scene.map.render.light, light, contrast, depth);
+    seen.color = (color & kAlpha) | (shaded(color, shade) & ~kAlpha);  // a pane still needs its alpha
     return seen;
 }
 
@@ -72,7 +76,7 @@ Seen sky(const Arrival& at, const Surface& surface, SurfaceId id) {
 }
 
 /// `height` above the eye. Of a flat that is seen extended, or from its wrong side, the part that is nearest to where
-/// the ray really crosses its height.
+/// the ray really crosses its height; a level ray does so at infinity.
 Seen flat(const Arrival& at, const Flat& flat, double height, SurfaceId id) {
     if (flat.sky) return sky(at, flat.surface, id);
     const double depth = at.climb == 0 ? at.hit.depth : std::clamp(height / at.climb, 0.0, at.hit.depth);
@@ -106,24 +110,43 @@ Seen wall(const Arrival& at, const Surface& surface, WallPart part) {
 struct Pane {
     Seen seen;
     std::uint32_t alpha = 0;  ///< 0: the ray goes through a hole, or past the picture
+    bool ambiguous = false;
 };
+
+bool is_solid(const Texture& texture, double u, double v) {
+    return texel(texture, fraction(u), fraction(v)) >> 24 >= kSolidAlpha;
+}
+
+/// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round?
+bool is_at_rim_of_hole(const Texture& texture, TexelPosition at, Vec2 tile_m) {
+    constexpr double kFloatError = 0x1p-24;  // of the position [tiles]
+    const double u = static_cast<double>(at.u), du = kAmbiguous / tile_m.x + kFloatError;
+    const double v = static_cast<double>(at.v), dv = kAmbiguous / tile_m.y + kFloatError;
+    const bool solid = is_solid(texture, u - du, v - dv);
+    return is_solid(texture, u + du, v - dv) != solid || is_solid(texture, u - du, v + dv) != solid ||
+           is_solid(texture, u + du, v + dv) != solid;
+}
 
 Pane pane(const Arrival& at) {
     const Surface& surface = at.wall.middle;
     const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
     const double top = peg_height(at, surface.peg) + (stands ? surface.tile_m.y : 0);
     const double picture_top = top - surface.offset_tiles.y * surface.tile_m.y;
-    if (reaches(at, picture_top) || !reaches(at, picture_top - surface.tile_m.y)) return {};
-    Pane pane{wall(at, surface, top, WallPart::middle), 0};
-    pane.alpha = texel(at.scene.textures[surface.texture], pane.seen.texel.u, pane.seen.texel.v) >> 24;
+    const double picture_bottom = picture_top - surface.tile_m.y;
+    Pane pane{{}, 0, is_close_to(at, picture_top) || is_close_to(at, picture_bottom)};
+    if (reaches(at, picture_top) || !reaches(at, picture_bottom)) return pane;
+    pane.seen = wall(at, surface, top, WallPart::middle);
+    pane.alpha = pane.seen.color >> 24;
+    pane.ambiguous |= is_at_rim_of_hole(at.scene.textures[surface.texture], pane.seen.texel, surface.tile_m);
     return pane;
 }
 
 /// What is seen through panes, the nearest first: the farthest of them is laid over it first. It shows the nearest
 /// surface that hides more than half of what is behind.
 Seen through_panes(const std::vector<Pane>& panes, Seen seen) {
+    seen.color |= kAlpha;
     for (auto pane = panes.rbegin(); pane != panes.rend(); ++pane) {
-        const std::uint32_t color = laid_over(seen.color, (pane->seen.color & 0xFFFFFFu) | pane->alpha << 24);
+        const std::uint32_t color = laid_over(seen.color, pane->seen.color);
         if (pane->alpha >= kSolidAlpha) seen = pane->seen;
         seen.color = color;
     }
@@ -142,39 +165,53 @@ bool has_upper_step(const Arrival& at) {
     return at.wall.upper.texture && !sky_to_sky;
 }
 
+/// Where the ray ends if it ends at this wall: on the flats before it, on the wall, on a step, or because it has
+/// followed as many links as it may.
+std::optional<Seen> end_of_ray(const Arrival& at) {
+    const SectorId sector = at.hit.sector;
+    if (reaches(at, at.own.ceiling)) return flat(at, at.sector.ceiling, at.own.ceiling, ceiling_id(sector));
+    if (!reaches(at, at.own.floor)) return flat(at, at.sector.floor, at.own.floor, floor_id(sector));
+    if (at.wall.kind == WallKind::solid) return wall(at, at.wall.texture, WallPart::middle);
+    if (at.wall.kind == WallKind::portal) {
+        const bool above = reaches(at, at.behind.ceiling), below = !above && !reaches(at, at.behind.floor);
+        if (above && has_upper_step(at)) return wall(at, at.wall.upper, WallPart::upper);
+        if (below && at.wall.lower.texture) return wall(at, at.wall.lower, WallPart::lower);
+    }
+    const bool is_linked = at.wall.link != Wall::kNoLink;
+    if (is_linked && at.hit.space.links >= at.scene.map.render.max_depth) return end_of_chain(at);
+    return std::nullopt;
+}
+
+Arrival arrive(const Scene& scene, const RayHit& hit, double slope, double climb) {
+    const Wall& met = scene.map[hit.wall];
+    const Opening own = opening_of(scene, hit.sector, hit.space.eye_z);
+    Arrival at{scene, hit, met, scene.map[hit.sector], slope, climb, own, own};
+    if (met.kind == WallKind::portal)
+        at.behind = opening_of(scene, met.behind, scene.map.passage(met).apply_height(hit.space.eye_z));
+    return at;
+}
+
+bool is_ambiguous(const Arrival& at) {
+    return at.hit.ambiguous || is_close_to(at, at.own.ceiling) || is_close_to(at, at.own.floor) ||
+           is_close_to(at, at.behind.ceiling) || is_close_to(at, at.behind.floor);
+}
+
 }  // namespace
 
 Seen look(const Scene& scene, RayPath& path, double slope, double climb) {
     bool ambiguous = false;
     std::vector<Pane> panes;
-    const auto answer = [&](Seen seen) {
-        seen = through_panes(panes, seen);
-        seen.ambiguous = ambiguous;
-        return seen;
-    };
     for (std::size_t i = 0;; ++i) {
-        const RayHit& hit = path[i];
-        const Wall& met = scene.map[hit.wall];
-        const Opening own = opening_of(scene, hit.sector, hit.space.eye_z);
-        Arrival at{scene, hit, met, scene.map[hit.sector], slope, climb, own, own};
-        ambiguous |= hit.ambiguous || is_close_to(at, own.ceiling) || is_close_to(at, own.floor);
-
-        if (reaches(at, own.ceiling)) return answer(flat(at, at.sector.ceiling, own.ceiling, ceiling_id(hit.sector)));
-        if (!reaches(at, own.floor)) return answer(flat(at, at.sector.floor, own.floor, floor_id(hit.sector)));
-        if (met.kind == WallKind::solid) return answer(wall(at, met.texture, WallPart::middle));
-        if (met.kind == WallKind::portal) {
-            at.behind = opening_of(scene, met.behind, scene.map.passage(met).apply_height(hit.space.eye_z));
-            ambiguous |= is_close_to(at, at.behind.ceiling) || is_close_to(at, at.behind.floor);
-            if (reaches(at, at.behind.ceiling)) {
-                if (has_upper_step(at)) return answer(wall(at, met.upper, WallPart::upper));
-            } else if (!reaches(at, at.behind.floor)) {
-                if (met.lower.texture) return answer(wall(at, met.lower, WallPart::lower));
-            }
-            if (met.middle.texture)
-                if (const Pane met_pane = pane(at); met_pane.alpha > 0) panes.push_back(met_pane);
+        const Arrival at = arrive(scene, path[i], slope, climb);
+        ambiguous |= is_ambiguous(at);
+        if (const std::optional<Seen> end = end_of_ray(at)) {
+            Seen seen = through_panes(panes, *end);
+            seen.ambiguous = ambiguous;
+            return seen;
         }
-        const bool is_linked = met.link != Wall::kNoLink;
-        if (is_linked && hit.space.links >= scene.map.render.max_depth) return answer(end_of_chain(at));
+        if (at.wall.kind != WallKind::portal || !at.wall.middle.texture) continue;
+        panes.push_back(pane(at));
+        ambiguous |= panes.back().ambiguous;
     }
 }
 

@@ -165,19 +165,20 @@ RayHit RayPath::next_hit(const EyeSpace& space, SectorId sector) const {
     return hit;
 }
 
-/// Could the ray, moved by kAmbiguous, meet another wall of the sector first? Then the end of a wall that faces the
-/// eye is that near to the ray between the entry and the hit, or another wall is that near to the entry or the hit. An
+/// Could the ray, moved by kAmbiguous, meet another wall of the sector first? Then the end of a wall that faces the eye
+/// and is not wholly behind the hit is that near to the ray, or another wall is that near to the entry or the hit. An
 /// end at the very eye, a wall through the very eye and the other side of the entry are decided exactly in any
 /// renderer.
 bool RayPath::is_ambiguous(const RayHit& hit) const {
     const EyeSpace& space = hit.space;
     const double normal_length = std::sqrt(1 + slope_ * slope_);
+    const auto ahead = [&](Vec2 vertex) { return dot(space.forward, vertex - space.eye); };
     const auto is_near_ray = [&](Vec2 vertex) {
-        const Vec2 to_vertex = vertex - space.eye;
-        const double ahead = dot(space.forward, to_vertex);
         const double beside = static_cast<double>(offset(vertex, space.eye)) * kOffsetUnit / normal_length;
-        return std::fabs(beside) < kAmbiguous && ahead > entry_depth_ - kAmbiguous && ahead < hit.depth + kAmbiguous &&
-               to_vertex != Vec2{};
+        return std::fabs(beside) < kAmbiguous && ahead(vertex) > entry_depth_ - kAmbiguous && vertex != space.eye;
+    };
+    const auto starts_before_hit = [&](const Wall& wall) {
+        return std::min(ahead(wall.a), ahead(wall.b)) < hit.depth + kAmbiguous;
     };
     const Wall* entry = entry_.is_none() ? nullptr : &map_[entry_];
     if (entry && are_close(entry_depth_, hit.depth)) return true;
@@ -185,7 +186,7 @@ bool RayPath::is_ambiguous(const RayHit& hit) const {
     for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
         const Wall& wall = map_.walls[i];
         if (!faces(wall, space.eye)) continue;
-        if (is_near_ray(wall.a) || is_near_ray(wall.b)) return true;
+        if ((is_near_ray(wall.a) || is_near_ray(wall.b)) && starts_before_hit(wall)) return true;
         const bool is_back_of_entry = entry && ((wall.a == entry->b && wall.b == entry->a) || i == entry_.index);
         if (WallId(i) == hit.wall || is_back_of_entry || !covers(wall, space)) continue;
         const double depth = depth_of(wall, space);

@@ -1,0 +1,63 @@
+// Every map that ships: sound, and drawn as the reference draws it from everywhere.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "hard_cases/comparison.h"
+#include "map/load.h"
+
+namespace enfilade::test {
+namespace {
+
+constexpr int kPoses = 200;                            ///< of each kind and size
+constexpr PictureSize kEven{320, 200}, kOdd{117, 83};  ///< an odd side has a ray exactly along the look
+
+std::vector<std::string> authored_maps() {
+    std::vector<std::string> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(ENFILADE_SOURCE_DIR "/maps"))
+        if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+class AuthoredMap : public testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override {
+        loaded_ = load_map(GetParam(), {}, read_file);
+        std::string findings;
+        for (const Finding& finding : loaded_.findings) findings += to_text(GetParam(), finding) + "\n";
+        ASSERT_TRUE(loaded_.map) << findings;
+    }
+
+    /// ambiguous_share: how many pixels at most the reference may be unsure of. Where poses are random, those within
+    /// 1e-7 of an edge; where vertices are put on pixel centres, one column of every few pictures.
+    void expect_agreement(PoseKind kind, double ambiguous_share) {
+        const std::string name = "maps/" + std::filesystem::path(GetParam()).filename().string();
+        for (PictureSize size : {kEven, kOdd}) {
+            const Comparison sum = compare_poses({name, *loaded_.map, loaded_.textures}, kind, kPoses, size, 1);
+            EXPECT_TRUE(sum.is_faultless()) << describe(sum);
+            EXPECT_LE(static_cast<double>(sum.ambiguous), ambiguous_share * static_cast<double>(sum.pixels))
+                << describe(sum);
+            RecordProperty("agreement" + std::to_string(size.width), describe(sum));
+        }
+    }
+
+    LoadedMap loaded_;
+};
+
+TEST_P(AuthoredMap, LooksAsInTheReferenceFromAnywhere) { expect_agreement(PoseKind::random, 1e-4); }
+
+TEST_P(AuthoredMap, LooksAsInTheReferenceWhereThingsCoincide) { expect_agreement(PoseKind::lattice, 0.02); }
+
+std::string stem(const testing::TestParamInfo<std::string>& info) {
+    std::string name = std::filesystem::path(info.param).stem().string();
+    name.erase(std::remove_if(name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }), name.end());
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Maps, AuthoredMap, testing::ValuesIn(authored_maps()), stem);
+
+}  // namespace
+}  // namespace enfilade::test
