@@ -19,14 +19,29 @@ struct PngHolder {
 
 Error not_an_image(const png_image& image) { return {"", std::string("not a PNG image: ") + image.message}; }
 
+/// The most bytes that deflate makes of one (RFC 1951: 258 from two bits).
+constexpr std::uint64_t kMostFromOneByte = 1032;
+
+/// Why the header's size cannot be true, or is more than we want to know.
+Status refuse_size(const png_image& image, std::size_t file_bytes) {
+    const std::string size = std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels";
+    const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
+    if (image.width > kMaxImageSide || image.height > kMaxImageSide)
+        return Error{"", "the image is " + size + "; at most " + std::to_string(kMaxImageSide) + " a side are read"};
+    if (pixels > kMaxImagePixels)
+        return Error{"", "the image is " + size + "; at most " + std::to_string(kMaxImagePixels) + " in all are read"};
+    // A pixel has at least one bit.
+    if (pixels / 8 > kMostFromOneByte * file_bytes)
+        return Error{"", "not a PNG image: " + size + " are more than a file of this size can hold"};
+    return {};
+}
+
 }  // namespace
 
 Result<Image> read_png(std::span<const std::byte> bytes) {
     PngHolder png;
     if (!png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size())) return not_an_image(png.image);
-    if (png.image.width > kMaxImageSide || png.image.height > kMaxImageSide)
-        return Error{"", "the image is " + std::to_string(png.image.width) + " x " + std::to_string(png.image.height) +
-                             " pixels; at most " + std::to_string(kMaxImageSide) + " a side are read"};
+    if (Status refused = refuse_size(png.image, bytes.size())) return *refused;
     png.image.format = PNG_FORMAT_RGBA;
     Image image{png.image.width, png.image.height, {}};
     image.pixels.resize(std::size_t{image.width} * image.height);

@@ -19,7 +19,11 @@ struct Image {
 /// Largest width and height that is read [px].
 inline constexpr std::uint32_t kMaxImageSide = 16384;
 
-/// Any PNG (grey, palette, 16 bit, …) as 8-bit RGBA. Hostile bytes give an Error without a `where`.
+/// Most pixels that are read: 8192 * 4096 fit; 128 MiB as RGBA.
+inline constexpr std::uint64_t kMaxImagePixels = std::uint64_t{1} << 25;
+
+/// Any PNG (grey, palette, 16 bit, …) as 8-bit RGBA. Hostile bytes give an Error without a `where`, and
+/// memory is only taken for as many pixels as the bytes can hold.
 Result<Image> read_png(std::span<const std::byte> bytes);
 
 /// The same image always gives the same bytes. width, height >= 1.

@@ -1,8 +1,11 @@
 // What the reader makes of maps: records of both dialects, and every complaint with the place it belongs to.
 #include <gmock/gmock.h>
 
+#include "base/random.h"
 #include "formats/findings.h"
+#include "formats/hostile.h"
 #include "formats/map_toml.h"
+#include "formats/reading.h"
 
 namespace enfilade {
 namespace {
@@ -121,6 +124,195 @@ TEST(ReadMap, NamesTheNearestKnownKey) {
     const auto findings = read_map(room("{ textrue = \"A\" }")).findings;
     ASSERT_EQ(findings.size(), 1u);
     EXPECT_EQ(findings[0].sentence, "a wall has no key 'textrue'; did you mean 'texture'?");
+}
+
+TEST(ReadMap, ListsTheKnownKeysWhereNoneIsNear) {
+    const auto findings = read_map(room("{}", "",
+                                        "panels = [{ v = [0, 0, 1, 1], bottom = 0, top = 1, texture = \"A\", "
+                                        "transparency = 1 }]"))
+                              .findings;
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_EQ(findings[0].sentence, "a panel has no key 'transparency'; known here: v, bottom, top, texture, size");
+}
+
+struct WallCase {
+    const char* wall;
+    const char* complaint;
+};
+
+void PrintTo(const WallCase& bad, std::ostream* out) { *out << bad.wall; }
+
+class BadWall : public testing::TestWithParam<WallCase> {};
+
+// The wall stands in line 9, its first value in column 9 or later.
+TEST_P(BadWall, IsReportedAtItsPlace) {
+    EXPECT_THAT(codes_and_places(read_map(room(GetParam().wall)).findings), ElementsAre(GetParam().complaint));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Codes, BadWall,
+    testing::Values(
+        WallCase{"{ texture = 1 }", "wrong-type 9:13"}, WallCase{"{ texture = '' }", "bad-texture-spec 9:13"},
+        WallCase{"{ texture = 'A 1' }", "bad-texture-spec 9:13"}, WallCase{"{ next = '' }", "empty-string 9:10"},
+        WallCase{"{ mirror = 1 }", "wrong-type 9:12"}, WallCase{"{ rise = nan }", "bad-number 9:10"},
+        WallCase{"{ rise = -inf }", "bad-number 9:10"}, WallCase{"{ rise = 1e6 }", "out-of-range 9:10"},
+        WallCase{"{ peg = 'roof' }", "unknown-word 9:9"}, WallCase{"{ peg = 1 }", "wrong-type 9:9"},
+        WallCase{"{ size = 0 }", "out-of-range 9:10"}, WallCase{"{ size = -32 }", "out-of-range 9:10"},
+        WallCase{"{ texture = 'A 1,1', size = 32 }", "tile-and-size 9:13"},
+        WallCase{"{ upper = 'A', up = 'A' }", "given-twice 9:16"},
+        WallCase{"{ down = 'A', lower = 'A' }", "given-twice 9:15"},
+        WallCase{"{ doom = { special = 1.5 } }", "wrong-type 9:22"},
+        WallCase{"{ doom = { special = 99999999999 } }", "out-of-range 9:22"},
+        WallCase{"{ doom = { kind = 1 } }", "unknown-key 9:12"}, WallCase{"{ doom = 1 }", "wrong-type 9:10"},
+        WallCase{"{ '' = 1 }", "unknown-key 9:3"}, WallCase{"'brick'", "wrong-type 9:1"}));
+
+struct TopCase {
+    const char* line;
+    const char* complaint;
+};
+
+void PrintTo(const TopCase& bad, std::ostream* out) { *out << bad.line; }
+
+class BadTop : public testing::TestWithParam<TopCase> {};
+
+TEST_P(BadTop, IsReportedAtItsPlace) {
+    EXPECT_THAT(codes_and_places(read_map(room("{}", GetParam().line)).findings), ElementsAre(GetParam().complaint));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Codes, BadTop,
+    testing::Values(
+        TopCase{"nmae = 'A'", "unknown-key 2:1"}, TopCase{"name = 1", "wrong-type 2:8"},
+        TopCase{"textures = 'A'", "wrong-type 2:12"}, TopCase{"textures = ['A', 1]", "wrong-type 2:18"},
+        TopCase{"player = { x = 1 }", "missing-key 2:10"},
+        TopCase{"player = { x = 1, y = 1, yaw = 1, angle = 1 }", "yaw-and-angle 2:35"},
+        TopCase{"player = { x = 1, y = 40000 }", "out-of-range 2:23"}, TopCase{"player = 1", "wrong-type 2:10"},
+        TopCase{"render = { stretch = 0 }", "out-of-range 2:22"},
+        TopCase{"render = { light = 'dim' }", "unknown-word 2:20"},
+        TopCase{"render = { recursion_color = '#12345g' }", "bad-color 2:30"},
+        TopCase{"render = { recursion_color = '#1234567' }", "bad-color 2:30"},
+        TopCase{"render = { recursion_color = 16777216 }", "bad-color 2:30"},
+        TopCase{"render = { max_depth = 1.0 }", "wrong-type 2:24"},
+        TopCase{"render = { max_depth = -1 }", "out-of-range 2:24"},
+        TopCase{"things = [{ y = 1 }]", "missing-key 2:11"},
+        TopCase{"things = [{ x = 1, y = 1, rotations = 4 }]", "out-of-range 2:39"},
+        TopCase{"things = [{ x = 1, y = 1, frames = [{}] }]", "missing-key 2:37"},
+        TopCase{"things = [{ x = 1, y = 1, frames = [{ texture = 'A', origin = [1] }] }]", "wrong-type 2:63"},
+        TopCase{"things = [{ x = 1, y = 1, frames = [{ texture = 'A', seconds = -1 }] }]", "out-of-range 2:64"},
+        TopCase{"things = {}", "wrong-type 2:10"}));
+
+TEST(ReadMap, ReadsAColourGivenAsANumber) {
+    EXPECT_EQ(read_map(room("{}", "render = { recursion_color = 0x102030 }")).map.render.recursion_color, 0x102030u);
+}
+
+TEST(ReadMap, WantsSectors) { EXPECT_THAT(codes_and_places(read_map("").findings), ElementsAre("missing-key 1:1")); }
+
+TEST(ReadMap, WantsALoopInASector) {
+    EXPECT_THAT(codes_and_places(read_map("[[sectors]]\nname = 'A'\nloops = []").findings),
+                ElementsAre("missing-key 3:9"));
+}
+
+TEST(ReadMap, WantsVerticesAndWallsInALoop) {
+    EXPECT_THAT(codes_and_places(read_map("[[sectors]]\nname = 'A'\n[[sectors.loops]]").findings),
+                ElementsAre("missing-key 3:1", "missing-key 3:1"));
+}
+
+TEST(ReadMap, RefusesFormatsItDoesNotKnow) {
+    EXPECT_THAT(codes_and_places(read_map("format = 2\nsectors = []").findings), ElementsAre("unknown-format 1:10"));
+}
+
+TEST(ReadMap, RefusesNewKeysInTutorialFiles) {
+    EXPECT_THAT(codes_and_places(read_map("things = []\nsectors = []\n[player]\nx = 1\ny = 1\nyaw = 0").findings),
+                ElementsAre("needs-format-1 1:1", "needs-format-1 6:1"));
+}
+
+/// A triangle with this number among its vertices.
+MapReading with_coordinate(const std::string& number) {
+    return read_map("[[sectors]]\nname = 'A'\nloops = [{ v = [" + number + ", 0, 1, 0, 1, 1], walls = [{}, {}, {}] }]");
+}
+
+TEST(ReadMap, TakesWhatRoundsToTheEdgeOfTheWorld) {
+    EXPECT_THAT(codes_and_places(with_coordinate("32768.0004").findings), IsEmpty());
+}
+
+TEST(ReadMap, RefusesWhatLiesBeyondTheEdgeOfTheWorld) {
+    EXPECT_THAT(codes_and_places(with_coordinate("-32768.001").findings), ElementsAre("out-of-range 3:17"));
+}
+
+TEST(ReadMap, BringsNumbersOutOfRangeIntoIt) {
+    EXPECT_EQ(with_coordinate("1e300").map.sectors.at(0).loops.at(0).vertices.at(0).x, 32768 + 0x1p-11);
+}
+
+TEST(ReadMap, GivesEveryLoopAsManyWallsAsVertices) {
+    const MapReading reading =
+        read_map("[[sectors]]\nname = 'A'\nloops = [{ v = [0, 0, 1, 0, 1, 1, 5], walls = [{}] }]");
+    const LoopRecord loop = reading.map.sectors.at(0).loops.at(0);
+    EXPECT_EQ(loop.vertices.size(), 3u);
+    EXPECT_EQ(loop.walls.size(), 3u);
+    EXPECT_EQ(loop.vertex_places.size(), 3u);
+}
+
+TEST(ReadMap, StopsAfterAThousandFindings) {
+    std::string text = "sectors = []\n";
+    for (int i = 0; i < 5000; ++i) text += "key" + std::to_string(i) + " = 1\n";
+    const auto findings = read_map(text).findings;
+    ASSERT_EQ(findings.size(), kMaxFindings + 1);
+    EXPECT_EQ(findings.back().code, "too-many-findings");
+}
+
+TEST(ReadMap, ShowsHostileKeysHarmlessly) {
+    const auto findings = read_map("sectors = []\n\"\\u001b[31m" + std::string(1000, 'x') + "\" = 1").findings;
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_THAT(findings[0].sentence, testing::StartsWith("a map has no key '?[31mxxx"));
+    EXPECT_LT(findings[0].sentence.size(), 200u);
+}
+
+TEST(ReadMap, SurvivesBeingCutAnywhere) {
+    for_each_cut(kTutorial, [](std::string_view cut) { EXPECT_LE(read_map(cut).map.sectors.size(), 2u); });
+}
+
+constexpr std::string_view kEveryKind = R"(format = 1
+[render]
+light = "classic"
+recursion_color = "#123456"
+[[sectors]]
+name = "a"
+ceiling = { z = 3.5, texture = "T 1,1", parallax = true }
+doom = { special = 1 }
+[[sectors.loops]]
+v = [0, 0, 1, 0, 1, 1]
+walls = [{ name = "w", size = 32, upper = "T - 1,2" }, { mirror = true }, { next = "a", via = "w", rise = -1 }]
+[[sectors.panels]]
+v = [0, 0, 1, 1]
+bottom = 0
+top = 1
+texture = "T"
+[[things]]
+x = 0.5
+y = 0.25
+frames = [{ texture = "T", seconds = 0.5, origin = [1, 2] }]
+)";
+
+TEST(ReadMap, HasNothingAgainstOneOfEveryKind) {
+    EXPECT_THAT(codes_and_places(read_map(kEveryKind).findings), IsEmpty());
+}
+
+TEST(ReadMap, SurvivesEveryKindCutAnywhere) {
+    for_each_cut(kEveryKind, [](std::string_view cut) { EXPECT_LE(read_map(cut).map.things.size(), 1u); });
+}
+
+TEST(ReadMap, SurvivesWrongBytesAnywhere) {
+    const std::string text(kEveryKind);
+    Random random(1);
+    for (int i = 0; i < 2000; ++i) {
+        std::string spoilt = text;
+        for (int n = 0; n < 3; ++n) spoilt[random.below(text.size())] = static_cast<char>(random.below(256));
+        read_map(spoilt);
+    }
+}
+
+TEST(ReadMap, RefusesTextsThatAreTooLarge) {
+    EXPECT_THAT(codes_and_places(read_map(std::string(kMaxMapBytes + 1, '\n')).findings), ElementsAre("too-large 0:0"));
 }
 
 }  // namespace

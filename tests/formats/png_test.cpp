@@ -1,0 +1,118 @@
+// PNG files: pixels survive, and spoilt files give an error without taking memory.
+#include "formats/png.h"
+
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+#include "formats/hostile.h"
+
+namespace enfilade {
+namespace {
+
+Image some_image(std::uint32_t width, std::uint32_t height) {
+    Image image{width, height, {}};
+    Random random(1);
+    for (std::size_t i = 0; i < std::size_t{width} * height; ++i)
+        image.pixels.push_back(static_cast<std::uint32_t>(random.bits()));
+    return image;
+}
+
+Bytes with_u32(Bytes bytes, std::size_t at, std::uint32_t value) {
+    for (std::size_t i = 0; i < 4; ++i) bytes.at(at + i) = static_cast<std::byte>(value >> (24 - 8 * i));
+    return bytes;
+}
+
+/// The header's checksum, as the format wants it (CRC-32, ISO 3309).
+std::uint32_t header_checksum(const Bytes& png) {
+    std::uint32_t crc = ~0u;
+    for (std::size_t i = 12; i < 29; ++i) {
+        crc ^= static_cast<std::uint32_t>(png[i]);
+        for (int bit = 0; bit < 8; ++bit) crc = crc & 1 ? crc >> 1 ^ 0xEDB88320u : crc >> 1;
+    }
+    return ~crc;
+}
+
+/// A small picture whose header says another size, with a checksum to match.
+Bytes with_size(std::uint32_t width, std::uint32_t height) {
+    Bytes png = with_u32(with_u32(write_png(some_image(3, 2)), 16, width), 20, height);
+    return with_u32(png, 29, header_checksum(png));
+}
+
+TEST(Png, ReadsBackEveryPixel) {
+    const Image image = some_image(7, 5);
+    const auto back = read_png(write_png(image));
+    ASSERT_TRUE(back.ok());
+    EXPECT_EQ(back.value().width, 7u);
+    EXPECT_EQ(back.value().height, 5u);
+    EXPECT_EQ(back.value().pixels, image.pixels);
+}
+
+TEST(Png, GivesTheSameBytesAgain) { EXPECT_EQ(write_png(some_image(7, 5)), write_png(some_image(7, 5))); }
+
+// The file ends in an empty chunk of 12 bytes, which pixels do not need.
+TEST(Png, IsRefusedWhenCutBeforeItsEnd) {
+    const Bytes whole = write_png(some_image(7, 5));
+    constexpr std::size_t kEndChunk = 12;
+    for_each_cut(whole, [&](std::span<const std::byte> cut) {
+        EXPECT_TRUE(!read_png(cut).ok() || cut.size() + kEndChunk >= whole.size()) << cut.size() << " bytes";
+    });
+}
+
+TEST(Png, SurvivesAWrongByteAnywhere) {
+    const Bytes whole = write_png(some_image(7, 5));
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        for (unsigned flip : {0x01u, 0x80u, 0xFFu}) {
+            Bytes spoilt = whole;
+            spoilt[i] ^= static_cast<std::byte>(flip);
+            const auto image = read_png(spoilt);
+            EXPECT_TRUE(!image.ok() ||
+                        image.value().pixels.size() == std::size_t{image.value().width} * image.value().height);
+        }
+}
+
+TEST(Png, IgnoresWhatFollowsTheEnd) {
+    Bytes bytes = write_png(some_image(7, 5));
+    bytes.push_back(std::byte{7});
+    EXPECT_TRUE(read_png(bytes).ok());
+}
+
+TEST(Png, IsRefusedWithoutItsSignature) {
+    Bytes bytes = write_png(some_image(1, 1));
+    bytes[1] = std::byte{'X'};
+    EXPECT_FALSE(read_png(bytes).ok());
+}
+
+TEST(Png, SaysWhatIsTooLarge) {
+    const auto image = read_png(with_size(60000, 60000));
+    ASSERT_FALSE(image.ok());
+    EXPECT_EQ(image.error().what, "the image is 60000 x 60000 pixels; at most 16384 a side are read");
+}
+
+TEST(Png, TakesNoMemoryForPixelsThatAreNotThere) {
+    const auto image = read_png(with_size(8192, 4096));
+    ASSERT_FALSE(image.ok());
+    EXPECT_EQ(image.error().what, "not a PNG image: 8192 x 4096 pixels are more than a file of this size can hold");
+}
+
+TEST(Png, SaysWhatHasTooManyPixels) {
+    const auto image = read_png(with_size(8192, 4097));
+    ASSERT_FALSE(image.ok());
+    EXPECT_EQ(image.error().what, "the image is 8192 x 4097 pixels; at most 33554432 in all are read");
+}
+
+TEST(Png, ReadsAPictureThatPacksWell) {
+    const auto image = read_png(write_png({1024, 1024, std::vector<std::uint32_t>(1024 * 1024, 0xFF000000u)}));
+    ASSERT_TRUE(image.ok());
+    EXPECT_EQ(image.value().pixels.back(), 0xFF000000u);
+}
+
+TEST(Png, IsRefusedWithNoPixels) { EXPECT_FALSE(read_png(with_size(0, 2)).ok()); }
+
+TEST(Png, IsRefusedWithAWrongChecksum) { EXPECT_FALSE(read_png(with_u32(write_png(some_image(3, 2)), 29, 0)).ok()); }
+
+TEST(Png, SurvivesChunksThatClaimToBeHuge) {
+    EXPECT_FALSE(read_png(with_u32(write_png(some_image(3, 2)), 33, 0x7FFFFFFF)).ok());
+}
+
+}  // namespace
+}  // namespace enfilade
