@@ -21,4 +21,6 @@ void parallel_for(std::size_t count, std::size_t workers,
     work(0);
 }
 
+std::size_t hardware_threads() { return std::max(std::thread::hardware_concurrency(), 1u); }
+
 }  // namespace enfilade

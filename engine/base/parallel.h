@@ -12,4 +12,7 @@ namespace enfilade {
 void parallel_for(std::size_t count, std::size_t workers,
                   const std::function<void(std::size_t index, std::size_t worker)>& task);
 
+/// How many threads this machine runs at the same time, >= 1.
+std::size_t hardware_threads();
+
 }  // namespace enfilade
