@@ -1,0 +1,104 @@
+#include "flight/comparison.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace enfilade {
+namespace {
+
+/// The largest difference in red, green or blue.
+int channel_difference(std::uint32_t a, std::uint32_t b) {
+    int largest = 0;
+    for (int shift = 0; shift < 24; shift += 8)
+        largest = std::max(largest, std::abs(int(a >> shift & 255) - int(b >> shift & 255)));
+    return largest;
+}
+
+std::uint32_t dim_grey(std::uint32_t color) {
+    const std::uint32_t grey = ((color & 255) + (color >> 8 & 255) + (color >> 16 & 255)) / 9;
+    return 0xFF000000u | grey << 16 | grey << 8 | grey;
+}
+
+/// Red for the smallest difference, white for the largest.
+std::uint32_t alarm(int difference) {
+    const auto rest = static_cast<std::uint32_t>(difference);
+    return 0xFF0000FFu | rest << 16 | rest << 8;
+}
+
+std::string hex(std::uint64_t hash) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+    return text;
+}
+
+std::string escaped(const std::string& text) {
+    std::string safe;
+    for (const char c : text) {
+        if (c == '&')
+            safe += "&amp;";
+        else if (c == '<')
+            safe += "&lt;";
+        else if (c == '>')
+            safe += "&gt;";
+        else if (c == '"')
+            safe += "&quot;";
+        else
+            safe += c;
+    }
+    return safe;
+}
+
+std::string figure(const std::string& picture, const std::string& caption) {
+    if (picture.empty()) return "<td>none</td>";
+    return "<td><img src=\"" + escaped(picture) + "\"><br>" + escaped(caption) + "</td>";
+}
+
+std::string row_text(const MismatchRow& row) {
+    return "<tr><th>frame " + std::to_string(row.mismatch.frame) + "</th>" +
+           figure(row.expected_picture, row.expected_origin + ", hash " + hex(row.mismatch.expected)) +
+           figure(row.actual_picture, "hash " + hex(row.mismatch.actual)) +
+           figure(row.difference_picture, std::to_string(row.pixels) + " pixels differ, by " +
+                                              std::to_string(row.largest) + " of 255 at most") +
+           "</tr>\n";
+}
+
+}  // namespace
+
+Difference difference_of(const Frame& expected, const Frame& actual) {
+    Difference found;
+    found.picture.resize(expected.width, expected.height);
+    for (std::size_t i = 0; i < expected.pixels.size(); ++i) {
+        const int difference = channel_difference(expected.pixels[i], actual.pixels[i]);
+        found.pixels += difference > 0;
+        found.largest = std::max(found.largest, difference);
+        found.picture.pixels[i] = difference > 0 ? alarm(difference) : dim_grey(expected.pixels[i]);
+    }
+    return found;
+}
+
+std::vector<Mismatch> mismatches(const std::vector<FrameHash>& recorded, int first,
+                                 const std::vector<std::uint64_t>& actual) {
+    std::vector<Mismatch> found;
+    for (const FrameHash& frame : recorded) {
+        const std::int64_t i = std::int64_t{frame.frame} - first;
+        if (i < 0 || i >= std::int64_t(actual.size()) || actual[std::size_t(i)] == frame.hash) continue;
+        found.push_back({static_cast<int>(frame.frame), frame.hash, actual[std::size_t(i)]});
+    }
+    return found;
+}
+
+std::string mismatch_page(const std::string& title, const std::vector<MismatchRow>& rows, std::size_t total) {
+    std::string page = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(title) +
+                       "</title>\n<style>body{font-family:sans-serif;background:#222;color:#ddd}"
+                       "img{max-width:30vw;image-rendering:pixelated}td,th{padding:.5em;vertical-align:top}</style>"
+                       "</head>\n<body><h1>" +
+                       escaped(title) + "</h1>\n<p>" + std::to_string(total) +
+                       " frames differ from what was recorded; " + std::to_string(rows.size()) +
+                       " are shown. If the change was meant, record them again with <code>--record</code>.</p>\n"
+                       "<table><tr><th></th><th>expected</th><th>actual</th><th>difference</th></tr>\n";
+    for (const MismatchRow& row : rows) page += row_text(row);
+    return page + "</table></body></html>\n";
+}
+
+}  // namespace enfilade

@@ -1,0 +1,45 @@
+// Two frames that should be the same: where they differ, and a page that shows it.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "formats/frame_hashes.h"
+#include "render/frame.h"
+
+namespace enfilade {
+
+/// Two frames of the same size, pixel by pixel.
+struct Difference {
+    std::size_t pixels = 0;  ///< that differ
+    int largest = 0;         ///< difference in one of red, green and blue, 0..255
+    Frame picture;  ///< the expected picture, grey and dim; differing pixels from red (a little) to white (a lot)
+};
+
+/// expected and actual have the same size.
+Difference difference_of(const Frame& expected, const Frame& actual);
+
+/// A frame whose hash is not the recorded one.
+struct Mismatch {
+    int frame = 0;
+    std::uint64_t expected = 0, actual = 0;  ///< hashes
+};
+
+/// Frames of [first, last] whose hash differs from the recorded one. actual[i] is of frame first + i. Frames that were
+/// never recorded are not in the list.
+std::vector<Mismatch> mismatches(const std::vector<FrameHash>& recorded, int first,
+                                 const std::vector<std::uint64_t>& actual);
+
+/// One row of the page. Picture paths are relative to the page; empty: there is none.
+struct MismatchRow {
+    Mismatch mismatch;
+    std::string expected_picture, actual_picture, difference_picture;
+    std::string expected_origin;  ///< "recorded" or who drew it, e.g. "drawn by the reference renderer"
+    std::size_t pixels = 0;       ///< that differ between the two pictures shown
+    int largest = 0;
+};
+
+/// A page of its own, without scripts or anything from elsewhere. total: all frames that differ; only some have rows.
+std::string mismatch_page(const std::string& title, const std::vector<MismatchRow>& rows, std::size_t total);
+
+}  // namespace enfilade

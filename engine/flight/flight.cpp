@@ -1,0 +1,69 @@
+#include "flight/flight.h"
+
+#include <string>
+#include <utility>
+
+namespace enfilade {
+namespace {
+
+/// As many moments as a plan looks at [1]: all frames of half an hour. Of longer flights it looks at every k-th.
+constexpr int kMostLooks = 54'000;
+
+/// Frames from 0 to the last that is not after the end.
+int frames_in(std::int64_t length_us, int rate) { return static_cast<int>(length_us * rate / 1'000'000) + 1; }
+
+}  // namespace
+
+Flight::Flight(CameraPath path, const ScriptFile& script)
+    : path_(std::move(path)),
+      rate_(script.rate),
+      frames_(frames_in(path_.length_us(), script.rate)),
+      fov_degrees_(script.fov_degrees) {}
+
+std::optional<Flight> Flight::plan(const ScriptFile& script, const Map& map, Findings& findings) {
+    auto path = CameraPath::plan(script, map, findings);
+    if (!path) return {};
+    Flight flight(std::move(*path), script);
+    if (auto misplaced = flight.misplaced_eye(script, map)) {
+        findings.push_back(std::move(*misplaced));
+        return {};
+    }
+    return flight;
+}
+
+FlightFrame Flight::at(const Map& map, int frame) const {
+    const FrameTime time{frame, rate_};
+    FlightFrame shown{view_of(map, path_.pose_at(map, time)), at_rest(map)};
+    shown.snapshot.time_s = time.seconds();
+    return shown;
+}
+
+View Flight::view_of(const Map& map, const CameraPose& pose) const {
+    View view;
+    view.sector = pose.place.sector;
+    view.eye = pose.place.point;
+    view.eye_z = pose.eye_z;
+    view.forward = direction(pose.yaw);
+    view.pitch_tangent = tangent(Angle::from_degrees(pose.pitch_degrees));
+    view.fov_degrees = fov_degrees_;
+    view.stretch = map.render.stretch;
+    return view;
+}
+
+std::optional<Finding> Flight::misplaced_eye(const ScriptFile& script, const Map& map) const {
+    for (int frame = 0; frame < frames_; frame += 1 + frames_ / kMostLooks) {
+        const FrameTime time{frame, rate_};
+        const CameraPose pose = path_.pose_at(map, time);
+        const Sector& sector = map[pose.place.sector];
+        if (pose.eye_z > sector.floor.z && pose.eye_z < sector.ceiling.z) continue;
+        const auto leg = path_.leg_at(time);
+        const std::string where = leg ? "leg " + std::to_string(*leg + 1) : "the start";
+        return Finding{leg ? script.legs[*leg].place : script.start.place, Severity::error, "eye-in-wall",
+                       where + " takes the eye to height " + std::to_string(pose.eye_z) + " in '" + sector.name +
+                           "', which reaches from " + std::to_string(sector.floor.z) + " to " +
+                           std::to_string(sector.ceiling.z) + " (frame " + std::to_string(frame) + ")"};
+    }
+    return {};
+}
+
+}  // namespace enfilade

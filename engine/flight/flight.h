@@ -1,0 +1,46 @@
+// A flythrough that is ready to be drawn: frame n is a pure function of the map, the script and n, so frames can be
+// drawn in any order, on any number of threads or machines.
+#pragma once
+#include <optional>
+
+#include "base/finding.h"
+#include "flight/camera_path.h"
+#include "formats/script.h"
+#include "map/map.h"
+#include "render/view.h"
+#include "world/snapshot.h"
+
+namespace enfilade {
+
+/// Everything that one picture shows, apart from the map.
+struct FlightFrame {
+    View view;
+    Snapshot snapshot;
+};
+
+class Flight {
+public:
+    /// Lays a script into its map and looks at every frame's eye. None where a finding is an error: what CameraPath
+    /// refuses, or an eye below a floor or above a ceiling.
+    static std::optional<Flight> plan(const ScriptFile& script, const Map& map, Findings& findings);
+
+    /// From frame 0 at the start to the last at the very end, both included: >= 1.
+    int frames() const { return frames_; }
+
+    /// What frame n shows, 0 <= n < frames(). Cost: the walls on the way of one leg, and a snapshot.
+    FlightFrame at(const Map& map, int frame) const;
+
+private:
+    Flight(CameraPath path, const ScriptFile& script);
+
+    View view_of(const Map& map, const CameraPose& pose) const;
+    /// The first frame whose eye is not between floor and ceiling, as a finding.
+    std::optional<Finding> misplaced_eye(const ScriptFile& script, const Map& map) const;
+
+    CameraPath path_;
+    int rate_ = 30;  ///< [1/s]
+    int frames_ = 1;
+    double fov_degrees_ = 90;
+};
+
+}  // namespace enfilade
