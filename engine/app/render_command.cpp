@@ -2,15 +2,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <optional>
-#include <thread>
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
 #include "app/picture_job.h"
 #include "app/validators.h"
 #include "app/viewing.h"
+#include "base/files.h"
+#include "base/parallel.h"
+#include "formats/views_csv.h"
 
 namespace enfilade {
 namespace {
@@ -20,19 +21,22 @@ struct RenderRequest {
     std::string map, view, views, sector, size = "1280x800", renderer = "column", accuracy = "exact";
     double fov_degrees = 90, time_s = 0;
     std::optional<double> stretch;
-    std::size_t threads = std::max(std::thread::hardware_concurrency(), 1u);
+    std::size_t threads = hardware_threads();
     std::vector<std::string> texture_folders;
     std::string out, ids, timing;
 };
 
-/// The places that were asked for; none: the player's start.
-Result<std::vector<Viewpoint>> wanted_viewpoints(const RenderRequest& request) {
-    if (!request.views.empty()) return read_viewpoints(request.views);
-    if (request.view.empty()) return std::vector<Viewpoint>{};
-    auto viewpoint = parse_viewpoint(request.view);
-    if (!viewpoint.ok()) return viewpoint.error();
-    viewpoint.value().sector = request.sector;
-    return std::vector{viewpoint.value()};
+/// The places of a list; where it is refused, its findings are on stderr.
+std::optional<std::vector<ViewRow>> read_places(const std::string& path) {
+    const auto bytes = read_file(path);
+    if (!bytes.ok()) {
+        fail(bytes.error());
+        return {};
+    }
+    ViewsReading reading = read_views(as_text(bytes.value()));
+    for (const Finding& finding : reading.findings) fmt::print(stderr, "{}\n", to_text(path, finding));
+    if (has_errors(reading.findings)) return {};
+    return std::move(reading.views);
 }
 
 /// What the command line alone says about the job; views come with the map.
@@ -55,19 +59,22 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     return job;
 }
 
-Result<std::vector<View>> views_in(const Map& map, const std::vector<Viewpoint>& viewpoints,
-                                   const RenderRequest& request) {
+Result<std::vector<View>> views_in(const Map& map, const std::vector<ViewRow>& places, const RenderRequest& request) {
     const Lens lens{request.fov_degrees, request.stretch.value_or(map.render.stretch)};
     std::vector<View> views;
-    for (const Viewpoint& viewpoint : viewpoints) {
-        auto view = view_from(map, viewpoint, lens);
-        if (!view.ok()) return view.error();
+    for (const ViewRow& place : places) {
+        auto view = view_from(map, place, lens);
+        const std::string where = request.views.empty() ? request.map : fmt::format("{}:{}", request.views, place.line);
+        if (!view.ok()) return Error{where, view.error().what};
         views.push_back(view.value());
     }
-    if (!viewpoints.empty()) return views;
-    auto start = view_at_start(map, lens);
-    if (!start.ok()) return start.error();
-    return std::vector{start.value()};
+    return views;
+}
+
+Result<std::vector<View>> view_of_player(const Map& map, const RenderRequest& request) {
+    auto view = view_at_start(map, {request.fov_degrees, request.stretch.value_or(map.render.stretch)});
+    if (!view.ok()) return Error{request.map, view.error().what};
+    return std::vector{view.value()};
 }
 
 class RenderCommand final : public Command {
@@ -89,13 +96,22 @@ public:
     int run() override {
         auto job = job_of(request_);
         if (!job.ok()) return refuse_usage(job.error());
-        const auto viewpoints = wanted_viewpoints(request_);
-        if (!viewpoints.ok())
-            return request_.views.empty() ? refuse_usage(viewpoints.error()) : fail(viewpoints.error());
+        std::vector<ViewRow> places;
+        if (!request_.view.empty()) {
+            auto place = parse_view(request_.view);
+            if (!place.ok()) return refuse_usage({"--view", place.error().what});
+            place.value().sector = request_.sector;
+            places.push_back(std::move(place).value());
+        } else if (!request_.views.empty()) {
+            auto list = read_places(request_.views);
+            if (!list) return kFailed;
+            places = std::move(*list);
+        }
         const auto map = open_map(request_.map, request_.texture_folders);
         if (!map) return kFailed;
-        auto views = views_in(map->map, viewpoints.value(), request_);
-        if (!views.ok()) return fail({request_.map, views.error().text()});
+        const bool from_start = request_.view.empty() && request_.views.empty();
+        auto views = from_start ? view_of_player(map->map, request_) : views_in(map->map, places, request_);
+        if (!views.ok()) return fail(views.error());
         job.value().views = std::move(views).value();
         if (Status wrong = check_outputs(job.value())) return refuse_usage(*wrong);
         if (Status failed = draw_pictures(*map, job.value())) return fail(*failed);

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/Validators.hpp>
-#include <cmath>
 #include <string>
 
-#include "app/options.h"
+#include "formats/number_text.h"
 
 namespace enfilade {
 
@@ -14,8 +13,8 @@ namespace enfilade {
 inline CLI::Validator number_within(double low, double high) {
     return CLI::Validator(
         [=](std::string& text) -> std::string {
-            const auto number = parse_number("", text);
-            if (number.ok() && number.value() >= low && number.value() <= high) return {};
+            const auto number = parse_number(text);
+            if (number && *number >= low && *number <= high) return {};
             return fmt::format("expected a number from {} to {}; found '{}'", low, high, text);
         },
         "");

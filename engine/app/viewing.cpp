@@ -16,18 +16,18 @@ Result<SectorId> sector_named(const Map& map, const std::string& name) {
     return SectorId(std::size_t(found - map.sectors.begin()));
 }
 
-Result<SectorId> sector_of(const Map& map, const Viewpoint& viewpoint, Vec2 eye) {
-    if (viewpoint.sector.empty()) {
+Result<SectorId> sector_of(const Map& map, const ViewRow& row, Vec2 eye) {
+    if (row.sector.empty()) {
         const SectorId found = locate(map, eye);
         if (found) return found;
         return Error{"",
                      fmt::format("expected a view inside the map; no sector holds the point ({}, {})", eye.x, eye.y)};
     }
-    auto named = sector_named(map, viewpoint.sector);
+    auto named = sector_named(map, row.sector);
     if (named.ok() && !contains(map, named.value(), eye))
         return Error{"", fmt::format("sector '{}' does not hold the point ({}, {}); give a point inside it, or leave "
                                      "the sector out to have it found",
-                                     viewpoint.sector, eye.x, eye.y)};
+                                     row.sector, eye.x, eye.y)};
     return named;
 }
 
@@ -42,12 +42,12 @@ View looking(Vec2 forward, double pitch_tangent, const Lens& lens) {
 
 }  // namespace
 
-Result<View> view_from(const Map& map, const Viewpoint& viewpoint, const Lens& lens) {
-    View view = looking(direction(Angle::from_degrees(viewpoint.yaw_degrees)),
-                        tangent(Angle::from_degrees(viewpoint.pitch_degrees)), lens);
-    view.eye = snap_to_point_grid(Vec2{viewpoint.x, viewpoint.y});
-    view.eye_z = viewpoint.z;
-    const auto sector = sector_of(map, viewpoint, view.eye);
+Result<View> view_from(const Map& map, const ViewRow& row, const Lens& lens) {
+    View view =
+        looking(direction(Angle::from_degrees(row.yaw_degrees)), tangent(Angle::from_degrees(row.pitch_degrees)), lens);
+    view.eye = snap_to_point_grid(Vec2{row.x, row.y});
+    view.eye_z = row.z;
+    const auto sector = sector_of(map, row, view.eye);
     if (!sector.ok()) return sector.error();
     view.sector = sector.value();
     return view;

@@ -1,7 +1,7 @@
 // From numbers somebody typed to a view that is inside the map.
 #pragma once
-#include "app/options.h"
 #include "base/result.h"
+#include "formats/views_csv.h"
 #include "map/map.h"
 #include "render/view.h"
 
@@ -15,7 +15,7 @@ struct Lens {
 
 /// The view, its eye put onto the point grid. An error where the named sector does not exist or does not hold the eye,
 /// or where no sector does; of several that overlap, the one that comes first in the map is taken.
-Result<View> view_from(const Map& map, const Viewpoint& viewpoint, const Lens& lens);
+Result<View> view_from(const Map& map, const ViewRow& row, const Lens& lens);
 
 /// What the player sees at the start, or an error where the map has no player.
 Result<View> view_at_start(const Map& map, const Lens& lens);

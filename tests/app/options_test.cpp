@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 namespace enfilade {
 namespace {
 
@@ -24,27 +22,6 @@ TEST(ParseSize, RefusesEverythingElseAndSaysWhatItExpects) {
     }
 }
 
-TEST(ParseViewpoint, TakesFiveNumbers) {
-    const auto viewpoint = parse_viewpoint("-1.5,2,+0.25,-90,1e1").value();
-    EXPECT_EQ(viewpoint.x, -1.5);
-    EXPECT_EQ(viewpoint.y, 2);
-    EXPECT_EQ(viewpoint.z, 0.25);
-    EXPECT_EQ(viewpoint.yaw_degrees, -90);
-    EXPECT_EQ(viewpoint.pitch_degrees, 10);
-}
-
-TEST(ParseViewpoint, RefusesEverythingElse) {
-    for (const char* text : {"", "1,2,3,4", "1,2,3,4,5,6", "1,2,3,4,", "1,2,x,4,5", "nan,0,0,0,0", "inf,0,0,0,0",
-                             "32769,0,0,0,0", "0,0,0,0,90", "0,0,0,0,-89.5", "0,0,0,1e300,0", "1, 2,3,4,5"})
-        EXPECT_FALSE(parse_viewpoint(text).ok()) << text;
-}
-
-TEST(CheckViewpoint, RefusesWhatIsNoNumber) {
-    Viewpoint viewpoint;
-    viewpoint.pitch_degrees = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(check_viewpoint(viewpoint));
-}
-
 TEST(ParseFrames, TakesARangeWithBothEnds) { EXPECT_EQ(parse_frames("10..59").value(), (FrameRange{10, 59})); }
 
 TEST(ParseFrames, TakesASingleFrame) { EXPECT_EQ(parse_frames("7").value(), (FrameRange{7, 7})); }
@@ -52,12 +29,6 @@ TEST(ParseFrames, TakesASingleFrame) { EXPECT_EQ(parse_frames("7").value(), (Fra
 TEST(ParseFrames, RefusesEverythingElse) {
     for (const char* text : {"", "..", "5..", "..5", "9..3", "-1..3", "1.5..3", "1...3", "a..b"})
         EXPECT_FALSE(parse_frames(text).ok()) << text;
-}
-
-TEST(ParseNumber, TakesTheWholeTextOnly) {
-    EXPECT_EQ(parse_number("--fov", "90.5").value(), 90.5);
-    EXPECT_FALSE(parse_number("--fov", "90deg").ok());
-    EXPECT_FALSE(parse_number("--fov", "nan").ok());
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ Map three_rooms() {
     return test::built(file);
 }
 
-Viewpoint at(double x, double y, const std::string& sector = "") { return {x, y, 1, 0, 0, sector}; }
+ViewRow at(double x, double y, const std::string& sector = "") { return {x, y, 1, 0, 0, sector, 0}; }
 
 TEST(ViewFrom, TakesTheFirstOfOverlappingSectors) {
     EXPECT_EQ(view_from(three_rooms(), at(1, 1), {}).value().sector, SectorId(0u));
@@ -39,7 +39,7 @@ TEST(ViewFrom, RefusesANameThatTheMapDoesNotHave) {
 TEST(ViewFrom, RefusesAPointOutsideEveryRoom) { EXPECT_FALSE(view_from(three_rooms(), at(9, 1), {}).ok()); }
 
 TEST(ViewFrom, LooksWhereYawAndPitchSay) {
-    const auto view = view_from(three_rooms(), {1, 1, 1, 90, 45, ""}, {70, 1.2}).value();
+    const auto view = view_from(three_rooms(), {1, 1, 1, 90, 45, "", 0}, {70, 1.2}).value();
     EXPECT_EQ(view.forward, (Vec2{0, 1}));
     EXPECT_EQ(view.pitch_tangent, 1);
     EXPECT_EQ(view.fov_degrees, 70);

@@ -1,0 +1,50 @@
+#include "app/open_flight.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/exit_codes.h"
+#include "base/files.h"
+#include "formats/script_toml.h"
+
+namespace enfilade {
+namespace {
+
+/// Prints them; true where one is an error.
+bool print_findings(const std::string& path, const Findings& findings) {
+    for (const Finding& finding : findings) fmt::print(stderr, "{}\n", to_text(path, finding));
+    return has_errors(findings);
+}
+
+/// A path as the script gives it, seen from the script's folder.
+std::string beside(const std::string& script_path, const std::string& path) {
+    return (std::filesystem::path(script_path).parent_path() / path).lexically_normal().string();
+}
+
+std::optional<ScriptFile> open_script(const std::string& path) {
+    const auto bytes = read_file(path);
+    if (!bytes.ok()) {
+        fail(bytes.error());
+        return {};
+    }
+    ScriptReading reading = read_script(as_text(bytes.value()));
+    if (print_findings(path, reading.findings)) return {};
+    return std::move(reading.script);
+}
+
+}  // namespace
+
+std::optional<OpenFlight> open_flight(const std::string& script_path, const std::vector<std::string>& texture_folders) {
+    auto script = open_script(script_path);
+    if (!script) return {};
+    auto map = open_map(beside(script_path, script->map), texture_folders);
+    if (!map) return {};
+    Findings findings;
+    auto flight = Flight::plan(*script, map->map, findings);
+    print_findings(script_path, findings);
+    if (!flight) return {};
+    return OpenFlight{std::move(*script), std::move(*map), std::move(*flight)};
+}
+
+}  // namespace enfilade
