@@ -19,7 +19,7 @@ struct Declared {
 
 std::vector<Declared> declare_commands(CLI::App& enfilade) {
     std::vector<Declared> commands;
-    for (const auto make : {make_render_command, make_fly_command, make_check_command}) {
+    for (const auto make : {make_play_command, make_render_command, make_fly_command, make_check_command}) {
         auto command = make();
         CLI::App* declaration = command->declare(enfilade);
         commands.push_back({std::move(command), declaration});

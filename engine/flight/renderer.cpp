@@ -19,8 +19,8 @@ public:
         std::vector<ViewportShape> shapes;
         for (const ColumnRenderer& strip : strips_.renderers())
             for (ViewportOutline& outline : strip.viewports())
-                shapes.push_back(
-                    {outline.depth, outline.begin, outline.end, std::move(outline.top), std::move(outline.bottom)});
+                shapes.push_back({outline.sector, outline.depth, outline.begin, outline.end, std::move(outline.top),
+                                  std::move(outline.bottom)});
         return shapes;
     }
 
@@ -49,6 +49,8 @@ Result<RendererKind> parse_renderer(const std::string& name) {
     if (name == "stencil") return Error{"--renderer", "the stencil renderer is not there yet; use column or reference"};
     return Error{"--renderer", "expected column or reference; found '" + name + "'"};
 }
+
+std::string name_of(RendererKind kind) { return kind == RendererKind::column ? "column" : "reference"; }
 
 std::unique_ptr<Renderer> make_renderer(RendererKind kind, std::size_t threads) {
     if (kind == RendererKind::reference) return std::make_unique<Reference>(threads);

@@ -18,8 +18,12 @@ enum class RendererKind : std::uint8_t { column, reference };
 /// "column" or "reference"; anything else is an error that says what there is.
 Result<RendererKind> parse_renderer(const std::string& name);
 
+/// The name that parse_renderer() takes.
+std::string name_of(RendererKind kind);
+
 /// One part of a picture's structure, for overlays: open rows by column when it was begun.
 struct ViewportShape {
+    SectorId sector;
     int depth = 0;                 ///< portals looked through
     int begin = 0, end = 0;        ///< columns [begin, end)
     std::vector<int> top, bottom;  ///< rows [top, bottom) by column [end - begin]
@@ -34,7 +38,7 @@ public:
     virtual void render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
                         const Snapshot& snapshot, const View& view) = 0;
 
-    /// The viewports of the last picture; empty where the renderer has none.
+    /// The viewports of the last picture; empty where the renderer has none. Cost: allocates.
     virtual std::vector<ViewportShape> viewports() const { return {}; }
 };
 

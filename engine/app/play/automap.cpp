@@ -8,7 +8,7 @@ namespace enfilade {
 namespace {
 
 constexpr Color kWall = 0xFFE0E0E0, kStep = 0xFF50A0C0, kOpening = 0xFF606060, kLink = 0xFFFF80C0, kMirror = 0xFFFFE080,
-                kPlayer = 0xFF40FF40, kDim = 0x90000000;
+                kPlayer = 0xFF40FF40, kDim = 0xB0000000;
 
 /// Half the height of the picture shows this much at zoom 0 [m].
 constexpr double kReach = 24;
@@ -71,11 +71,16 @@ struct Chart {
     }
 };
 
-void draw_room(Overlay& overlay, const Map& map, const LaidOut& room, const Chart& chart) {
+/// The colour at five eighths of its brightness.
+Color dim(Color color) { return 0xFF000000u | ((color >> 1 & 0x7F7F7F) + (color >> 3 & 0x1F1F1F)); }
+
+void draw_room(Overlay& overlay, const Map& map, const LaidOut& room, const Chart& chart, bool bright) {
     const Sector& sector = map[room.sector];
     for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w) {
         const Wall& wall = map.walls[w];
-        overlay.line(chart(room.to_player.apply(wall.a)), chart(room.to_player.apply(wall.b)), color_of(map, wall));
+        const Color color = color_of(map, wall);
+        overlay.line(chart(room.to_player.apply(wall.a)), chart(room.to_player.apply(wall.b)),
+                     bright ? color : dim(color));
     }
 }
 
@@ -90,6 +95,11 @@ void draw_player(Overlay& overlay, Vec2 middle_px) {
 
 }  // namespace
 
+void Automap::see(SectorId sector) {
+    Known& known = known_[sector.index];
+    known = std::max(known, Known::seen);
+}
+
 void Automap::zoom(int steps) { zoom_steps_ = std::clamp(zoom_steps_ + steps, -kMostZoom, kMostZoom); }
 
 void Automap::draw(Overlay& overlay, const Map& map, const Place& player, Vec2 forward) const {
@@ -99,8 +109,10 @@ void Automap::draw(Overlay& overlay, const Map& map, const Place& player, Vec2 f
     const Vec2 middle{overlay.width() * 0.5, overlay.height() * 0.5};
     const Chart chart{player.point, forward, middle, middle.y / half_height_m};
     const double corner_m = std::sqrt(dot(middle, middle)) / chart.px_per_m;
-    for (const LaidOut& room : lay_out(map, player, corner_m))
-        if (visited_[room.sector.index]) draw_room(overlay, map, room, chart);
+    const auto rooms = lay_out(map, player, corner_m);
+    for (const Known known : {Known::seen, Known::visited})  // bright lines over dim ones
+        for (const LaidOut& room : rooms)
+            if (known_[room.sector.index] == known) draw_room(overlay, map, room, chart, known == Known::visited);
     draw_player(overlay, middle);
 }
 

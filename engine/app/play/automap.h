@@ -1,5 +1,6 @@
-// Tab: the rooms one has been in, as lines over the picture. Rooms are laid out as one would walk to them from where
-// the player stands, so a doorway that leads elsewhere joins what it joins, and nothing jumps when one goes through.
+// Tab: the rooms one has been in or seen, as lines over the picture. Rooms are laid out as one would walk to them from
+// where the player stands, so a doorway that leads elsewhere joins what it joins, and nothing jumps when one goes
+// through.
 #pragma once
 #include <vector>
 
@@ -11,10 +12,13 @@ namespace enfilade {
 
 class Automap {
 public:
-    explicit Automap(const Map& map) : visited_(map.sectors.size(), false) {}
+    Automap() = default;
+    explicit Automap(const Map& map) : known_(map.sectors.size(), Known::unknown) {}
 
-    /// The player is, or was, in this sector.
-    void visit(SectorId sector) { visited_[sector.index] = true; }
+    /// The player is in this sector: its walls are drawn brightly from now on.
+    void visit(SectorId sector) { known_[sector.index] = Known::visited; }
+    /// The player has looked into this sector: its walls are drawn dimly until it is visited.
+    void see(SectorId sector);
 
     bool is_open() const { return open_; }
     void toggle() { open_ = !open_; }
@@ -26,7 +30,9 @@ public:
     void draw(Overlay& overlay, const Map& map, const Place& player, Vec2 forward) const;
 
 private:
-    std::vector<bool> visited_;
+    enum class Known : std::uint8_t { unknown, seen, visited };
+
+    std::vector<Known> known_;
     bool open_ = false;
     int zoom_steps_ = 0;
 };

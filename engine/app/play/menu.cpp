@@ -119,6 +119,11 @@ std::string Menu::label(Entry entry, const PlaySettings& settings) {
     return {};
 }
 
+int Menu::scale_for(int height_px) {
+    constexpr int kLines = kEntries + 4;  // the title, the space below it, and a rim
+    return std::clamp(height_px / (kLines * Font::kHeight * 3 / 2), 1, comfortable_scale(height_px) + 1);
+}
+
 void Menu::draw(Overlay& overlay, const PlaySettings& settings) {
     if (!open_) return;
     overlay.fill({0, 0, overlay.width(), overlay.height()}, kShadow);

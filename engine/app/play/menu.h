@@ -21,6 +21,9 @@ public:
     /// Takes one event; changes settings where it moves a slider. Ignores everything while closed.
     MenuAction handle(const InputEvent& event, PlaySettings& settings);
 
+    /// The scale at which all of the menu fits into a picture of this height.
+    static int scale_for(int height_px);
+
     /// Remembers where the entries are, so that the mouse can point at them. Draws nothing while closed.
     void draw(Overlay& overlay, const PlaySettings& settings);
 

@@ -57,6 +57,22 @@ TEST_F(AutomapOfTwoRooms, ShowsTheWallsOfVisitedRooms) {
     EXPECT_GT(pixels(automap, kWall), one_room);
 }
 
+TEST_F(AutomapOfTwoRooms, ShowsRoomsThatWereOnlySeenDimly) {
+    Automap automap(map_);
+    automap.toggle();
+    automap.see(SectorId(0u));
+    EXPECT_EQ(pixels(automap, kWall), 0);
+    EXPECT_GT(pixels(automap, 0xFF8C8C8Cu), 0);
+}
+
+TEST_F(AutomapOfTwoRooms, KeepsARoomVisitedThatIsSeenAgain) {
+    Automap automap(map_);
+    automap.toggle();
+    automap.visit(SectorId(0u));
+    automap.see(SectorId(0u));
+    EXPECT_GT(pixels(automap, kWall), 0);
+}
+
 TEST_F(AutomapOfTwoRooms, ShowsWallsLargerAfterZoomingIn) {
     Automap automap(map_);
     automap.toggle();

@@ -39,7 +39,7 @@ TEST(Readout, OutlinesViewports) {
     std::ranges::fill(frame.pixels, 0xFF000000u);
     const Font font;
     Overlay overlay(frame, font);
-    draw_readout(overlay, {}, {}, {{1, 20, 22, {5, 7}, {15, 15}}});
+    draw_readout(overlay, {}, {}, {{SectorId(0u), 1, 20, 22, {5, 7}, {15, 15}}});
     const auto at = [&](int x, int y) { return frame.pixels[std::size_t(y * 100 + x)]; };
     EXPECT_EQ(at(20, 5), 0xFF40FFFFu);
     EXPECT_EQ(at(21, 6), 0xFF40FFFFu);  // where the edge jumps it is joined

@@ -1,0 +1,128 @@
+#include "app/play/game.h"
+
+#include <algorithm>
+
+#include "base/hash.h"
+#include "map/load.h"
+#include "math/grid.h"
+#include "space/locate.h"
+#include "world/camera.h"
+#include "world/step.h"
+
+namespace enfilade {
+namespace {
+
+std::string lines_of(const std::string& path, const Findings& findings) {
+    std::string lines;
+    for (const Finding& finding : findings)
+        if (finding.severity == Severity::error) lines += to_text(path, finding) + "\n";
+    if (!lines.empty()) lines.pop_back();
+    return lines;
+}
+
+SectorId sector_named(const Map& map, const std::string& name) {
+    const auto found = std::ranges::find(map.sectors, name, &Sector::name);
+    return found == map.sectors.end() ? SectorId{} : SectorId(static_cast<std::size_t>(found - map.sectors.begin()));
+}
+
+/// An angle of pitch_steps as a tangent. Within ±kMaxPitchSteps.
+double pitch_tangent(std::int64_t steps) {
+    const std::int64_t within = std::clamp<std::int64_t>(steps, -kMaxPitchSteps, kMaxPitchSteps);
+    return tangent(Angle{static_cast<std::uint32_t>(within)});
+}
+
+}  // namespace
+
+Game::Game(std::string path, std::vector<std::string> texture_folders)
+    : path_(std::move(path)), texture_folders_(std::move(texture_folders)) {}
+
+Result<std::unique_ptr<Game>> Game::start(const std::string& map_path, std::vector<std::string> texture_folders) {
+    std::unique_ptr<Game> game(new Game(map_path, std::move(texture_folders)));
+    auto map = game->load();
+    if (!map.ok()) return map.error();
+    game->map_ = std::move(map).value();
+    game->automap_ = Automap(game->map());
+    game->restart();
+    return game;
+}
+
+Result<OpenMap> Game::load() {
+    const FileReader watched = watch_.start_reading();
+    const auto read = [&](const std::string& path) {
+        auto bytes = watched(path);
+        if (bytes.ok() && path == path_) {
+            Hash text;
+            text.add(as_text(bytes.value()));
+            map_hash_ = text.value();
+        }
+        return bytes;
+    };
+    LoadedMap loaded = load_map(path_, texture_folders_, read);
+    if (!loaded.map) return Error{"", lines_of(path_, loaded.findings)};
+    if (!loaded.map->player) return Error{path_, "the map has no player to start as; give it a [player] to play it"};
+    return OpenMap{std::move(*loaded.map), std::move(loaded.textures)};
+}
+
+void Game::restart() {
+    world_ = *start_of(map());  // load() made sure that there is a start
+    snapshot_ = at_rest(map());
+    recorded_.clear();
+    automap_.visit(player().place.sector);
+}
+
+void Game::tick(const TickInput& input) {
+    step(map(), world_, input);
+    automap_.visit(player().place.sector);
+    if (recording_) recorded_.push_back(input);
+}
+
+Status Game::reload() {
+    auto fresh = load();
+    if (!fresh.ok()) return fresh.error();
+    const Player before = player();
+    const std::string sector_name = map()[before.place.sector].name;
+    const bool automap_open = automap_.is_open();
+    map_ = std::move(fresh).value();
+    automap_ = Automap(map());
+    if (automap_open) automap_.toggle();
+    recording_ = false;
+    restart();
+    keep_player(before, sector_name);
+    return {};
+}
+
+void Game::keep_player(const Player& before, const std::string& sector_name) {
+    const Vec2 point = before.place.point;
+    const SectorId same = sector_named(map(), sector_name);
+    const SectorId sector = same && contains(map(), same, point) ? same : locate(map(), point);
+    if (!sector) return;
+    const double least_eye_z = map()[sector].floor.z + eye_height(before.height);
+    Player player = player_at(map(), {sector, point, std::max(before.eye_z, least_eye_z), before.yaw});
+    player.pitch_steps = before.pitch_steps;
+    world_.player = world_.before = player;
+    automap_.visit(sector);
+}
+
+View Game::view(double part, const LookSteps& ahead, double fov_degrees) const {
+    const Eye eye = eye_between_ticks(map(), world_, part);
+    View view;
+    view.sector = eye.place.sector;
+    view.eye = eye.place.point;
+    view.eye_z = eye.z;
+    view.forward = direction(eye.yaw + Angle{static_cast<std::uint32_t>(ahead.yaw)});
+    view.pitch_tangent = pitch_tangent(eye.pitch_steps + ahead.pitch);
+    view.fov_degrees = fov_degrees;
+    view.stretch = map().render.stretch;
+    return view;
+}
+
+const Snapshot& Game::snapshot(double part) {
+    snapshot_.time_s = (static_cast<double>(world_.tick) - 1 + part) * kTickSeconds;
+    return snapshot_;
+}
+
+void Game::record() { recording_ = true; }
+
+Tape Game::tape() const { return {path_, map_hash_, kTickRate, recorded_, hash(world_)}; }
+
+}  // namespace enfilade

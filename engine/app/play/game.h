@@ -1,0 +1,73 @@
+// A map that is being played: the world in it, what was seen of it, and the tape of what was pressed.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/open_map.h"
+#include "app/play/automap.h"
+#include "app/play/map_watch.h"
+#include "app/play/player_input.h"
+#include "base/result.h"
+#include "formats/tape.h"
+#include "render/view.h"
+#include "world/snapshot.h"
+#include "world/world.h"
+
+namespace enfilade {
+
+class Game {
+public:
+    /// Loads a map and puts the player at its start. An error where the map is refused: all its findings, a line each.
+    static Result<std::unique_ptr<Game>> start(const std::string& map_path, std::vector<std::string> texture_folders);
+
+    /// Lets a tick pass and, while recording, writes it down.
+    void tick(const TickInput& input);
+
+    /// The player is at the start again, and a tape that is recorded begins again.
+    void restart();
+
+    /// True where the map or one of its pictures was saved since it was loaded.
+    bool map_changed() const { return watch_.changed(); }
+
+    /// Loads the map again. The player stays where he is, or where that is no longer inside the map, begins at its
+    /// start. An error, with all findings, leaves everything as it was. A tape ends here: it belongs to the map before.
+    Status reload();
+
+    /// What the player sees, `part` of the way from the tick before to this one, the head turned further by `ahead`.
+    View view(double part, const LookSteps& ahead, double fov_degrees) const;
+    /// The world as renderers see it at that moment.
+    const Snapshot& snapshot(double part);
+
+    const Map& map() const { return map_.map; }
+    const TextureSet& textures() const { return map_.textures; }
+    const Player& player() const { return world_.player; }
+    Automap& automap() { return automap_; }
+
+    /// From now on everything is written down; only right after start or restart.
+    void record();
+    bool is_recording() const { return recording_; }
+    /// What was recorded so far. The hash is of the world as it is now, so take it before anything else happens.
+    Tape tape() const;
+
+private:
+    Game(std::string path, std::vector<std::string> texture_folders);
+
+    /// The map as it is on disk now.
+    Result<OpenMap> load();
+    /// The player of before in the map of now.
+    void keep_player(const Player& before, const std::string& sector_name);
+
+    std::string path_;
+    std::vector<std::string> texture_folders_;
+    MapWatch watch_;
+    std::uint64_t map_hash_ = 0;  ///< of the map's text
+    OpenMap map_;
+    World world_;
+    Snapshot snapshot_;
+    Automap automap_;
+    std::vector<TickInput> recorded_;
+    bool recording_ = false;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,198 @@
+#include "app/play/play_loop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/play/screenshot.h"
+#include "base/files.h"
+#include "base/parallel.h"
+#include "platform/clock.h"
+
+namespace enfilade {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;       ///< [ns]
+constexpr std::int64_t kTick = kSecond / kTickRate;   ///< [ns]
+constexpr std::int64_t kMostToCatchUp = kSecond / 4;  ///< after a longer pause the world just goes on [ns]
+constexpr std::int64_t kBetweenLooks = kSecond / 4;   ///< between two looks at the map's files [ns]
+constexpr double kWelcomeSeconds = 6;
+
+double seconds(std::int64_t ns) { return static_cast<double>(ns) / kSecond; }
+
+std::vector<std::string> split_lines(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        lines.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return lines;
+}
+
+/// More findings than fit a screen help nobody.
+constexpr std::size_t kMostLines = 12;
+
+}  // namespace
+
+PlayLoop::PlayLoop(Game& game, Window& window, const PlayOptions& options)
+    : game_(game), window_(window), options_(options), renderer_(make_renderer(options.renderer, hardware_threads())) {
+    settings_.fullscreen = options.fullscreen;
+    if (!options_.tape.empty()) game_.record();
+}
+
+Status PlayLoop::run() {
+    started_ns_ = ticked_until_ns_ = looked_ns_ = now_ns();
+    window_.grab_mouse(true);
+    notices_.say("Esc: menu   Tab: map   F3: times   F12: picture", 0, kWelcomeSeconds);
+    const auto frame_time = static_cast<std::int64_t>(kSecond / window_.refresh_hz());
+    std::vector<InputEvent> events;
+    while (!quit_) {
+        const std::int64_t now = now_ns();
+        events.clear();
+        window_.poll(events);
+        for (const InputEvent& event : events) handle(event);
+        look_for_changes(now);
+        pass_time(now);
+        if (Status failed = show(now)) return failed;
+        sleep_until_ns(now + frame_time);
+    }
+    return save_tape();
+}
+
+void PlayLoop::handle(const InputEvent& event) {
+    if (std::holds_alternative<QuitRequest>(event)) quit_ = true;
+    if (const auto* focus = std::get_if<FocusChange>(&event)) window_.grab_mouse(focus->focused && !menu_.is_open());
+    if (menu_.is_open()) return obey(menu_.handle(event, settings_));
+    input_.handle(event, settings_.mouse_speed, window_.mouse_grabbed());
+    if (const auto* key = std::get_if<KeyChange>(&event); key && key->down && !key->repeat) handle_key(key->key);
+    if (const auto* button = std::get_if<GamepadButtonChange>(&event); button && button->down)
+        handle_gamepad(button->button);
+    if (const auto* click = std::get_if<MouseButtonChange>(&event); click && click->down) window_.grab_mouse(true);
+    if (const auto* wheel = std::get_if<MouseWheel>(&event)) game_.automap().zoom(wheel->steps > 0 ? 1 : -1);
+}
+
+void PlayLoop::handle_key(Key key) {
+    switch (key) {
+        case Key::escape: return open_menu();
+        case Key::tab: return game_.automap().toggle();
+        case Key::plus: return game_.automap().zoom(1);
+        case Key::minus: return game_.automap().zoom(-1);
+        case Key::f3: readout_open_ = !readout_open_; return;
+        case Key::f11: settings_.fullscreen = !settings_.fullscreen; return apply_settings();
+        case Key::f12: screenshot_wanted_ = true; return;
+        default: return;
+    }
+}
+
+void PlayLoop::handle_gamepad(GamepadButton button) {
+    if (button == GamepadButton::start) return open_menu();
+    if (button == GamepadButton::back) game_.automap().toggle();
+}
+
+void PlayLoop::obey(MenuAction action) {
+    switch (action) {
+        case MenuAction::none: return;
+        case MenuAction::resume: return close_menu();
+        case MenuAction::restart: game_.restart(); return close_menu();
+        case MenuAction::settings_changed: return apply_settings();
+        case MenuAction::quit: quit_ = true; return;
+    }
+}
+
+void PlayLoop::open_menu() {
+    input_.release_all();
+    menu_.open();
+    window_.grab_mouse(false);
+}
+
+void PlayLoop::close_menu() {
+    menu_.close();
+    window_.grab_mouse(true);
+}
+
+void PlayLoop::apply_settings() {
+    if (window_.fullscreen() != settings_.fullscreen) window_.set_fullscreen(settings_.fullscreen);
+}
+
+void PlayLoop::look_for_changes(std::int64_t now) {
+    if (now - looked_ns_ < kBetweenLooks) return;
+    looked_ns_ = now;
+    if (game_.map_changed()) reload();
+}
+
+void PlayLoop::reload() {
+    const double now_s = seconds(now_ns() - started_ns_);
+    const bool was_recording = game_.is_recording();
+    const Status unsaved = was_recording ? save_tape() : Status{};
+    if (Status refused = game_.reload()) {
+        std::vector<std::string> lines = split_lines(refused->text());
+        const std::size_t all = lines.size();
+        lines.resize(std::min(all, kMostLines));
+        if (all > kMostLines) lines.push_back(fmt::format("and {} more", all - kMostLines));
+        lines.push_back("The map before is kept until this is put right.");
+        return notices_.pin(std::move(lines));
+    }
+    notices_.pin({});
+    notices_.say("The map was changed and loaded again.", now_s);
+    if (unsaved) notices_.say(unsaved->text(), now_s);
+    if (was_recording) notices_.say("The recording ended with the map before.", now_s);
+}
+
+void PlayLoop::pass_time(std::int64_t now) {
+    ticked_until_ns_ = std::max(ticked_until_ns_, now - kMostToCatchUp);
+    if (menu_.is_open()) ticked_until_ns_ = now;
+    for (; now - ticked_until_ns_ >= kTick; ticked_until_ns_ += kTick)
+        game_.tick(input_.take_tick(game_.player().pitch_steps));
+}
+
+void PlayLoop::remember_seen(std::int64_t now) {
+    if (now - remembered_ns_ < kBetweenLooks) return;
+    remembered_ns_ = now;
+    for (const ViewportShape& shape : renderer_->viewports()) game_.automap().see(shape.sector);
+}
+
+Status PlayLoop::show(std::int64_t now) {
+    const PixelSize size = options_.size ? PixelSize{options_.size->width, options_.size->height} : window_.size();
+    frame_.resize(size.width, size.height);
+    const double part = static_cast<double>(now - ticked_until_ns_) / kTick;
+    const View view = game_.view(part, input_.ahead(part), settings_.fov_degrees);
+    const std::int64_t began = now_ns();
+    renderer_->render(frame_, nullptr, game_.map(), game_.textures(), game_.snapshot(part), view);
+    const std::int64_t drawn = now_ns();
+    remember_seen(now);
+    draw_over(view, seconds(now - started_ns_));
+    Status failed = window_.present(frame_);
+    times_.add(drawn - began, now_ns());
+    return failed;
+}
+
+void PlayLoop::draw_over(const View& view, double now_s) {
+    Overlay overlay(frame_, font_, comfortable_scale(frame_.height));
+    game_.automap().draw(overlay, game_.map(), {view.sector, view.eye}, view.forward);
+    if (readout_open_) {
+        const double degrees_per_step = 360 / 4294967296.0;
+        draw_readout(overlay, times_,
+                     {game_.map()[view.sector].name, name_of(options_.renderer), view.eye.x, view.eye.y, view.eye_z,
+                      game_.player().yaw.degrees(), game_.player().pitch_steps * degrees_per_step},
+                     renderer_->viewports());
+    }
+    if (screenshot_wanted_) take_screenshot(now_s);
+    notices_.draw(overlay, now_s);
+    Overlay menu_overlay(frame_, font_, Menu::scale_for(frame_.height));
+    menu_.draw(menu_overlay, settings_);
+}
+
+void PlayLoop::take_screenshot(double now_s) {
+    screenshot_wanted_ = false;
+    const auto name = save_screenshot(frame_, ".");
+    notices_.say(name.ok() ? "Saved " + name.value() : name.error().text(), now_s);
+}
+
+Status PlayLoop::save_tape() {
+    if (!game_.is_recording()) return {};
+    const Bytes bytes = write_tape(game_.tape());
+    return write_file(options_.tape, bytes);
+}
+
+}  // namespace enfilade

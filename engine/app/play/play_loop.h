@@ -1,0 +1,66 @@
+// Playing: the window, the game and what is drawn over it, sixty ticks a second.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "app/options.h"
+#include "app/play/game.h"
+#include "app/play/menu.h"
+#include "app/play/notices.h"
+#include "app/play/readout.h"
+#include "app/play/settings.h"
+#include "flight/renderer.h"
+#include "platform/window.h"
+
+namespace enfilade {
+
+struct PlayOptions {
+    RendererKind renderer = RendererKind::column;
+    std::optional<PictureSize> size;  ///< of the picture, scaled to the window; none: as large as the window
+    bool fullscreen = false;
+    std::string tape;  ///< where to record to; empty: nowhere
+};
+
+/// Plays until the player quits. Fixed ticks; drawing is interpolated between them and as often as the display shows.
+class PlayLoop {
+public:
+    PlayLoop(Game& game, Window& window, const PlayOptions& options);
+
+    /// Runs until the end; an error where the window fails or the tape cannot be written.
+    Status run();
+
+private:
+    void handle(const InputEvent& event);
+    void handle_key(Key key);
+    void handle_gamepad(GamepadButton button);
+    void obey(MenuAction action);
+    void open_menu();
+    void close_menu();
+    void apply_settings();
+    void look_for_changes(std::int64_t now);
+    void reload();
+    /// Lets as many ticks pass as time has.
+    void pass_time(std::int64_t now);
+    /// The automap learns what is in the picture.
+    void remember_seen(std::int64_t now);
+    Status show(std::int64_t now);
+    void draw_over(const View& view, double now_s);
+    void take_screenshot(double now_s);
+    Status save_tape();
+
+    Game& game_;
+    Window& window_;
+    PlayOptions options_;
+    std::unique_ptr<Renderer> renderer_;
+    Font font_;
+    Frame frame_;
+    PlaySettings settings_;
+    PlayerInput input_;
+    Menu menu_;
+    Notices notices_;
+    FrameTimes times_;
+    std::int64_t started_ns_ = 0, ticked_until_ns_ = 0, looked_ns_ = 0, remembered_ns_ = 0;
+    bool readout_open_ = false, screenshot_wanted_ = false, quit_ = false;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,60 @@
+// From keys, mouse and gamepad to what is asked of the player in one tick.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "platform/input_event.h"
+#include "world/input.h"
+
+namespace enfilade {
+
+/// A turn of the head [2^-32 turn], right and up positive.
+struct LookSteps {
+    std::int64_t yaw = 0;
+    std::int64_t pitch = 0;
+};
+
+/// Keeps its own account of what is held down, from events alone.
+///
+/// WASD and up/down walk, left/right turn, Page Up/Down look up and down, Home looks ahead; Shift runs, C or Control
+/// crouches, E or Space uses. Gamepad: left stick walks, right stick looks, left shoulder or stick runs, B crouches, A
+/// or X uses.
+class PlayerInput {
+public:
+    /// mouse_speed: factor on the turn per pixel. The mouse turns the head only where `mouse_looks`.
+    void handle(const InputEvent& event, double mouse_speed, bool mouse_looks);
+
+    /// Everything is let go, e.g. because a menu opened.
+    void release_all();
+
+    /// What is asked for in this tick; the mouse's motion since the last is used up. pitch_steps: where the player
+    /// looks.
+    TickInput take_tick(std::int32_t pitch_steps);
+
+    /// What the mouse has turned beyond what a picture `part` of the way from the tick before to this one shows, so
+    /// that it can be shown at once instead of a tick later.
+    LookSteps ahead(double part) const;
+
+private:
+    void hold(Key key, bool down) { keys_[static_cast<std::size_t>(key)] = down; }
+    void hold(GamepadButton button, bool down) { buttons_[static_cast<std::size_t>(button)] = down; }
+    bool held(Key key) const { return keys_[static_cast<std::size_t>(key)]; }
+    bool held(GamepadButton button) const { return buttons_[static_cast<std::size_t>(button)]; }
+    double axis(GamepadAxis axis) const { return axes_[static_cast<std::size_t>(axis)]; }
+    /// 1, 0 or -1.
+    int balance(Key plus, Key minus) const { return int{held(plus)} - int{held(minus)}; }
+
+    double forward() const;
+    double strafe() const;
+    LookSteps held_look() const;
+    std::uint8_t pressed() const;
+
+    std::array<bool, kKeyCount> keys_{};
+    std::array<bool, 16> buttons_{};
+    std::array<double, 8> axes_{};
+    double mouse_yaw_ = 0, mouse_pitch_ = 0;  ///< not yet used up [2^-32 turn]
+    LookSteps mouse_tick_;                    ///< the mouse's share of the last tick
+    bool center_ = false;                     ///< Home was pressed
+};
+
+}  // namespace enfilade
