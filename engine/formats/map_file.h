@@ -24,7 +24,7 @@ struct TextureSpec {
 /// Which height a texture hangs from (its top row there) or stands on (its bottom row there).
 enum class Peg : std::uint8_t { ceiling, floor, opening_top, opening_bottom };
 
-/// What is left of a Doom line or sector after conversion: kept, never interpreted.
+/// What is left of a Doom line, sector or thing after conversion: kept, never interpreted.
 struct DoomRecord {
     int special = 0;
     int tag = 0;
@@ -73,6 +73,7 @@ struct PanelRecord {
     double bottom = 0, top = 0;  ///< heights above the map's zero [m]
     TextureSpec texture;
     std::optional<double> size;
+    std::optional<DoomRecord> doom;
     TextPlace place;
     bool operator==(const PanelRecord&) const = default;
 };
@@ -139,6 +140,7 @@ struct MapFile {
     int format = 0;  ///< 0: tutorial dialect, 1: enfilade dialect
     std::string name;
     std::vector<std::string> textures{"textures"};  ///< folders, relative to the map
+    std::optional<double> size;  ///< texels per metre of every wall and flat that says nothing else; absent: 1 m a tile
     RenderRecord render;
     std::vector<SectorRecord> sectors;
     std::optional<PlayerRecord> player;

@@ -70,6 +70,7 @@ std::vector<KeyInfo> map_keys() {
     add_key_infos<WallRecord>(all, "sectors.loops.walls.");
     add_key_infos<DoomRecord>(all, "sectors.loops.walls.doom.");
     add_key_infos<PanelRecord>(all, "sectors.panels.");
+    add_key_infos<DoomRecord>(all, "sectors.panels.doom.");
     add_key_infos<ThingRecord>(all, "things.");
     add_key_infos<SpriteFrameRecord>(all, "things.frames.");
     add_key_infos<DoomRecord>(all, "things.doom.");

@@ -36,6 +36,15 @@ Status refuse_size(const png_image& image, std::size_t file_bytes) {
     return {};
 }
 
+/// Into a buffer of the size that no PNG of that shape exceeds: asking libpng for the exact size compresses twice.
+Bytes encode(PngHolder& png, const void* pixels, const void* palette) {
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png.image);
+    Bytes bytes(size);
+    ENFILADE_CHECK(png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels, 0, palette));
+    bytes.resize(size);
+    return bytes;
+}
+
 }  // namespace
 
 Result<Image> read_png(std::span<const std::byte> bytes) {
@@ -55,12 +64,16 @@ Bytes write_png(const Image& image) {
     png.image.width = image.width;
     png.image.height = image.height;
     png.image.format = PNG_FORMAT_RGBA;
-    png_alloc_size_t size = 0;
-    ENFILADE_CHECK(png_image_write_to_memory(&png.image, nullptr, &size, 0, image.pixels.data(), 0, nullptr));
-    Bytes bytes(size);
-    ENFILADE_CHECK(png_image_write_to_memory(&png.image, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr));
-    bytes.resize(size);
-    return bytes;
+    return encode(png, image.pixels.data(), nullptr);
+}
+
+Bytes write_indexed_png(const IndexedImage& image) {
+    PngHolder png;
+    png.image.width = image.width;
+    png.image.height = image.height;
+    png.image.format = PNG_FORMAT_RGBA_COLORMAP;
+    png.image.colormap_entries = static_cast<png_uint_32>(image.palette.size());
+    return encode(png, image.pixels.data(), image.palette.data());
 }
 
 }  // namespace enfilade

@@ -29,4 +29,15 @@ Result<Image> read_png(std::span<const std::byte> bytes);
 /// The same image always gives the same bytes. width, height >= 1.
 Bytes write_png(const Image& image);
 
+/// Pixels by row, top row first, as numbers of palette entries, no padding.
+struct IndexedImage {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<std::uint8_t> pixels;    ///< width * height, each below palette.size()
+    std::vector<std::uint32_t> palette;  ///< 1..256 colours 0xAABBGGRR
+};
+
+/// The same image always gives the same bytes; a few times smaller and faster than write_png. width, height >= 1.
+Bytes write_indexed_png(const IndexedImage& image);
+
 }  // namespace enfilade

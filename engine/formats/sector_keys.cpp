@@ -35,6 +35,7 @@ constexpr std::array kPanelKeys{
     key<&PanelRecord::top>("top", kNew, Need::required, kHeights),
     key<&PanelRecord::texture>("texture", kNew, Need::required),
     key<&PanelRecord::size>("size", kNew, Need::optional, kTexelsPerMetre),
+    key<&PanelRecord::doom>("doom", kNew),
 };
 
 constexpr std::array kDoomKeys{

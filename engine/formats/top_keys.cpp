@@ -82,6 +82,7 @@ constexpr std::array kMapKeys{
     Key<MapFile>{"format", kBoth, Need::optional, {}, read_format, write_format},
     key<&MapFile::name>("name", kBoth),
     key<&MapFile::textures>("textures", kBoth),
+    key<&MapFile::size>("size", kNew, Need::optional, kTexelsPerMetre),
     header_key<&MapFile::render>("render", kNew),
     header_key<&MapFile::player>("player", kBoth),
     header_key<&MapFile::sectors>("sectors", kBoth, Need::required),

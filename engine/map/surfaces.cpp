@@ -15,11 +15,14 @@ double fraction_of(double x) {
 /// What all surfaces of one wall or flat have in common.
 struct Lay {
     const TextureSet& textures;
-    std::optional<double> size;  ///< texels per metre, instead of metres per tile
+    std::optional<double> size;        ///< texels per metre, instead of metres per tile
+    std::optional<double> usual_size;  ///< the map's, where neither is given
 
     Vec2 tile(const TextureSpec& spec, const Texture& texture) const {
-        if (size) return {texture.width / *size, texture.height / *size};
-        return spec.tile_m.value_or(Vec2{1, 1});
+        if (spec.tile_m) return *spec.tile_m;
+        const std::optional<double> texels_per_metre = size ? size : usual_size;
+        return texels_per_metre ? Vec2{texture.width / *texels_per_metre, texture.height / *texels_per_metre}
+                                : Vec2{1, 1};
     }
 
     Surface surface(const std::optional<TextureSpec>& spec, Peg peg) const {
@@ -52,7 +55,7 @@ double contrast_of(LightModel model, Vec2 edge) {
 void lay_wall(Draft& draft, WallId id) {
     Wall& wall = draft.map.walls[id.index];
     const WallRecord& record = *draft.walls[id.index].record;
-    const Lay lay{draft.textures, record.size};
+    const Lay lay{draft.textures, record.size, draft.file.size};
     if (wall.a != wall.b) wall.contrast = contrast_of(draft.file.render.light, wall.b - wall.a);
     if (wall.kind != WallKind::portal) {
         wall.texture = lay.surface(record.texture, record.texture_peg);
@@ -65,8 +68,7 @@ void lay_wall(Draft& draft, WallId id) {
 
 void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record, Flat& flat) {
     // A sky's two numbers are wraps and a tangent, which texels per metre say nothing about.
-    Lay lay{draft.textures, {}};
-    if (!record.parallax) lay.size = record.size;
+    const Lay lay = record.parallax ? Lay{draft.textures, {}, {}} : Lay{draft.textures, record.size, draft.file.size};
     flat.surface = lay.surface(record.texture, Peg::ceiling);
     flat.sky = record.parallax;
     if (record.is_relative && sector.loop_count > 0)

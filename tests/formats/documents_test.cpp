@@ -165,6 +165,7 @@ INSTANTIATE_TEST_SUITE_P(Sections, MapManual,
                                          Section{"A sprite's frame", "things.frames."},
                                          Section{"Left-overs of Doom", "sectors.doom."},
                                          Section{"Left-overs of Doom", "sectors.loops.walls.doom."},
+                                         Section{"Left-overs of Doom", "sectors.panels.doom."},
                                          Section{"Left-overs of Doom", "things.doom."}));
 
 class FlythroughManual : public testing::TestWithParam<Section> {};

@@ -114,5 +114,19 @@ TEST(Png, SurvivesChunksThatClaimToBeHuge) {
     EXPECT_FALSE(read_png(with_u32(write_png(some_image(3, 2)), 33, 0x7FFFFFFF)).ok());
 }
 
+TEST(IndexedPng, KeepsColoursAndAlpha) {
+    const IndexedImage image{3, 1, {2, 0, 1}, {0xFF030201u, 0x00000000u, 0xFFFFFFFFu}};
+    EXPECT_EQ(read_png(write_indexed_png(image)).value().pixels, (std::vector{0xFFFFFFFFu, 0xFF030201u, 0u}));
+}
+
+TEST(IndexedPng, HoldsAFullPalette) {
+    IndexedImage image{256, 1, {}, {}};
+    for (std::uint32_t i = 0; i < 256; ++i) {
+        image.pixels.push_back(static_cast<std::uint8_t>(i));
+        image.palette.push_back(0xFF000000u | i * 0x010203u);
+    }
+    EXPECT_EQ(read_png(write_indexed_png(image)).value().pixels, image.palette);
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -17,6 +17,7 @@ public:
         map.format = 1;
         map.name = maybe_text();
         map.textures = {text(), text()};
+        map.size = maybe(1, 64);
         map.render = {number(0.125, 8), flip() ? LightModel::classic : LightModel::smooth,
                       static_cast<std::uint32_t>(random_.below(1 << 24)), whole(0, 1024)};
         for (int i = whole(1, 4); i > 0; --i) map.sectors.push_back(sector());
@@ -116,7 +117,7 @@ private:
         if (flip()) sector.ceiling = flat();
         for (int i = whole(1, 3); i > 0; --i) sector.loops.push_back(loop());
         for (int i = whole(0, 2); i > 0; --i)
-            sector.panels.push_back({point(), point(), number(-9, 9), number(-9, 9), spec(), {}, {}});
+            sector.panels.push_back({point(), point(), number(-9, 9), number(-9, 9), spec(), {}, doom(), {}});
         sector.doom = doom();
         return sector;
     }

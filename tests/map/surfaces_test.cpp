@@ -34,6 +34,19 @@ TEST(Surface, TakesItsTileFromTheTexelsPerMetre) {
     EXPECT_EQ(first_surface(wall).tile_m, (Vec2{2, 2}));
 }
 
+TEST(Surface, TakesTheMapsTexelsPerMetreWhereNothingElseIsSaid) {
+    MapFile file = one_room();
+    file.size = 32;
+    std::vector<WallRecord>& walls = file.sectors[0].loops[0].walls;
+    walls[1].size = 16;
+    walls[2].texture->tile_m = Vec2{3, 5};
+    const Map map = built(file);
+    EXPECT_EQ(map.walls[0].texture.tile_m, (Vec2{2, 2}));
+    EXPECT_EQ(map.walls[1].texture.tile_m, (Vec2{4, 4}));
+    EXPECT_EQ(map.walls[2].texture.tile_m, (Vec2{3, 5}));
+    EXPECT_EQ(map.sectors[0].floor.surface.tile_m, (Vec2{2, 2}));
+}
+
 TEST(Surface, KeepsTheFractionOfItsOffsetInTiles) {
     EXPECT_EQ(first_surface(textured({"brick", {}, {16, -16}, {}})).offset_tiles, (Vec2{0.25, 0.75}));
     EXPECT_EQ(first_surface(textured({"brick", {}, {64 * 1000 + 32, -64}, {}})).offset_tiles, (Vec2{0.5, 0}));
@@ -105,7 +118,7 @@ TEST(Flat, IsSkyWhereItHasParallax) {
     MapFile file = one_room();
     file.sectors[0].ceiling.parallax = true;
     file.sectors[0].ceiling.texture = TextureSpec{"sky", Vec2{4, 0.75}, {}, {}};
-    file.sectors[0].ceiling.size = 32;  // says nothing about wraps and a tangent
+    file.size = file.sectors[0].ceiling.size = 32;  // says nothing about wraps and a tangent
     const Map map = built(file);
     EXPECT_TRUE(map.sectors[0].ceiling.sky);
     EXPECT_FALSE(map.sectors[0].floor.sky);
