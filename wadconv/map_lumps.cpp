@@ -1,0 +1,76 @@
+#include "wadconv/map_lumps.h"
+
+#include <algorithm>
+#include <array>
+
+namespace enfilade::wadconv {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Lumps that may follow a map's name and belong to it.
+constexpr std::array<std::string_view, 13> kMapLumps = {"THINGS",   "LINEDEFS", "SIDEDEFS", "VERTEXES", "SEGS",
+                                                        "SSECTORS", "NODES",    "SECTORS",  "REJECT",   "BLOCKMAP",
+                                                        "BEHAVIOR", "SCRIPTS",  "TEXTMAP"};
+
+bool belongs_to_map(std::string_view name) { return std::ranges::find(kMapLumps, name) != kMapLumps.end(); }
+
+/// The lumps after a map's name that belong to it.
+std::span<const Lump> lumps_after(const std::vector<Lump>& lumps, std::size_t marker) {
+    std::size_t end = marker + 1;
+    while (end < lumps.size() && belongs_to_map(lumps[end].name)) ++end;
+    return std::span(lumps).subspan(marker + 1, end - marker - 1);
+}
+
+bool has(std::span<const Lump> lumps, std::string_view name) {
+    return std::ranges::any_of(lumps, [&](const Lump& lump) { return lump.name == name; });
+}
+
+Result<MapLumps> take_lumps(const std::string& file, std::string_view map, std::span<const Lump> lumps) {
+    const std::string where = file + ": " + std::string(map);
+    if (has(lumps, "TEXTMAP"))
+        return Error{where, "the map is in UDMF (it has a TEXTMAP lump); expected Doom's format"};
+    if (has(lumps, "BEHAVIOR"))
+        return Error{where, "the map is in Hexen's format (it has a BEHAVIOR lump); expected Doom's format"};
+    MapLumps found;
+    found.name = map;
+    struct Wanted {
+        std::string_view name;
+        std::span<const std::byte>* bytes;
+    };
+    for (const Wanted& wanted :
+         {Wanted{"THINGS", &found.things}, Wanted{"LINEDEFS", &found.lines}, Wanted{"SIDEDEFS", &found.sides},
+          Wanted{"VERTEXES", &found.vertices}, Wanted{"SECTORS", &found.sectors}}) {
+        const auto lump = std::ranges::find(lumps, wanted.name, &Lump::name);
+        if (lump == lumps.end()) return Error{where, "the map has no " + std::string(wanted.name) + " lump"};
+        *wanted.bytes = lump->bytes;
+    }
+    return found;
+}
+
+}  // namespace
+
+bool is_map_name(std::string_view name) {
+    if (name.size() == 4) return name[0] == 'E' && is_digit(name[1]) && name[2] == 'M' && is_digit(name[3]);
+    return name.size() == 5 && name.starts_with("MAP") && is_digit(name[3]) && is_digit(name[4]);
+}
+
+std::vector<std::string> map_names(const WadPile& pile) {
+    std::vector<std::string> names;
+    for (const Wad& wad : pile.wads())
+        for (const Lump& lump : wad.lumps())
+            if (is_map_name(lump.name) && std::ranges::find(names, lump.name) == names.end())
+                names.push_back(lump.name);
+    return names;
+}
+
+Result<MapLumps> find_map(const WadPile& pile, std::string_view name) {
+    for (auto wad = pile.wads().rbegin(); wad != pile.wads().rend(); ++wad) {
+        const auto& lumps = wad->lumps();
+        for (std::size_t i = lumps.size(); i-- > 0;)
+            if (lumps[i].name == name && is_map_name(name)) return take_lumps(wad->file(), name, lumps_after(lumps, i));
+    }
+    return Error{pile.wads().empty() ? "" : pile.wads().back().file(), "there is no map " + std::string(name)};
+}
+
+}  // namespace enfilade::wadconv
