@@ -1,0 +1,49 @@
+// Doom's pictures: the palette's colours and holes.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/files.h"
+#include "base/result.h"
+#include "formats/png.h"
+
+namespace enfilade::wadconv {
+
+/// A texel through which one sees what lies behind.
+inline constexpr std::int16_t kHole = -1;
+
+/// Palette numbers by row, top row first.
+struct Picture {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<std::int16_t> texels;  ///< width * height, 0..255 or kHole
+
+    Picture() = default;
+    Picture(std::uint32_t w, std::uint32_t h) : width(w), height(h), texels(std::size_t{w} * h, kHole) {}
+
+    std::int16_t& at(std::uint32_t x, std::uint32_t y) { return texels[std::size_t{y} * width + x]; }
+    std::int16_t at(std::uint32_t x, std::uint32_t y) const { return texels[std::size_t{y} * width + x]; }
+};
+
+/// Largest width and height of a picture [texels]. The widest in use are skies of 1024.
+inline constexpr std::uint32_t kMaxPictureSide = 4096;
+
+/// The 256 colours 0xAABBGGRR of PLAYPAL's first palette.
+using Palette = std::array<std::uint32_t, 256>;
+
+/// Colours from the first 768 bytes of PLAYPAL; fewer are an Error.
+Result<Palette> read_palette(std::span<const std::byte> playpal);
+
+/// Brightness that COLORMAP's 32 light levels leave on average, full light first: the mean over the palette's colours
+/// of level's sum of channels / full sum. Fewer than 32 maps of 256 bytes are an Error.
+Result<std::array<double, 32>> measure_colormap(std::span<const std::byte> colormap, const Palette& palette);
+
+/// Mirrored left to right.
+Picture mirrored(const Picture& picture);
+
+/// As PNG; equal pictures give equal bytes.
+Bytes to_png(const Picture& picture, const Palette& palette);
+
+}  // namespace enfilade::wadconv
