@@ -105,6 +105,12 @@ TEST(Winding, OfEachWrongLoopIsReportedOnItsOwn) {
     EXPECT_THAT(errors_of(r), ElementsAre("hole-outside", "wrong-winding"));
 }
 
+TEST(Winding, OfAnOutlineIsTheOutlinesFaultWhenItsHoleIsWrongToo) {
+    SectorRecord r = room("r", {{0, 0}, {0, 8}, {8, 8}, {8, 0}});
+    r.loops.push_back(loop_of({{2, 2}, {3, 2}, {3, 3}, {2, 3}}));
+    EXPECT_THAT(errors_of(r), ElementsAre("wrong-winding", "wrong-winding"));
+}
+
 TEST(BowTie, NamesTheCrossingAsAFraction) {
     const auto findings = findings_of(map_of({room("r", {{0, 0}, {4, 6}, {4, 0}, {0, 3}})}));
     EXPECT_THAT(text_of(findings), HasSubstr("edges (0, 0)-(4, 6) and (4, 0)-(0, 3) of sector 'r' cross at "

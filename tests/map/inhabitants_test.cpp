@@ -83,6 +83,18 @@ TEST(Thing, OutsideTheRoomItNamesIsReported) {
     EXPECT_THAT(text_of(findings_of(file)), HasSubstr("outside sector 'left'"));
 }
 
+TEST(SectorFinder, GivesTheLowestNumberWhereSectorsOverlap) {
+    std::vector<SectorRecord> rooms;
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t i = 0; i < 40; ++i) {  // each a little wider than the one before
+        rooms.push_back(box_room("r" + std::to_string(i), -1.0 - i, -1.0 - i, 1.0 + i, 1.0 + i));
+        all.push_back(39 - i);
+    }
+    const Map map = built(map_of(std::move(rooms)));
+    const SectorFinder finder(map, all);
+    for (std::uint32_t i = 0; i < 40; ++i) EXPECT_EQ(finder.around({i + 0.5, 0}), SectorId(i));
+}
+
 TEST(SectorFinder, AgreesWithLookingAtEverySector) {
     const Map map = built(grid_of_rooms(300));
     std::vector<std::uint32_t> all(map.sectors.size());

@@ -83,11 +83,16 @@ TEST(Link, TurnsByTheAngleBetweenTheWalls) {
 }
 
 TEST(Link, OfAnyAngleComesBackAsItsInverse) {
-    MapFile file = map_of({box_room("hall", 0, 0, 4, 5), room("far", {{20, 0}, {23, 4}, {10, 10}})});
-    link(file, "hall", {4, 0}, {4, 5}, "far", {20, 0}, {23, 4});
-    const Map map = built(file);
-    ASSERT_EQ(map.links.size(), 2u);
-    EXPECT_EQ(map.links[1], inverse(map.links[0]));
+    // Far from the origin the shift rounds, and differently each way: derived again from the walls, the way back
+    // would miss by an ulp.
+    for (const double far : {0.0, 300.0, 7001.5, 30000.25}) {
+        const Vec2 a{far, 7}, b = a + Vec2{20, 21};
+        MapFile file = map_of({room("hall", {{4, 0}, {4, 29}, {0, 3}}), room("far", {a, b, {far - 30, 50}})});
+        link(file, "hall", {4, 0}, {4, 29}, "far", a, b);
+        const Map map = built(file);
+        ASSERT_EQ(map.links.size(), 2u);
+        EXPECT_EQ(map.links[1], inverse(map.links[0])) << far;
+    }
 }
 
 TEST(Link, MayLeadOneWay) {
@@ -166,6 +171,16 @@ TEST(Link, ComparesSlantedLengthsExactly) {
         MapFile file = map_of({box_room("hall", 0, 0, 4, 5), room("far", {{20, 0}, Vec2{20, 0} + end, {10, 10}})});
         link(file, "hall", {4, 0}, {4, 5}, "far", {20, 0}, Vec2{20, 0} + end);
         EXPECT_EQ(text_of(findings_of(file)).find("error"), std::string::npos) << text_of(findings_of(file));
+    }
+}
+
+TEST(Link, DrawsTheLineBetweenOneStepAndMoreExactly) {
+    // (5 m, y) is longer than 5 m by y^2 / 10 m, nearly: 0.996 steps of the grid for y = 101 steps, 1.016 for 102.
+    for (const int steps : {101, 102}) {
+        const Vec2 end = Vec2{20, 0} + Vec2{5, steps * kVertexGrid};
+        MapFile file = map_of({box_room("hall", 0, 0, 4, 5), room("far", {{20, 0}, end, {10, 10}})});
+        link(file, "hall", {4, 0}, {4, 5}, "far", {20, 0}, end);
+        EXPECT_EQ(has_errors(findings_of(file)), steps == 102) << text_of(findings_of(file));
     }
 }
 

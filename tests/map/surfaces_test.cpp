@@ -96,6 +96,8 @@ TEST(Surface, OfAStepComesBeforeThePortals) {
     looks.lower = spec("plank");
     const Wall portal = portal_with(looks);
     EXPECT_NE(portal.upper.texture, portal.lower.texture);
+    looks.upper = looks.lower;
+    EXPECT_EQ(portal_with(looks).upper.texture, portal_with(looks).lower.texture);
 }
 
 TEST(Surface, OfAMiddleIsKeptBesideTheSteps) {
