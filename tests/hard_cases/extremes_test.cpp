@@ -81,8 +81,8 @@ TEST_P(Horizon, BelongsToOneSurface) {  // R13
 
 TEST_P(Horizon, KeepsTheFloorsTexelsNearItWithinAHundredthOfOne) {  // R14
     const World world(plain());
-    const View view = look_from(world.map, {1000.37, -777.21}, 1.28, 17);
-    const PictureSize size{64, GetParam()};
+    const View view = look_from(world.map, {1000.37, -777.21}, 33.28, 17);  // 21 km of floor to the last row above it
+    const PictureSize size{640, GetParam()};
     const Drawn drawn = world.draw(view, size);
     const Projection projection(view, size.width, size.height);
     for (std::size_t i = 0; i < drawn.facts.ids.size(); ++i) {

@@ -29,9 +29,9 @@ MapFile wheel() {
 }
 
 MapFile crooked_rooms() {
-    MapFile file =
-        map_of({room("u", {{0, 0}, {8, 0}, {8, 8}, {6, 8}, {6, 4}, {2, 4}, {2, 8}, {0, 8}}),
-                room("beyond", {{0, 8}, {2, 8}, {6, 8}, {8, 8}, {4, 11}}), box_room("niche", 8, 0, 9, 8, 1, 1)});
+    MapFile file = map_of({room("u", {{0, 0}, {8, 0}, {8, 8}, {6, 8}, {6, 4}, {2, 4}, {2, 8}, {0, 8}}),
+                           room("beyond", {{0, 8}, {2, 8}, {6, 8}, {8, 8}, {4, 11}}),
+                           box_room("niche", 8, 0, 9, 8, 1, 1), box_room("middle", 2, 4, 6, 8, 0.25, 1.75)});
     cut_pillar(file.sectors[0], 3, 1, 4, 2);
     file.sectors[0].loops.push_back(loop_of({{1, 6}, {0.5, 6.5}, {1, 7}, {1.5, 6.5}}));
     join_all(file);
@@ -76,9 +76,21 @@ MapFile overlapping_rooms() {
     return file;
 }
 
+MapFile pinched_room() {
+    MapFile file = map_of({box_room("room", 0, 0, 12, 8)});
+    for (const std::vector<Vec2>& hole : {std::vector<Vec2>{{6, 4}, {4, 3}, {4, 5}},
+                                          {{6, 4}, {8, 5}, {8, 3}},
+                                          {{6, 4}, {5, 6}, {7, 6}},
+                                          {{6, 4}, {7, 2}, {5, 2}},
+                                          {{8, 5}, {8, 6}, {9, 6}}})
+        file.sectors[0].loops.push_back(loop_of(hole));
+    return file;
+}
+
 std::vector<NamedScene> plain_scenes() {
-    return {{"SteppedRooms", stepped_rooms}, {"Wheel", wheel},     {"CrookedRooms", crooked_rooms},
-            {"OpenSteps", open_steps},       {"Slivers", slivers}, {"OverlappingRooms", overlapping_rooms}};
+    return {{"PinchedRoom", pinched_room},          {"SteppedRooms", stepped_rooms}, {"Wheel", wheel},
+            {"CrookedRooms", crooked_rooms},        {"OpenSteps", open_steps},       {"Slivers", slivers},
+            {"OverlappingRooms", overlapping_rooms}};
 }
 
 MapFile linked_rooms() {

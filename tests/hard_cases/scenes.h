@@ -15,8 +15,11 @@ struct NamedScene {
 MapFile stepped_rooms();
 /// Eight wedges around one vertex.
 MapFile wheel();
-/// A room like a U whose arms see each other only through the next room, with pillars, and a niche of no height.
+/// A room like a U whose arms see each other only through the room between them, with pillars, and a niche of no
+/// height.
 MapFile crooked_rooms();
+/// Pillars that touch each other in vertices only.
+MapFile pinched_room();
 /// A courtyard under the sky: roofs of other heights with and without a step, floors that are open underneath.
 MapFile open_steps();
 /// Rooms one grid step wide, a wall a grid step off the line of another, a wall 4 km long.

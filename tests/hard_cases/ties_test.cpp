@@ -94,6 +94,11 @@ TEST(EyeOnTheHubOfAWheel, SeesWhatTheReferenceSees) {  // R6
     expect_agreement_all_around(world, {0, 0}, 1.25);
 }
 
+TEST(EyeWherePillarsTouch, SeesWhatTheReferenceSees) {  // R6
+    const World world(pinched_room());
+    for (const Wall& wall : world.map.walls) expect_agreement_all_around(world, wall.a, 1.25);
+}
+
 TEST(EyeAtTheHeightOfAFlat, SeesWhatTheReferenceSeesAlsoFromAPortalsLine) {  // R7
     const World world(stepped_rooms());
     for (const Wall& wall : world.map.walls) {
