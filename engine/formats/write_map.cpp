@@ -21,6 +21,7 @@ void add_sector(std::string& text, const SectorRecord& sector) {
 
 std::string write_map(const MapFile& map) {
     std::string text = record_text(map, MapFile{}, TableText::Style::lines);
+    if (map.sectors.empty()) text += "sectors = []\n";
     if (!record_text(map.render, RenderRecord{}, TableText::Style::lines).empty())
         add_under(text, "[render]", map.render);
     if (map.player) add_under(text, "[player]", *map.player);

@@ -43,6 +43,10 @@ TEST(WriteMap, LeavesOutWhatIsUsual) {
     EXPECT_EQ(write_map(map), "format = 1\n\n[[sectors]]\nname = \"main\"\n");
 }
 
+TEST(WriteMap, WritesEvenAMapWithoutSectorsSoThatItCanBeRead) {
+    EXPECT_THAT(codes_and_places(read_map(write_map({})).findings), IsEmpty());
+}
+
 TEST(WriteMap, WritesACeilingAtZero) {
     MapFile map;
     map.sectors.resize(1);
@@ -79,7 +83,7 @@ walls = [
 TEST(WriteMap, ReplacesBytesThatAreNotText) {
     MapFile map;
     map.name = "a\xFFz";
-    EXPECT_EQ(write_map(map), "format = 1\nname = \"a\\uFFFDz\"\n");
+    EXPECT_EQ(write_map(map), "format = 1\nname = \"a\\uFFFDz\"\nsectors = []\n");
 }
 
 }  // namespace
