@@ -64,6 +64,7 @@ Bytes write_png(const Image& image) {
     png.image.width = image.width;
     png.image.height = image.height;
     png.image.format = PNG_FORMAT_RGBA;
+    png.image.flags |= PNG_IMAGE_FLAG_FAST;  // a film writes a thousand: four times as fast, a fifth larger
     return encode(png, image.pixels.data(), nullptr);
 }
 

@@ -132,7 +132,8 @@ TEST(ReadMap, ListsTheKnownKeysWhereNoneIsNear) {
                                         "transparency = 1 }]"))
                               .findings;
     ASSERT_EQ(findings.size(), 1u);
-    EXPECT_EQ(findings[0].sentence, "a panel has no key 'transparency'; known here: v, bottom, top, texture, size, doom");
+    EXPECT_EQ(findings[0].sentence,
+              "a panel has no key 'transparency'; known here: v, bottom, top, texture, size, doom");
 }
 
 struct WallCase {

@@ -289,10 +289,10 @@ TEST(WritePictures, WritesEachIntoItsFolder) {
     const Listed l;
     EXPECT_THAT(write_pictures(l.pictures, dir.path(), 1, [] {}), IsEmpty());
     EXPECT_THAT(files_below(dir.path()),
-                ElementsAre("aanull.png", "fence.png", "flats/ceil1_1.png", "flats/floor0_1.png", 
-                            "sky1.png", "sprites/bar1a.png", "sprites/possa1.png", "sprites/possa2.png",
-                            "sprites/possa3.png", "sprites/possa4.png", "sprites/possa5.png", "sprites/possa6.png",
-                            "sprites/possa7.png", "sprites/possa8.png", "wall.png"));
+                ElementsAre("aanull.png", "fence.png", "flats/ceil1_1.png", "flats/floor0_1.png", "sky1.png",
+                            "sprites/bar1a.png", "sprites/possa1.png", "sprites/possa2.png", "sprites/possa3.png",
+                            "sprites/possa4.png", "sprites/possa5.png", "sprites/possa6.png", "sprites/possa7.png",
+                            "sprites/possa8.png", "wall.png"));
 }
 
 TEST(WritePictures, WritesTheSameBytesOnAnyNumberOfThreads) {
