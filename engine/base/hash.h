@@ -39,4 +39,11 @@ private:
     std::uint64_t state_ = 0xCBF29CE484222325u;
 };
 
+/// Of a text alone, e.g. to notice that a file was changed.
+inline std::uint64_t hash_of_text(std::string_view text) {
+    Hash hash;
+    hash.add(text);
+    return hash.value();
+}
+
 }  // namespace enfilade

@@ -14,26 +14,37 @@ int frames_in(std::int64_t length_us, int rate) { return static_cast<int>(length
 
 }  // namespace
 
-Flight::Flight(CameraPath path, const ScriptFile& script)
+Flight::Flight(Path path, const ScriptFile& script)
     : path_(std::move(path)),
       rate_(script.rate),
-      frames_(frames_in(path_.length_us(), script.rate)),
+      frames_(frames_in(std::visit([](const auto& kind) { return kind.length_us(); }, path_), script.rate)),
       fov_degrees_(script.fov_degrees) {}
 
 std::optional<Flight> Flight::plan(const ScriptFile& script, const Map& map, Findings& findings) {
     auto path = CameraPath::plan(script, map, findings);
     if (!path) return {};
-    Flight flight(std::move(*path), script);
-    if (auto misplaced = flight.misplaced_eye(script, map)) {
+    Flight flight(*path, script);
+    if (auto misplaced = flight.misplaced_eye(*path, script, map)) {
         findings.push_back(std::move(*misplaced));
         return {};
     }
     return flight;
 }
 
+std::optional<Flight> Flight::plan(const ScriptFile& script, const Map& map, Tape tape, Findings& findings) {
+    auto path = TapePath::plan(map, std::move(tape));
+    if (path.ok()) return Flight(std::move(path).value(), script);
+    findings.push_back({script.tape_place, Severity::error, "tape-refused", path.error().text()});
+    return {};
+}
+
+CameraPose Flight::pose_at(const Map& map, FrameTime time) const {
+    return std::visit([&](const auto& path) { return path.pose_at(map, time); }, path_);
+}
+
 FlightFrame Flight::at(const Map& map, int frame) const {
     const FrameTime time{frame, rate_};
-    FlightFrame shown{view_of(map, path_.pose_at(map, time)), at_rest(map)};
+    FlightFrame shown{view_of(map, pose_at(map, time)), at_rest(map)};
     shown.snapshot.time_s = time.seconds();
     return shown;
 }
@@ -50,13 +61,13 @@ View Flight::view_of(const Map& map, const CameraPose& pose) const {
     return view;
 }
 
-std::optional<Finding> Flight::misplaced_eye(const ScriptFile& script, const Map& map) const {
+std::optional<Finding> Flight::misplaced_eye(const CameraPath& path, const ScriptFile& script, const Map& map) const {
     for (int frame = 0; frame < frames_; frame += 1 + frames_ / kMostLooks) {
         const FrameTime time{frame, rate_};
-        const CameraPose pose = path_.pose_at(map, time);
+        const CameraPose pose = path.pose_at(map, time);
         const Sector& sector = map[pose.place.sector];
         if (pose.eye_z > sector.floor.z && pose.eye_z < sector.ceiling.z) continue;
-        const auto leg = path_.leg_at(time);
+        const auto leg = path.leg_at(time);
         const std::string where = leg ? "leg " + std::to_string(*leg + 1) : "the start";
         return Finding{leg ? script.legs[*leg].place : script.start.place, Severity::error, "eye-in-wall",
                        where + " takes the eye to height " + std::to_string(pose.eye_z) + " in '" + sector.name +

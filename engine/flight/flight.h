@@ -2,9 +2,11 @@
 // drawn in any order, on any number of threads or machines.
 #pragma once
 #include <optional>
+#include <variant>
 
 #include "base/finding.h"
 #include "flight/camera_path.h"
+#include "flight/tape_path.h"
 #include "formats/script.h"
 #include "map/map.h"
 #include "render/view.h"
@@ -20,9 +22,12 @@ struct FlightFrame {
 
 class Flight {
 public:
-    /// Lays a script into its map and looks at every frame's eye. None where a finding is an error: what CameraPath
-    /// refuses, or an eye below a floor or above a ceiling.
+    /// Lays a script's legs into its map and looks at every frame's eye. None where a finding is an error: what
+    /// CameraPath refuses, or an eye below a floor or above a ceiling.
     static std::optional<Flight> plan(const ScriptFile& script, const Map& map, Findings& findings);
+
+    /// The same for a script with a tape, which has been read; what TapePath refuses is a finding at the tape's name.
+    static std::optional<Flight> plan(const ScriptFile& script, const Map& map, Tape tape, Findings& findings);
 
     /// From frame 0 at the start to the last at the very end, both included: >= 1.
     int frames() const { return frames_; }
@@ -31,13 +36,16 @@ public:
     FlightFrame at(const Map& map, int frame) const;
 
 private:
-    Flight(CameraPath path, const ScriptFile& script);
+    using Path = std::variant<CameraPath, TapePath>;
 
+    Flight(Path path, const ScriptFile& script);
+
+    CameraPose pose_at(const Map& map, FrameTime time) const;
     View view_of(const Map& map, const CameraPose& pose) const;
     /// The first frame whose eye is not between floor and ceiling, as a finding.
-    std::optional<Finding> misplaced_eye(const ScriptFile& script, const Map& map) const;
+    std::optional<Finding> misplaced_eye(const CameraPath& path, const ScriptFile& script, const Map& map) const;
 
-    CameraPath path_;
+    Path path_;
     int rate_ = 30;  ///< [1/s]
     int frames_ = 1;
     double fov_degrees_ = 90;

@@ -30,7 +30,7 @@ struct InputRecord {
 
 struct Tape {
     std::string map;             ///< path of the map, as it was given when recording
-    std::uint64_t map_hash = 0;  ///< of the map's text, to notice that it was changed since
+    std::uint64_t map_hash = 0;  ///< hash_of_text() of the map's file, to notice that it was changed since
     std::uint32_t rate = 60;     ///< ticks a second, 1..1000
     std::vector<InputRecord> ticks;
     std::uint64_t final_hash = 0;  ///< of the world after the last tick

@@ -50,11 +50,7 @@ Result<OpenMap> Game::load() {
     const FileReader watched = watch_.start_reading();
     const auto read = [&](const std::string& path) {
         auto bytes = watched(path);
-        if (bytes.ok() && path == path_) {
-            Hash text;
-            text.add(as_text(bytes.value()));
-            map_hash_ = text.value();
-        }
+        if (bytes.ok() && path == path_) map_hash_ = hash_of_text(as_text(bytes.value()));
         return bytes;
     };
     LoadedMap loaded = load_map(path_, texture_folders_, read);

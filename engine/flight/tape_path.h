@@ -1,0 +1,40 @@
+// Where the camera of a recorded walk is at any moment: the player's eye, played again.
+#pragma once
+#include <vector>
+
+#include "base/result.h"
+#include "flight/camera_path.h"
+#include "formats/tape.h"
+#include "world/world.h"
+
+namespace enfilade {
+
+/// A tape that was played through once. Every few ticks the world is kept, so that any moment is found by playing only
+/// a few ticks again. Immutable.
+class TapePath {
+public:
+    /// Plays the tape. Errors: the map has no start, the tape's rate is not kTickRate, it is longer than
+    /// kMaxTapeSeconds, or it ends in another world than when it was recorded.
+    static Result<TapePath> plan(const Map& map, Tape tape);
+
+    /// Between two ticks as the player saw it; after the end the camera stays. Cost: at most kBetweenKept ticks.
+    CameraPose pose_at(const Map& map, FrameTime time) const;
+
+    std::int64_t length_us() const;
+
+private:
+    explicit TapePath(Tape tape) : tape_(std::move(tape)) {}
+
+    /// The world after so many ticks, at most as many as the tape has.
+    World after(const Map& map, std::size_t ticks) const;
+
+    Tape tape_;
+    std::vector<World> kept_;  ///< after 0, kBetweenKept, 2 kBetweenKept, … ticks
+};
+
+/// Longest tape that is flown [s]: a day.
+inline constexpr std::size_t kMaxTapeSeconds = 86'400;
+
+inline constexpr std::size_t kBetweenKept = 32;  ///< [ticks]
+
+}  // namespace enfilade

@@ -1,0 +1,66 @@
+// Where two frames differ.
+#include "flight/comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace enfilade {
+namespace {
+
+Frame grey(int width, int height) {
+    Frame frame;
+    frame.resize(width, height);
+    std::ranges::fill(frame.pixels, 0xFF808080u);
+    return frame;
+}
+
+TEST(DifferenceOf, IsNothingForEqualFrames) {
+    const Difference difference = difference_of(grey(4, 3), grey(4, 3));
+    EXPECT_EQ(difference.pixels, 0u);
+    EXPECT_EQ(difference.largest, 0);
+}
+
+TEST(DifferenceOf, CountsPixelsAndFindsTheLargestChannel) {
+    Frame other = grey(4, 3);
+    other.pixels[2] = 0xFF808090u;
+    other.pixels[7] = 0xFF608080u;
+    const Difference difference = difference_of(grey(4, 3), other);
+    EXPECT_EQ(difference.pixels, 2u);
+    EXPECT_EQ(difference.largest, 0x20);
+}
+
+TEST(DifferenceOf, ShowsRedWhereFramesDiffer) {
+    Frame other = grey(2, 1);
+    other.pixels[1] = 0xFF808081u;
+    const auto& picture = difference_of(grey(2, 1), other).picture;
+    EXPECT_EQ(picture.pixels[0], 0xFF2A2A2Au);
+    EXPECT_EQ(picture.pixels[1] & 0xFF, 0xFFu);
+}
+
+TEST(Mismatches, ListsFramesWithAnotherHash) {
+    const auto found = mismatches({{0, 10}, {1, 11}, {2, 12}}, 0, {10, 99, 12});
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].frame, 1);
+    EXPECT_EQ(found[0].expected, 11u);
+    EXPECT_EQ(found[0].actual, 99u);
+}
+
+TEST(Mismatches, LooksOnlyAtTheFramesThatWereDrawn) {
+    EXPECT_TRUE(mismatches({{0, 10}, {1, 11}, {2, 12}}, 1, {11}).empty());
+}
+
+TEST(MismatchPage, ShowsThreePicturesAndEscapesNames) {
+    MismatchRow row;
+    row.mismatch = {7, 1, 2};
+    row.expected_picture = "e.png";
+    row.actual_picture = "a.png";
+    row.difference_picture = "d.png";
+    const std::string page = mismatch_page("<script>", {row}, 5);
+    for (const char* part : {"e.png", "a.png", "d.png", "frame 7", "&lt;script&gt;", "5 frames differ"})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    EXPECT_EQ(page.find("<script>"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace enfilade

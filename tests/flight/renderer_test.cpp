@@ -1,0 +1,66 @@
+// The renderers by name.
+#include "flight/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include "flight/scenes.h"
+
+namespace enfilade {
+namespace {
+
+TEST(ParseRenderer, KnowsWhatThereIs) {
+    for (const RendererKind kind : {RendererKind::column, RendererKind::reference})
+        EXPECT_EQ(parse_renderer(name_of(kind)).value(), kind);
+}
+
+TEST(ParseRenderer, SaysThatStencilIsNotThereYet) {
+    const auto stencil = parse_renderer("stencil");
+    ASSERT_FALSE(stencil.ok());
+    EXPECT_NE(stencil.error().what.find("not there yet"), std::string::npos);
+}
+
+TEST(ParseRenderer, RefusesOtherNamesAndTellsTheRightOnes) {
+    const auto other = parse_renderer("Column");
+    ASSERT_FALSE(other.ok());
+    EXPECT_NE(other.error().what.find("column or reference"), std::string::npos);
+}
+
+class RendererInHall : public ::testing::Test {
+protected:
+    Frame picture(RendererKind kind, std::size_t threads) {
+        Frame frame;
+        frame.resize(64, 40);
+        auto renderer = make_renderer(kind, threads);
+        renderer->render(frame, nullptr, map_, textures_, at_rest(map_), view());
+        viewports_ = renderer->viewports();
+        return frame;
+    }
+    View view() const {
+        View view;
+        view.sector = SectorId(0u);
+        view.eye = {2.1, 3.3};
+        view.eye_z = 1.5;
+        return view;
+    }
+
+    MapFile file_ = test::hall_file();
+    Map map_ = test::built(file_);
+    TextureSet textures_ = test::textures_for(file_);
+    std::vector<ViewportShape> viewports_;
+};
+
+TEST_F(RendererInHall, DrawsTheSameWithAnyNumberOfThreads) {
+    for (const RendererKind kind : {RendererKind::column, RendererKind::reference})
+        EXPECT_EQ(picture(kind, 3).pixels, picture(kind, 1).pixels) << name_of(kind);
+}
+
+TEST_F(RendererInHall, TellsTheViewportsOfTheColumnRenderer) {
+    picture(RendererKind::column, 1);
+    ASSERT_EQ(viewports_.size(), 2u);
+    EXPECT_EQ(viewports_[0].sector, SectorId(0u));
+    EXPECT_EQ(viewports_[1].sector, SectorId(1u));
+    EXPECT_EQ(viewports_[1].depth, 1);
+}
+
+}  // namespace
+}  // namespace enfilade
