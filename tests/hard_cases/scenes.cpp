@@ -79,10 +79,10 @@ MapFile overlapping_rooms() {
 MapFile pinched_room() {
     MapFile file = map_of({box_room("room", 0, 0, 12, 8)});
     for (const std::vector<Vec2>& hole : {std::vector<Vec2>{{6, 4}, {4, 3}, {4, 5}},
-                                          {{6, 4}, {8, 5}, {8, 3}},
+                                          {{6, 4}, {8, 6}, {8, 4.5}},
                                           {{6, 4}, {5, 6}, {7, 6}},
                                           {{6, 4}, {7, 2}, {5, 2}},
-                                          {{8, 5}, {8, 6}, {9, 6}}})
+                                          {{8, 6}, {8, 7}, {9, 7}}})
         file.sectors[0].loops.push_back(loop_of(hole));
     return file;
 }
