@@ -111,6 +111,9 @@ void add_key_infos(std::vector<KeyInfo>& all, const std::string& prefix) {
             {prefix + std::string(key.name), key.since == Dialect::tutorial, key.need == Need::required, key.range});
 }
 
+/// How many members of an array are tables: room for others would only be taken in vain.
+std::size_t tables_in(TomlNode array);
+
 template <class Field>
 void read_field(Reading& reading, const NamedValue& value, Range range, Field& field) {
     if constexpr (Plain<Field>) {
@@ -119,7 +122,7 @@ void read_field(Reading& reading, const NamedValue& value, Range range, Field& f
         read_field(reading, value, range, field.emplace());
     } else if constexpr (is_vector<Field>) {
         if (!expect(reading, value, TomlKind::array)) return;
-        field.reserve(value.node.size());
+        field.reserve(tables_in(value.node));
         for (std::size_t i = 0; i < value.node.size() && !reading.is_full(); ++i)
             read_field(reading, {value.name, value.node.at(i)}, range, field.emplace_back());
     } else if (expect(reading, value, TomlKind::table)) {

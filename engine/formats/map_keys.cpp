@@ -12,6 +12,12 @@ constexpr std::size_t kLineWidth = 100;
 
 }  // namespace
 
+std::size_t tables_in(TomlNode array) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < array.size(); ++i) count += array.at(i).kind() == TomlKind::table;
+    return count;
+}
+
 void needs_format_1(Reading& reading, const TomlEntry& entry) {
     reading.error(entry.key_place, "needs-format-1",
                   quoted(entry.key) + " belongs to the enfilade dialect; put 'format = 1' at the top of the file");

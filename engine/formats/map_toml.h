@@ -27,9 +27,9 @@ MapReading read_map(std::string_view text);
 /// Largest map text that is read [bytes]. Memory needed is about 20 times the text (toml++'s tree).
 inline constexpr std::size_t kMaxMapBytes = std::size_t{40} << 20;
 
-/// Most values (numbers, strings, arrays, tables) in one map. A sector with ten walls has about 80; memory needed is
-/// 100 to 250 bytes for each.
-inline constexpr std::size_t kMaxMapValues = std::size_t{6} << 20;
+/// Most values (numbers, strings, arrays, tables) in one map, where a table in braces counts as eight. A sector with
+/// ten walls has about 150. What a hostile map can make us take is about a gigabyte.
+inline constexpr std::size_t kMaxMapValues = std::size_t{8} << 20;
 
 /// The map as text in the enfilade dialect: the same records give the same bytes, and read_map gives the same
 /// records back (places aside). Numbers are written with the fewest digits that read back exactly.

@@ -45,17 +45,10 @@ TomlKind kind_of(const toml::node& node) {
     }
 }
 
-const toml::node& as_node(const void* node) {
-    ENFILADE_CHECK(node != nullptr);
-    return *static_cast<const toml::node*>(node);
-}
-
-/// The node as the library's type for one kind of value.
+/// The node as the library's type of one kind of value, which the caller has checked.
 template <class T>
 const T& as(const void* node) {
-    const T* typed = as_node(node).as<T>();
-    ENFILADE_CHECK(typed != nullptr);
-    return *typed;
+    return static_cast<const T&>(*static_cast<const toml::node*>(node));
 }
 
 Finding syntax_error(TextPlace place, std::string_view description) {
@@ -89,34 +82,50 @@ std::string_view name_of(TomlKind kind) {
     return "";
 }
 
-TextPlace TomlNode::place() const { return node_ ? place_of(as_node(node_).source().begin) : TextPlace{}; }
+TextPlace TomlNode::place() const { return node_ ? place_of(as<toml::node>(node_).source().begin) : TextPlace{}; }
 
-std::string_view TomlNode::text() const { return as<toml::value<std::string>>(node_).get(); }
-
-std::int64_t TomlNode::integer() const { return as<toml::value<std::int64_t>>(node_).get(); }
-
-double TomlNode::number() const {
-    return kind_ == TomlKind::integer ? static_cast<double>(integer()) : as<toml::value<double>>(node_).get();
+std::string_view TomlNode::text() const {
+    ENFILADE_CHECK(kind_ == TomlKind::string);
+    return as<toml::value<std::string>>(node_).get();
 }
 
-bool TomlNode::boolean() const { return as<toml::value<bool>>(node_).get(); }
+std::int64_t TomlNode::integer() const {
+    ENFILADE_CHECK(kind_ == TomlKind::integer);
+    return as<toml::value<std::int64_t>>(node_).get();
+}
+
+double TomlNode::number() const {
+    if (kind_ == TomlKind::integer) return static_cast<double>(integer());
+    ENFILADE_CHECK(kind_ == TomlKind::real);
+    return as<toml::value<double>>(node_).get();
+}
+
+bool TomlNode::boolean() const {
+    ENFILADE_CHECK(kind_ == TomlKind::boolean);
+    return as<toml::value<bool>>(node_).get();
+}
 
 std::size_t TomlNode::size() const {
-    return kind_ == TomlKind::array ? as<toml::array>(node_).size() : as<toml::table>(node_).size();
+    if (kind_ == TomlKind::array) return as<toml::array>(node_).size();
+    ENFILADE_CHECK(kind_ == TomlKind::table);
+    return as<toml::table>(node_).size();
 }
 
 TomlNode TomlNode::at(std::size_t index) const {
+    ENFILADE_CHECK(kind_ == TomlKind::array);
     const auto& array = as<toml::array>(node_);
     ENFILADE_CHECK(index < array.size());
     return TomlAccess::look_at(array[index]);
 }
 
 TomlNode TomlNode::find(std::string_view key) const {
+    ENFILADE_CHECK(kind_ == TomlKind::table);
     const toml::node* member = as<toml::table>(node_).get(key);
     return member ? TomlAccess::look_at(*member) : TomlNode();
 }
 
 std::vector<TomlEntry> TomlNode::entries() const {
+    ENFILADE_CHECK(kind_ == TomlKind::table);
     const auto& table = as<toml::table>(node_);
     std::vector<TomlEntry> entries;
     entries.reserve(table.size());

@@ -54,11 +54,14 @@ struct TomlEntry {
     TomlNode value;
 };
 
-/// What is read before it is refused. The tree takes up to 250 bytes of memory a value.
+/// What is read before it is refused. The tree takes up to 250 bytes of memory a value; an opening brace counts as
+/// kBraceWeight values, because what is made of a table, here and by readers, is that much larger.
 struct TomlLimits {
     std::size_t bytes = std::size_t{1} << 20;
     std::size_t values = std::size_t{1} << 16;
 };
+
+inline constexpr std::size_t kBraceWeight = 8;
 
 /// A parsed text. Does not refer to the text any more.
 class TomlDocument {

@@ -71,7 +71,7 @@ private:
 
     void open(bool array) {
         deepen(key_dots_ + 1);
-        count_value();
+        count_value(array ? 1 : kBraceWeight);
         if (problem_) return;
         open_[static_cast<std::size_t>(open_count_++)] = {base_, array};
         base_ += key_dots_ + 1;
@@ -163,8 +163,9 @@ private:
             refuse("too-deep", "tables and arrays are nested deeper than " + std::to_string(kMaxTomlDepth));
     }
 
-    void count_value() {
-        if (++values_ > limits_.values) too_many("values", limits_.values);
+    void count_value(std::size_t weight = 1) {
+        values_ += weight;
+        if (values_ > limits_.values) too_many("values", limits_.values);
     }
 
     void too_many(std::string_view what, std::size_t limit) {

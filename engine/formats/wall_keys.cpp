@@ -1,4 +1,5 @@
 // The keys of walls and loops.
+#include <algorithm>
 #include <array>
 
 #include "formats/map_keys.h"
@@ -66,6 +67,17 @@ constexpr std::array kLoopKeys{
     key<&LoopRecord::walls>("walls", kBoth, Need::required),
 };
 
+/// Walls that are made up for a loop that has too few. An author forgets one or two; a loop of a million vertices
+/// and no walls is no slip, and must not take the memory of a million walls.
+constexpr std::size_t kMostMissingWalls = 1024;
+
+void give_every_vertex_a_wall(LoopRecord& loop) {
+    const std::size_t count = std::min(loop.vertices.size(), loop.walls.size() + kMostMissingWalls);
+    loop.vertices.resize(count);
+    loop.vertex_places.resize(count);
+    loop.walls.resize(count);
+}
+
 constexpr KeyList<WallRecord> kWallList{"a wall", kWallKeys};
 constexpr KeyList<LoopRecord> kLoopList{"a loop", kLoopKeys};
 
@@ -96,7 +108,7 @@ void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries
         reading.error(walls->value.place(), "walls-vertices-mismatch",
                       "a loop has one wall for each vertex: found " + std::to_string(loop.vertices.size()) +
                           " vertices and " + std::to_string(loop.walls.size()) + " walls");
-    loop.walls.resize(loop.vertices.size());
+    give_every_vertex_a_wall(loop);
 }
 
 }  // namespace enfilade

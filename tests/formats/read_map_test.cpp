@@ -253,6 +253,15 @@ TEST(ReadMap, GivesEveryLoopAsManyWallsAsVertices) {
     EXPECT_EQ(loop.vertex_places.size(), 3u);
 }
 
+TEST(ReadMap, MakesUpAFewWallsOnly) {
+    std::string text = "[[sectors]]\nname = 'A'\nloops = [{ v = [0";
+    for (int i = 1; i < 20000; ++i) text += ", 0";
+    const MapReading reading = read_map(text + "], walls = [{}, {}, {}] }]");
+    EXPECT_THAT(codes_and_places(reading.findings), ElementsAre("walls-vertices-mismatch 3:60026"));
+    EXPECT_EQ(reading.map.sectors.at(0).loops.at(0).walls.size(), 1027u);
+    EXPECT_EQ(reading.map.sectors.at(0).loops.at(0).vertices.size(), 1027u);
+}
+
 TEST(ReadMap, StopsAfterAThousandFindings) {
     std::string text = "sectors = []\n";
     for (int i = 0; i < 5000; ++i) text += "key" + std::to_string(i) + " = 1\n";

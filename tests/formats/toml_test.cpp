@@ -178,6 +178,11 @@ TEST(Toml, RefusesMoreValuesThanAllowed) {
     EXPECT_THAT(complaints("a = [1, 2, 3]", {100, 3}), ElementsAre("too-large 1:10"));
 }
 
+TEST(Toml, CountsATableInBracesAsEightValues) {
+    EXPECT_THAT(complaints("a = {}", {100, kBraceWeight + 1}), IsEmpty());
+    EXPECT_THAT(complaints("a = {}", {100, kBraceWeight}), ElementsAre("too-large 1:5"));
+}
+
 TEST(Toml, RefusesDottedKeysThatWouldTakeQuadraticTime) {
     std::string text;
     for (std::size_t i = 0; i <= kMaxDottedKeys; ++i) text += "k" + std::to_string(i) + ".b = 1\n";
