@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <utility>
 
+#include "base/parallel.h"
 #include "formats/png.h"
 
 namespace enfilade {
@@ -68,26 +71,36 @@ Result<Bytes> read_from_folders(const std::string& written, const std::vector<st
     return Error{"", "not found"};
 }
 
-Texture load_one(const std::string& name, const FirstUse& use, const std::vector<std::string>& folders,
-                 const FileReader& read, Findings& findings) {
+/// A picture on its way: its file's bytes, then what became of them.
+struct Loading {
+    std::string name;
+    const FirstUse* use = nullptr;
     std::string path;
-    const Result<Bytes> bytes = read_from_folders(use.written, folders, read, path);
-    if (!bytes) {
-        Texture texture = make_placeholder();
-        texture.missing = true;
-        findings.push_back({use.place, Severity::warning, "missing-texture",
-                            "texture '" + use.written + "' is in none of the texture folders; a placeholder is drawn"});
-        texture.name = name;
-        return texture;
+    std::optional<Bytes> bytes;  ///< none: in no folder
+    Texture texture;
+    std::string fault;  ///< why it is not an image; empty: it is one
+};
+
+void decode(Loading& loading) {
+    loading.texture = make_placeholder();
+    if (loading.bytes) {
+        const Result<Image> image = read_png(*loading.bytes);
+        if (image)
+            loading.texture = by_columns(image.value());
+        else
+            loading.fault = image.error().what;
     }
-    const Result<Image> image = read_png(bytes.value());
-    if (!image) {
-        findings.push_back({use.place, Severity::error, "bad-texture", path + ": " + image.error().what});
-        return make_placeholder();
-    }
-    Texture texture = by_columns(image.value());
-    texture.name = name;
-    return texture;
+    loading.texture.missing = !loading.bytes;
+    loading.texture.name = loading.name;
+}
+
+void report(const Loading& loading, Findings& findings) {
+    if (!loading.bytes)
+        findings.push_back(
+            {loading.use->place, Severity::warning, "missing-texture",
+             "texture '" + loading.use->written + "' is in none of the texture folders; a placeholder is drawn"});
+    if (!loading.fault.empty())
+        findings.push_back({loading.use->place, Severity::error, "bad-texture", loading.path + ": " + loading.fault});
 }
 
 }  // namespace
@@ -113,10 +126,21 @@ Texture make_placeholder() {
 
 TextureSet load_textures(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read,
                          Findings& findings) {
+    const Names names = names_used(file);
+    std::vector<Loading> loadings;
+    for (const auto& [name, use] : names) {
+        Loading& loading = loadings.emplace_back(Loading{name, &use, {}, {}, {}, {}});
+        if (Result<Bytes> bytes = read_from_folders(use.written, folders, read, loading.path))
+            loading.bytes = std::move(bytes).value();
+    }
+    // Unpacking pictures is most of the time it takes to start a map.
+    parallel_for(loadings.size(), hardware_threads(), [&](std::size_t i, std::size_t) { decode(loadings[i]); });
     TextureSet set;
     set.placeholder = make_placeholder();
-    for (const auto& [name, use] : names_used(file))
-        set.textures.push_back(load_one(name, use, folders, read, findings));
+    for (Loading& loading : loadings) {
+        report(loading, findings);
+        set.textures.push_back(std::move(loading.texture));
+    }
     return set;
 }
 
