@@ -8,6 +8,9 @@
 namespace enfilade {
 namespace {
 
+/// More rooms than meet in any honest corner; without it a corner with one-way portals might be gone around for ever.
+constexpr int kMaxRoomsAroundCorner = 256;
+
 /// A sector as seen from the middle of the disc: through which window, and where the middle is in its space.
 struct Room {
     SectorId sector;
@@ -19,10 +22,11 @@ struct Room {
 
 class Search {
 public:
-    Search(const Map& map, double radius, const MayPass& may_pass) : map_(map), radius_(radius), may_pass_(may_pass) {}
+    Search(const Map& map, const Place& place, double radius, const MayPass& may_pass)
+        : map_(map), place_(place), radius_(radius), may_pass_(may_pass) {}
 
-    Reach run(const Place& place) {
-        rooms_.push_back({place.sector, {}, place.point, {}, {}});
+    Reach run() {
+        rooms_.push_back({place_.sector, {}, place_.point, {}, {}});
         for (std::size_t i = 0; i < rooms_.size(); ++i) {
             const Room room = rooms_[i];
             found_.sectors.push_back({room.sector, room.passage});
@@ -36,13 +40,51 @@ public:
 private:
     void look_at(const Room& room, WallId id) {
         const Wall& wall = map_[id];
-        if (!segment_is_nearer(wall.a, wall.b, room.centre, radius_)) return;
+        if (!box_is_near(wall, room.centre) || !segment_is_nearer(wall.a, wall.b, room.centre, radius_)) return;
         const auto cone = cone_of(wall, room.centre, room.window);
         if (!cone || (room.entrance && !is_beyond(wall, map_[room.entrance], room.centre, *cone))) return;
         const Stretch stretch = stretch_in(wall, room.centre, *cone);
         const bool is_cut = cone->left != wall.a || cone->right != wall.b;
         if (is_cut && !is_near(stretch, room.centre)) return;
-        if (!pass(room, id, *cone)) found_.walls.push_back({id, room.passage, room.centre, stretch, is_cut});
+        if (!pass(room, id, *cone)) {
+            found_.walls.push_back({id, room.passage, room.centre, stretch, is_cut});
+            return;
+        }
+        if (cone->left == wall.a) look_around_corner(room, id, End::a);
+        if (cone->right == wall.b) look_around_corner(room, id, End::b);
+    }
+
+    enum class End : std::uint8_t { a, b };
+
+    /// Goes from room to room around the end of an open portal. A wall that ends there blocks with that end, also where
+    /// the rooms together make more than a full turn, so that no straight look shows the wall.
+    void look_around_corner(const Room& room, WallId portal, End end) {
+        const Vec2 corner = end == End::a ? map_[portal].a : map_[portal].b;
+        if (!segment_is_nearer(corner, corner, room.centre, radius_)) return;
+        Rigid passage = room.passage;
+        WallId at = portal;
+        for (int i = 0; i < kMaxRoomsAroundCorner; ++i) {
+            passage = then(passage, map_.passage(map_[at]));
+            const Wall& exit = map_[map_[at].exit];
+            at = end == End::a ? exit.next : exit.previous;
+            if (at == portal) return;
+            if (!is_open(at, passage)) {
+                const Vec2 there = end == End::a ? map_[at].a : map_[at].b;
+                const Vec2 centre = snap_to_point_grid(passage.apply(place_.point));
+                found_.walls.push_back({at, passage, centre, {there, there}, true});
+                return;
+            }
+        }
+    }
+
+    bool is_open(WallId id, const Rigid& passage) const {
+        return map_[id].kind == WallKind::portal && (!may_pass_ || may_pass_(id, passage));
+    }
+
+    /// Quick and exact: false only for walls that are too far away.
+    bool box_is_near(const Wall& wall, Vec2 p) const {
+        return std::max(wall.a.x, wall.b.x) > p.x - radius_ && std::min(wall.a.x, wall.b.x) < p.x + radius_ &&
+               std::max(wall.a.y, wall.b.y) > p.y - radius_ && std::min(wall.a.y, wall.b.y) < p.y + radius_;
     }
 
     bool is_near(const Stretch& stretch, Vec2 p) const {
@@ -52,8 +94,7 @@ private:
 
     bool pass(const Room& room, WallId id, const Cone& cone) {
         const Wall& wall = map_[id];
-        if (wall.kind != WallKind::portal || rooms_.size() >= kMaxReachedSectors) return false;
-        if (may_pass_ && !may_pass_(id, room.passage)) return false;
+        if (rooms_.size() >= kMaxReachedSectors || !is_open(id, room.passage)) return false;
         if (wall.link == Wall::kNoLink) {
             rooms_.push_back({wall.behind, room.passage, room.centre, cone, wall.exit});
             return true;
@@ -75,6 +116,7 @@ private:
     }
 
     const Map& map_;
+    Place place_;
     double radius_;
     const MayPass& may_pass_;
     std::vector<Room> rooms_;
@@ -84,7 +126,7 @@ private:
 }  // namespace
 
 Reach reach(const Map& map, const Place& place, double radius, const MayPass& may_pass) {
-    return Search(map, radius, may_pass).run(place);
+    return Search(map, place, radius, may_pass).run();
 }
 
 Vec2 nearest_point(const Stretch& stretch, Vec2 p) {

@@ -13,7 +13,8 @@
 
 namespace enfilade {
 
-/// A wall that a disc touches and that nothing passes: solid, a mirror, or a portal that may not be passed.
+/// A wall that a disc touches and that nothing passes: solid, a mirror, or a portal that may not be passed. Where only
+/// its end is touched, around the corner of an open portal, the stretch is that one point.
 struct ReachedWall {
     WallId wall;
     Rigid passage;    ///< from the space of the place into that of the wall

@@ -83,7 +83,7 @@ std::vector<Crossing> backward(const Map& map, std::vector<Crossing> crossings) 
 }
 
 constexpr int kMapsPerPlan = 4;
-constexpr int kPathsPerMap = 5000;
+constexpr int kPathsPerMap = 3000;  // a million traces in all
 
 /// Calls check(mosaic, points) kPathsPerMap times on each of some mosaics.
 template <class Check>

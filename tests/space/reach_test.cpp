@@ -38,12 +38,14 @@ bool overlaps(const Reach& found, SectorId sector) {
                        [&](const ReachedSector& s) { return s.sector == sector; });
 }
 
+double distance_to(const ReachedWall& wall) {
+    const Vec2 to_it = nearest_point(wall.stretch, wall.centre) - wall.centre;
+    return std::sqrt(dot(to_it, to_it));
+}
+
 double distance_to_nearest(const Reach& found) {
     double nearest = kWorldLimit;
-    for (const ReachedWall& w : found.walls) {
-        const Vec2 to_it = nearest_point(w.stretch, w.centre) - w.centre;
-        nearest = std::min(nearest, std::sqrt(dot(to_it, to_it)));
-    }
+    for (const ReachedWall& w : found.walls) nearest = std::min(nearest, distance_to(w));
     return nearest;
 }
 
@@ -89,14 +91,12 @@ TEST(Reach, FindsNoNearestWallThatAStraightWayDoesNotRunInto) {
         Random random(seed);
         for (int i = 0; i < 300; ++i) {
             const Place place = random_place(mosaic, random);
-            const Reach found = reach(mosaic.map, place, 2);
+            Reach found = reach(mosaic.map, place, 2);
+            std::erase_if(found.walls, [](const ReachedWall& w) { return w.stretch.a == w.stretch.b; });
             if (found.walls.empty()) continue;
-            const auto nearest = std::min_element(found.walls.begin(), found.walls.end(),
-                                                  [](const ReachedWall& v, const ReachedWall& w) {
-                                                      const Vec2 to_v = nearest_point(v.stretch, v.centre) - v.centre;
-                                                      const Vec2 to_w = nearest_point(w.stretch, w.centre) - w.centre;
-                                                      return dot(to_v, to_v) < dot(to_w, to_w);
-                                                  });
+            const auto nearest = std::min_element(
+                found.walls.begin(), found.walls.end(),
+                [](const ReachedWall& v, const ReachedWall& w) { return distance_to(v) < distance_to(w); });
             // A little beyond the wall, off its ends: there the way has to end.
             const Vec2 inner = (nearest->stretch.a + nearest->stretch.b) * 0x1p-20 +
                                nearest_point(nearest->stretch, place.point) * (1 - 0x1p-19);
@@ -122,6 +122,20 @@ TEST(Reach, LooksThroughPortals) {
     EXPECT_EQ(map[found.walls[0].wall].a, (Vec2{4.25, 0}));
 }
 
+TEST(Reach, FindsAWallThatOnlyShowsItsEndAroundACorner) {
+    // Outside, the corner of a hut whose whole front is a door; inside, the door is a hole in a long wall.
+    SectorRecord yard = box_room("yard", 0, 0, 12, 12);
+    cut_pillar(yard, 4, 5, 6, 7);
+    MapFile file = map_of({std::move(yard), room("inside", {{80, 0}, {90, 0}, {90, 5}, {90, 7}, {90, 12}, {80, 12}})});
+    link(file, "yard", {6, 7}, {6, 5}, "inside", {90, 5}, {90, 7});
+    const Map map = built(file);
+    const Reach found = reach(map, {kFirst, {6.5, 5.25}}, 1);
+    ASSERT_THAT(found.walls, SizeIs(1));
+    EXPECT_EQ(map[found.walls[0].wall].b, (Vec2{90, 5}));
+    EXPECT_EQ(distance_to(found.walls[0]), std::sqrt(0.5 * 0.5 + 0.25 * 0.25));
+    EXPECT_THAT(reach(map, {kFirst, {6.5, 6}}, 1).walls, IsEmpty());
+}
+
 TEST(Reach, CountsARefusedPortalAsAWall) {
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 0, 8, 4)});
     join_all(file);
@@ -136,10 +150,9 @@ TEST(Reach, LooksThroughLinksFromBothSides) {
     link(file, "a", {4, 0}, {4, 4}, "b", {100, 50}, {104, 50});
     const Map map = built(file);
     const Reach found = reach(map, {kFirst, {3.5, 0.25}}, 1);
-    // The north wall of a, and beyond the link the east wall of b, which stands in line with it.
-    ASSERT_THAT(found.walls, SizeIs(2));
-    EXPECT_EQ(map[found.walls[1].wall].a, (Vec2{104, 50}));
-    EXPECT_EQ(found.walls[1].centre, (Vec2{103.75, 49.5}));
+    // The north wall of a, and beyond the link the east wall of b, which stands in line with it: its corner and face.
+    EXPECT_THAT(walls_of(found), testing::ElementsAre(WallId(0u), WallId(5u), WallId(5u)));
+    EXPECT_EQ(found.walls.back().centre, (Vec2{103.75, 49.5}));
 }
 
 TEST(Reach, IgnoresWallsOfTheOtherRoomThatLieOnThisSideOfTheDoorway) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "base/random.h"
 #include "math/predicates.h"
@@ -12,8 +13,6 @@ namespace enfilade {
 namespace {
 
 using namespace test;
-
-constexpr double kGrid = kPointGrid;
 
 MapFile box_with_player(double x, double y, double yaw) {
     MapFile file = map_of({box_room("box", 0, 0, 10, 10)});
@@ -58,7 +57,7 @@ TEST(Walk, IsNotMovedByTenThousandTicksAgainstASlantedWall) {
     // The yaw is off the normal by up to half a step of the angle, which leaves that share of the pace to slide by.
     EXPECT_LE(
         std::fabs(exact_cross({10, 0}, {7, 9}, game.point()) - exact_cross({10, 0}, {7, 9}, before)) / std::sqrt(90.0),
-        2 * kGrid);
+        2 * kPointGrid);
     EXPECT_TRUE(touches_nothing(game));
 }
 
@@ -132,8 +131,8 @@ TEST(Walk, ComesToRestInASharpCorner) {
     for (int i = 0; i < 600; ++i) {
         game.hold(kRunForward);
         ASSERT_TRUE(touches_nothing(game));
-        ASSERT_NEAR(game.point().x, at_rest.x, 4 * kGrid);
-        ASSERT_NEAR(game.point().y, at_rest.y, 4 * kGrid);
+        ASSERT_NEAR(game.point().x, at_rest.x, 4 * kPointGrid);
+        ASSERT_NEAR(game.point().y, at_rest.y, 4 * kPointGrid);
     }
 }
 
@@ -170,25 +169,78 @@ TEST(Walk, PassesADoorThatIsWiderThanTheBodyOnly) {
     }
 }
 
+/// Two rooms of 4 x 4 m with a slanted pillar just behind the doorway between them at x = 4.
+MapFile room_with_pillar_behind_door() {
+    MapFile file = map_of({box_room("near", 0, 0, 4, 4), box_room("far", 4, 0, 8, 4)});
+    file.sectors[1].loops.push_back(loop_of({{4.25, 1}, {4.5, 1.75}, {5, 1.5}}));
+    join_all(file);
+    return file;
+}
+
+/// The same with the far room somewhere else, turned by a quarter and linked.
+MapFile room_with_pillar_behind_link() {
+    MapFile file = map_of({box_room("near", 0, 0, 4, 4), box_room("far", 100, 50, 104, 54)});
+    file.sectors[1].loops.push_back(loop_of({{103, 50.25}, {102.25, 50.5}, {102.5, 51}}));
+    link(file, "near", {4, 0}, {4, 4}, "far", {100, 50}, {104, 50});
+    return file;
+}
+
 TEST(Walk, CollidesBehindALinkWithTheHalfThatIsThere) {
-    // Only the far room has the pillar; with all of it in one room the way must be the same.
-    MapFile near_and_far = map_of({box_room("near", 0, 0, 4, 4), box_room("far", 104, 0, 108, 4)});
-    cut_pillar(near_and_far.sectors[1], 104.25, 1, 105, 1.75);
-    link(near_and_far, "near", {4, 0}, {4, 4}, "far", {104, 4}, {104, 0});
-    MapFile one = map_of({box_room("near", 0, 0, 4, 4), box_room("far", 4, 0, 8, 4)});
-    cut_pillar(one.sectors[1], 4.25, 1, 5, 1.75);
-    join_all(one);
-    for (const double y : {1.0, 1.5, 1.9, 2.0, 2.2}) {
-        place_player(near_and_far, "near", {2, y}, kEyeOnFloor, 5);
-        place_player(one, "near", {2, y}, kEyeOnFloor, 5);
-        Game linked(near_and_far), plain(one);
-        for (int i = 0; i < 120; ++i) {
-            linked.hold(kForward);
+    // Near and far lie at other places of the number line, so sums are rounded otherwise: a grid step now and then.
+    const double bound = 64 * kPointGrid;
+    MapFile door = room_with_pillar_behind_door(), far_link = room_with_pillar_behind_link();
+    for (double y = 0.5; y < 3.5; y += 0.0625) {
+        place_player(door, "near", {2, y}, kEyeOnFloor, 5);
+        place_player(far_link, "near", {2, y}, kEyeOnFloor, 5);
+        Game plain(door), linked(far_link);
+        for (int i = 0; i < 150; ++i) {
+            SCOPED_TRACE(testing::Message() << "from " << y << ", tick " << i);
             plain.hold(kForward);
-            const double shift = linked.room() == "far" ? 100 : 0;
+            linked.hold(kForward);
+            const Vec2 p = plain.point();
+            const Vec2 expected = plain.room() == "far" ? Vec2{102 - (p.y - 2), 50 + (p.x - 4)} : p;
             ASSERT_EQ(linked.room(), plain.room());
-            ASSERT_EQ(linked.point(), (Vec2{plain.point().x + shift, plain.point().y})) << y << ", tick " << i;
+            ASSERT_NEAR(linked.point().x, expected.x, bound);
+            ASSERT_NEAR(linked.point().y, expected.y, bound);
         }
+    }
+}
+
+TEST(Walk, SlidesThroughALinkAtAnyAngleWithoutStalling) {
+    // A corridor between slanted walls, its two halves turned against each other: the link turns by 36.87 degrees. The
+    // wall along (4, 3) goes on, beyond the link, along (1, 0).
+    MapFile file = map_of({room("slanted", {{0, 0}, {8, 6}, {6.5, 8}, {-1.5, 2}}),
+                           room("straight", {{100, 0}, {110, 0}, {110, 2.5}, {100, 2.5}})});
+    link(file, "slanted", {8, 6}, {6.5, 8}, "straight", {100, 2.5}, {100, 0});
+    place_player(file, "slanted", {0, 1.25}, kEyeOnFloor);
+    for (const double push : {-30, -10, 10, 30}) {  // against the wall on the left, and on the right
+        Game game(file);
+        game.world.player.yaw = angle_of({4, 3}) + Angle::from_degrees(push);
+        game.hold(kForward, 40);
+        double shortest = kWalkSpeed * kTickSeconds;
+        for (int i = 0; i < 180; ++i) {
+            game.hold(kForward);
+            const Vec2 way = inverse(game.world.passage).apply(game.point()) - game.world.before.place.point;
+            shortest = std::fmin(shortest, std::sqrt(dot(way, way)));
+        }
+        EXPECT_EQ(game.room(), "straight");
+        EXPECT_GT(shortest, kWalkSpeed * kTickSeconds * std::cos(push * std::numbers::pi / 180) - 1e-5) << push;
+    }
+}
+
+TEST(Walk, SlidesRoundTheDoorPostOfAHutThatIsBiggerInside) {
+    // The hut's whole east side is its door; inside, the door is a hole in the middle of a long wall. Around each door
+    // post there is more than a full turn, so that from outside no straight look shows the wall inside.
+    SectorRecord yard = box_room("yard", 0, 0, 12, 12);
+    cut_pillar(yard, 4, 5, 6, 7);
+    MapFile file = map_of({std::move(yard), room("inside", {{80, 0}, {90, 0}, {90, 5}, {90, 7}, {90, 12}, {80, 12}})});
+    link(file, "yard", {6, 7}, {6, 5}, "inside", {90, 5}, {90, 7});
+    for (double y = 4.75; y <= 7.25; y += 0.125) {
+        place_player(file, "yard", {8, y}, kEyeOnFloor, 180);
+        Game game(file);
+        game.hold(kForward, 120);
+        EXPECT_EQ(game.room(), std::fabs(y - 6) < 1 ? "inside" : "yard") << y;
+        EXPECT_TRUE(touches_nothing(game)) << y;
     }
 }
 
