@@ -174,6 +174,19 @@ TEST(Step, DoesNotClimbWhereTheCeilingInFrontOfTheStepIsTooLow) {
     EXPECT_EQ(game.room(), "hall");
 }
 
+TEST(Step, SlidesAlongAStepUntilTheHeadIsOutFromUnderABeam) {
+    // The beam and the step do not meet, but the body is wide enough to be below the one and at the other.
+    MapFile file = map_of({box_room("beam", 0, 0, 4, 2, 0, 2), box_room("hall", 0, 2, 4, 10, 0, 3),
+                           box_room("porch", 4, 0, 8, 2.3125, 0, 3), box_room("step", 4, 2.3125, 8, 10, 0.5, 3)});
+    split_and_join(file);
+    place_player(file, "hall", {3, 2.125}, kEyeOnFloor, 5);
+    Game game(file);
+    game.hold(kForward, 20);
+    EXPECT_EQ(game.room(), "hall") << "stopped by the step";
+    game.hold(kForward, 100);
+    EXPECT_EQ(game.room(), "step");
+}
+
 TEST(Step, FallsFromALedgeAndLands) {
     MapFile file = map_of({box_room("ledge", 0, 0, 4, 4, 3, 8), box_room("yard", 4, 0, 12, 4, 0, 8)});
     join_all(file);
@@ -229,12 +242,17 @@ TEST(Step, MovesTheEyeSmoothlyOverSteps) {
     EXPECT_EQ(game.room(), "step 4");
 }
 
-TEST(Step, KeepsTheEyeBelowTheCeilingOnTheWayDown) {
-    Game game(stairs({0.7, 1.4, 0.7, 0}, 3.2));
-    for (int i = 0; i < 200; ++i) {
+TEST(Step, KeepsTheEyeBelowATunnelsCeilingRightAfterAStepDown) {
+    MapFile file = map_of({box_room("ledge", 0, 0, 4, 4, 0.75, 4), box_room("gap", 4, 0, 4.875, 4, 0, 4),
+                           box_room("tunnel", 4.875, 0, 20, 4, 0, 1.8)});
+    join_all(file);
+    place_player(file, "ledge", {2, 2}, 0.75 + kEyeOnFloor, 0);
+    Game game(file);
+    for (int i = 0; i < 90; ++i) {
         game.hold(kRunForward);
-        ASSERT_LT(game.player().eye_z, 3.2);
+        ASSERT_LT(game.player().eye_z, game.room() == "tunnel" ? 1.8 : 4);
     }
+    EXPECT_EQ(game.room(), "tunnel");
 }
 
 TEST(Step, MovesTheEyeToItsHeightAboveTheFloor) {
