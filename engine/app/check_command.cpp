@@ -1,7 +1,6 @@
 // `enfilade check`: every finding about maps, for authors and for editors that jump to a place.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "app/commands.h"
@@ -13,12 +12,6 @@
 
 namespace enfilade {
 namespace {
-
-struct CheckRequest {
-    std::vector<std::string> maps;
-    std::vector<std::string> texture_folders;
-    bool effects = false;
-};
 
 struct Tally {
     std::size_t maps = 0, refused = 0, errors = 0, warnings = 0;
@@ -48,36 +41,14 @@ void check_map(const std::string& path, const CheckRequest& request, Tally& tall
     if (request.effects && loaded.map) print_effects(path);
 }
 
-class CheckCommand final : public Command {
-public:
-    CLI::App* declare(CLI::App& enfilade) override {
-        CLI::App* command = enfilade.add_subcommand("check", "Say everything that is wrong with maps, with its place");
-        command->add_option("MAP", request_.maps, "Map files (.toml)")->required();
-        command->add_option("--textures", request_.texture_folders, "More folders to look for pictures in")
-            ->type_name("DIR")
-            ->allow_extra_args(false);
-        command->add_flag("--effects", request_.effects,
-                          "Also tell which effects each map calls for and what they cost");
-        command->footer(
-            "Findings are printed as FILE:LINE:COLUMN: error|warning: SENTENCE [CODE]. A warning does not "
-            "refuse a map.\nExit status: 0 all maps are sound, 1 some have errors, 2 wrong usage.");
-        return command;
-    }
-
-    int run() override {
-        Tally tally;
-        for (const std::string& map : request_.maps) check_map(map, request_, tally);
-        fmt::print("{} checked, {} refused: {}, {}\n", counted(tally.maps, "map"), tally.refused,
-                   counted(tally.errors, "error"), counted(tally.warnings, "warning"));
-        return tally.refused == 0 ? kDone : kFailed;
-    }
-
-private:
-    CheckRequest request_;
-};
-
 }  // namespace
 
-std::unique_ptr<Command> make_check_command() { return std::make_unique<CheckCommand>(); }
+int run_check(const CheckRequest& request) {
+    Tally tally;
+    for (const std::string& map : request.maps) check_map(map, request, tally);
+    fmt::print("{} checked, {} refused: {}, {}\n", counted(tally.maps, "map"), tally.refused,
+               counted(tally.errors, "error"), counted(tally.warnings, "warning"));
+    return tally.refused == 0 ? kDone : kFailed;
+}
 
 }  // namespace enfilade

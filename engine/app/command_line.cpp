@@ -1,30 +1,161 @@
+// The only file that knows CLI11: reading its headers takes longer than compiling the rest of a command.
 #include "app/command_line.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <utility>
-#include <vector>
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
+#include "formats/number_text.h"
+#include "render/view.h"
 
 namespace enfilade {
 namespace {
 
-struct Declared {
-    std::unique_ptr<Command> command;
-    CLI::App* declaration = nullptr;
-};
+constexpr const char* kRenderers = "column (fast) or reference (slow, simply right)";
+constexpr double kLatestMoment = 1e9;                     // [s], thirty years
+constexpr double kLeastStretch = 0.1, kMostStretch = 10;  // beyond them nothing can be told apart
+constexpr int kMostThreads = 256, kMostFramesBetween = 1'000'000;
 
-std::vector<Declared> declare_commands(CLI::App& enfilade) {
-    std::vector<Declared> commands;
-    for (const auto make : {make_play_command, make_render_command, make_fly_command, make_check_command}) {
-        auto command = make();
-        CLI::App* declaration = command->declare(enfilade);
-        commands.push_back({std::move(command), declaration});
-    }
-    return commands;
+/// A finite number from low to high. CLI11's own Range lets NaN through.
+CLI::Validator number_within(double low, double high) {
+    return CLI::Validator(
+        [=](std::string& text) -> std::string {
+            const auto number = parse_number(text);
+            if (number && *number >= low && *number <= high) return {};
+            return fmt::format("expected a number from {} to {}; found '{}'", low, high, text);
+        },
+        "");
+}
+
+void declare_textures(CLI::App& command, std::vector<std::string>& folders) {
+    command.add_option("--textures", folders, "More folders to look for pictures in")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+}
+
+void declare_threads(CLI::App& command, std::size_t& threads) {
+    command.add_option("--threads", threads, "Threads to draw with; else one for each core")
+        ->type_name("N")
+        ->check(number_within(1, kMostThreads));
+}
+
+CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
+    CLI::App* command = enfilade.add_subcommand("play", "Walk through a map in a window");
+    command->add_option("MAP", request.map, "The map file (.toml); if none is given, the tour of Enfilade");
+    command->add_option("--renderer", request.renderer, kRenderers)->type_name("NAME");
+    command->add_option("--size", request.size, "Size of the picture in pixels, scaled to the window")
+        ->type_name("WxH");
+    command->add_flag("--fullscreen", request.fullscreen, "Fill the screen");
+    command->add_option("--record", request.tape, "Write down all input, to play it again")->type_name("TAPE");
+    declare_textures(*command, request.texture_folders);
+    command->footer(
+        "Keys: WASD or up/down walk, mouse or left/right turn, Shift runs, C crouches, E uses, Tab shows the map\n"
+        "(+ and - zoom), F3 shows times and viewports, F11 fills the screen, F12 saves a picture, Esc opens the "
+        "menu.\nA gamepad works, too. Saving the map's file while playing loads it again in place.");
+    return command;
+}
+
+void declare_places(CLI::App& command, RenderRequest& request) {
+    auto* view = command.add_option("--view", request.view,
+                                    "Place of the eye in metres and look in degrees; without it, the player's start");
+    view->type_name("X,Y,Z,YAW,PITCH");
+    auto* views = command.add_option("--views", request.views,
+                                     "Many places: a CSV file with the header x,y,z,yaw,pitch and maybe sector");
+    views->type_name("FILE.csv")->excludes(view);
+    command.add_option("--sector", request.sector, "The sector that holds the view; else it is found")
+        ->type_name("NAME")
+        ->needs(view);
+    command.add_option("--time", request.time_s, "The moment to show, in seconds since the start")
+        ->type_name("S")
+        ->check(number_within(0, kLatestMoment));
+}
+
+void declare_pictures(CLI::App& command, RenderRequest& request) {
+    command.add_option("--size", request.size, "Size in pixels, 1280x800 if not given")->type_name("WxH");
+    command.add_option("--fov", request.fov_degrees, "Horizontal field of view, 90 if not given")
+        ->type_name("DEG")
+        ->check(number_within(kMinFov, kMaxFov));
+    command.add_option("--stretch", request.stretch, "Vertical stretch instead of the map's own; Doom's is 1.2")
+        ->type_name("S")
+        ->check(number_within(kLeastStretch, kMostStretch));
+    command.add_option("--renderer", request.renderer, kRenderers)->type_name("NAME");
+    command.add_option("--accuracy", request.accuracy, "exact")->type_name("NAME");
+    declare_threads(command, request.threads);
+    declare_textures(command, request.texture_folders);
+    command.add_option("--out", request.out, "One picture, or a folder for 000000.png onward")
+        ->type_name("FILE.png|DIR")
+        ->required();
+    command.add_option("--ids", request.ids, "The same for pictures of 24-bit surface ids, red the high byte")
+        ->type_name("FILE.png|DIR");
+    command.add_option("--timing", request.timing, "How long each view took to draw: view,ns")->type_name("FILE.csv");
+}
+
+CLI::App* declare_render(CLI::App& enfilade, RenderRequest& request) {
+    CLI::App* command = enfilade.add_subcommand("render", "Draw pictures of a map, without a window");
+    command->add_option("MAP", request.map, "The map file (.toml)")->required();
+    declare_places(*command, request);
+    declare_pictures(*command, request);
+    command->footer(
+        "Examples:\n  enfilade render maps/enfilade.toml --out start.png\n  enfilade render "
+        "maps/enfilade.toml --view 3,2,1.7,90,0 --size 640x400 --out door.png\n  enfilade render "
+        "maps/enfilade.toml --views places.csv --out pictures --timing times.csv\nExit status: 0 done, 1 "
+        "the map or a file is at fault, 2 wrong usage.");
+    return command;
+}
+
+void declare_drawing(CLI::App& command, FlyRequest& request) {
+    command.add_option("--out", request.out, "A folder for 000000.png onward, or a film; with --check, a report")
+        ->type_name("DIR|FILE.mp4|FILE.y4m");
+    command.add_option("--frames", request.frames, "Only these frames, counted from 0")->type_name("A..B");
+    command.add_option("--size", request.size, "Size in pixels instead of the script's")->type_name("WxH");
+    command.add_option("--renderer", request.renderer, "column or reference, instead of the script's")
+        ->type_name("NAME");
+    declare_threads(command, request.threads);
+    declare_textures(command, request.texture_folders);
+}
+
+void declare_tests(CLI::App& command, FlyRequest& request) {
+    auto* check = command.add_flag("--check", request.check,
+                                   "Compare every frame with its recorded hash; where some differ, exit with 1 "
+                                   "and leave pictures of them in a report");
+    command.add_flag("--record", request.record, "Record the hash of every frame in SCRIPT's .hashes file")
+        ->excludes(check);
+    command.add_option("--keep", request.keep_every, "With --record: also keep every N-th frame as a picture")
+        ->type_name("N")
+        ->check(number_within(1, kMostFramesBetween));
+    command.add_option("--against", request.against, "With --check: compare with another renderer instead")
+        ->type_name("NAME");
+    command
+        .add_option("--tolerance", request.tolerance_percent,
+                    "With --against: how many percent of a frame's pixels may differ; 0 if not given")
+        ->type_name("PERCENT")
+        ->check(number_within(0, 100));
+}
+
+CLI::App* declare_fly(CLI::App& enfilade, FlyRequest& request) {
+    CLI::App* command = enfilade.add_subcommand("fly", "Draw a scripted flythrough: pictures, a film, or a test");
+    command->add_option("SCRIPT", request.script, "The script (.toml): a map, a size and what the camera does")
+        ->required();
+    declare_drawing(*command, request);
+    declare_tests(*command, request);
+    command->footer(
+        "Examples:\n  enfilade fly maps/flythroughs/enfilade.toml --out enfilade.mp4\n  enfilade fly "
+        "maps/flythroughs/enfilade.toml --record\n  enfilade fly maps/flythroughs/enfilade.toml --check "
+        "--out report\nExit status: 0 done, 1 something is at fault or differs, 2 wrong usage.");
+    return command;
+}
+
+CLI::App* declare_check(CLI::App& enfilade, CheckRequest& request) {
+    CLI::App* command = enfilade.add_subcommand("check", "Say everything that is wrong with maps, with its place");
+    command->add_option("MAP", request.maps, "Map files (.toml)")->required();
+    declare_textures(*command, request.texture_folders);
+    command->add_flag("--effects", request.effects, "Also tell which effects each map calls for and what they cost");
+    command->footer(
+        "Findings are printed as FILE:LINE:COLUMN: error|warning: SENTENCE [CODE]. A warning does not "
+        "refuse a map.\nExit status: 0 all maps are sound, 1 some have errors, 2 wrong usage.");
+    return command;
 }
 
 /// The subcommand that was being read, or the whole program: whose help to point to.
@@ -40,7 +171,14 @@ int run_command_line(int argc, const char* const* argv) {
     app.set_version_flag("--version", "enfilade " ENFILADE_VERSION);
     app.require_subcommand(1);
     app.footer("`enfilade COMMAND --help` tells more about each. Exit status: 0 done, 1 failed, 2 wrong usage.");
-    const auto commands = declare_commands(app);
+    PlayRequest play;
+    RenderRequest render;
+    FlyRequest fly;
+    CheckRequest check;
+    const CLI::App* const declared_play = declare_play(app, play);
+    const CLI::App* const declared_render = declare_render(app, render);
+    const CLI::App* const declared_fly = declare_fly(app, fly);
+    declare_check(app, check);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked_for_text) {
@@ -48,9 +186,10 @@ int run_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         return refuse_usage({"", fmt::format("{}; see `{} --help`", error.what(), command_at_fault(app))});
     }
-    for (const Declared& declared : commands)
-        if (declared.declaration->parsed()) return declared.command->run();
-    return kUsage;  // not reached: a subcommand is required
+    if (declared_play->parsed()) return run_play(play);
+    if (declared_render->parsed()) return run_render(render);
+    if (declared_fly->parsed()) return run_fly(fly);
+    return run_check(check);
 }
 
 }  // namespace enfilade

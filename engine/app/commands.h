@@ -1,25 +1,47 @@
-// The subcommands of `enfilade`, one source file each.
+// The subcommands of `enfilade`, one source file each: what each may be given, as typed, and what it does with it.
 #pragma once
-#include <CLI/App.hpp>
-#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/parallel.h"
 
 namespace enfilade {
 
-/// A subcommand: what it may be given, and what it does with it.
-class Command {
-public:
-    virtual ~Command() = default;
-
-    /// Adds itself to the command line; the arguments are parsed into this object.
-    virtual CLI::App* declare(CLI::App& enfilade) = 0;
-
-    /// Does its work; the exit code (app/exit_codes.h).
-    virtual int run() = 0;
+struct PlayRequest {
+    std::string map, renderer = "column", size, tape;  ///< map, size, tape: empty where not given
+    std::vector<std::string> texture_folders;
+    bool fullscreen = false;
 };
 
-std::unique_ptr<Command> make_play_command();
-std::unique_ptr<Command> make_render_command();
-std::unique_ptr<Command> make_fly_command();
-std::unique_ptr<Command> make_check_command();
+struct RenderRequest {
+    std::string map, view, views, sector, size = "1280x800", renderer = "column", accuracy = "exact";
+    double fov_degrees = 90, time_s = 0;
+    std::optional<double> stretch;
+    std::size_t threads = hardware_threads();
+    std::vector<std::string> texture_folders;
+    std::string out, ids, timing;
+};
+
+struct FlyRequest {
+    std::string script, out, renderer, frames, size, against;
+    std::vector<std::string> texture_folders;
+    std::size_t threads = hardware_threads();
+    double tolerance_percent = 0;
+    int keep_every = 0;
+    bool check = false, record = false;
+};
+
+struct CheckRequest {
+    std::vector<std::string> maps;
+    std::vector<std::string> texture_folders;
+    bool effects = false;
+};
+
+/// Each does its work, says on stderr what went wrong and returns an exit code (app/exit_codes.h).
+int run_play(const PlayRequest& request);
+int run_render(const RenderRequest& request);
+int run_fly(const FlyRequest& request);
+int run_check(const CheckRequest& request);
 
 }  // namespace enfilade

@@ -1,7 +1,6 @@
 // `enfilade fly`: a scripted flythrough as pictures, as a film, or as a test.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
 
@@ -13,20 +12,9 @@
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/recorded_flight.h"
-#include "app/validators.h"
-#include "base/parallel.h"
 
 namespace enfilade {
 namespace {
-
-struct FlyRequest {
-    std::string script, out, renderer, frames, size, against;
-    std::vector<std::string> texture_folders;
-    std::size_t threads = hardware_threads();
-    double tolerance_percent = 0;
-    int keep_every = 0;
-    bool check = false, record = false;
-};
 
 /// What of the command line is understood without the script; none: the script's own.
 struct FlyChoices {
@@ -48,6 +36,8 @@ Status choose(const std::string& text, Parse parse, std::optional<T>& choice) {
 Status check_combination(const FlyRequest& request) {
     if (!request.check && !request.record && request.out.empty())
         return Error{"", "expected --out DIR, --out FILE.mp4 or FILE.y4m, --check or --record"};
+    if (names_picture(request.out)) return Error{"--out", "expected a folder for many pictures, or a film"};
+    if (Status wrong = refuse_other_kinds(request.out)) return wrong;
     if (!request.against.empty() && !request.check) return Error{"--against", "needs --check"};
     if (request.keep_every > 0 && !request.record) return Error{"--keep", "needs --record"};
     if (request.record && !request.frames.empty()) return Error{"--record", "records all frames; leave out --frames"};
@@ -111,83 +101,45 @@ std::string report_folder(const FlyRequest& request) {
     return std::filesystem::path(request.script).stem().string() + ".failed";
 }
 
-class FlyCommand final : public Command {
-public:
-    CLI::App* declare(CLI::App& enfilade) override {
-        CLI::App* command = enfilade.add_subcommand("fly", "Draw a scripted flythrough: pictures, a film, or a test");
-        command->add_option("SCRIPT", request_.script, "The script (.toml): a map, a size and what the camera does")
-            ->required();
-        declare_drawing(*command);
-        declare_tests(*command);
-        command->footer(
-            "Examples:\n  enfilade fly maps/flythroughs/enfilade.toml --out enfilade.mp4\n  enfilade fly "
-            "maps/flythroughs/enfilade.toml --record\n  enfilade fly maps/flythroughs/enfilade.toml --check "
-            "--out report\nExit status: 0 done, 1 something is at fault or differs, 2 wrong usage.");
-        return command;
-    }
+Status record_or_check(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan,
+                       const FlyChoices& choices) {
+    const std::string report = report_folder(request);
+    if (request.record) return record_flight(scene, plan, request.script, request.keep_every);
+    if (choices.against)
+        return compare_renderers(scene, plan, *choices.against, request.tolerance_percent / 100, report);
+    return check_flight(scene, plan, request.script, report);
+}
 
-    int run() override {
-        const auto choices = choices_of(request_);
-        if (!choices.ok()) return refuse_usage(choices.error());
-        const auto open = open_flight(request_.script, request_.texture_folders);
-        if (!open) return kFailed;
-        auto plan = plan_of(choices.value(), *open);
-        if (!plan.ok()) return refuse_usage(plan.error());
-        plan.value().workers = request_.threads;
-        if (Status failed = work(*open, plan.value(), choices.value())) return fail(*failed);
-        return kDone;
-    }
+/// Records or checks, and says that all is well.
+Status test(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan, const FlyChoices& choices) {
+    const Status failed = record_or_check(request, scene, plan, choices);
+    if (!failed)
+        fmt::print("{}: {} frames {}\n", request.script, plan.last - plan.first + 1,
+                   request.record    ? "recorded"
+                   : choices.against ? "drawn alike by both renderers"
+                                     : "as they were recorded");
+    return failed;
+}
 
-private:
-    void declare_drawing(CLI::App& command) {
-        command.add_option("--out", request_.out, "A folder for 000000.png onward, or a film; with --check, a report")
-            ->type_name("DIR|FILE.mp4|FILE.y4m");
-        command.add_option("--frames", request_.frames, "Only these frames, counted from 0")->type_name("A..B");
-        command.add_option("--size", request_.size, "Size in pixels instead of the script's")->type_name("WxH");
-        command.add_option("--renderer", request_.renderer, "column or reference, instead of the script's")
-            ->type_name("NAME");
-        command.add_option("--threads", request_.threads, "Threads to draw with; else one for each core")
-            ->type_name("N")
-            ->check(number_within(1, 256));
-        command.add_option("--textures", request_.texture_folders, "More folders to look for pictures in")
-            ->type_name("DIR")
-            ->allow_extra_args(false);
-    }
-
-    void declare_tests(CLI::App& command) {
-        auto* check = command.add_flag("--check", request_.check,
-                                       "Compare every frame with its recorded hash; where some differ, exit with 1 "
-                                       "and leave pictures of them in a report");
-        command.add_flag("--record", request_.record, "Record the hash of every frame in SCRIPT's .hashes file")
-            ->excludes(check);
-        command.add_option("--keep", request_.keep_every, "With --record: also keep every N-th frame as a picture")
-            ->type_name("N")
-            ->check(number_within(1, 1e6));
-        command.add_option("--against", request_.against, "With --check: compare with another renderer instead")
-            ->type_name("NAME");
-        command
-            .add_option("--tolerance", request_.tolerance_percent,
-                        "With --against: how many percent of a frame's pixels may differ; 0 if not given")
-            ->type_name("PERCENT")
-            ->check(number_within(0, 100));
-    }
-
-    Status work(const OpenFlight& open, const DrawPlan& plan, const FlyChoices& choices) const {
-        const FlightScene scene{open.flight, open.map.map, open.map.textures};
-        const std::string report = report_folder(request_);
-        if (request_.record) return record_flight(scene, plan, request_.script, request_.keep_every);
-        if (choices.against)
-            return compare_renderers(scene, plan, *choices.against, request_.tolerance_percent / 100, report);
-        if (request_.check) return check_flight(scene, plan, request_.script, report);
-        if (names_film(request_.out)) return draw_film(request_.out, scene, plan, open.script.rate);
-        return draw_pictures_into(request_.out, scene, plan);
-    }
-
-    FlyRequest request_;
-};
+Status work(const FlyRequest& request, const OpenFlight& open, const DrawPlan& plan, const FlyChoices& choices) {
+    const FlightScene scene{open.flight, open.map.map, open.map.textures};
+    if (request.record || request.check) return test(request, scene, plan, choices);
+    if (names_film(request.out)) return draw_film(request.out, scene, plan, open.script.rate);
+    return draw_pictures_into(request.out, scene, plan);
+}
 
 }  // namespace
 
-std::unique_ptr<Command> make_fly_command() { return std::make_unique<FlyCommand>(); }
+int run_fly(const FlyRequest& request) {
+    const auto choices = choices_of(request);
+    if (!choices.ok()) return refuse_usage(choices.error());
+    const auto open = open_flight(request.script, request.texture_folders);
+    if (!open) return kFailed;
+    auto plan = plan_of(choices.value(), *open);
+    if (!plan.ok()) return refuse_usage(plan.error());
+    plan.value().workers = request.threads;
+    if (Status failed = work(request, *open, plan.value(), choices.value())) return fail(*failed);
+    return kDone;
+}
 
 }  // namespace enfilade

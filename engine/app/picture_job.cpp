@@ -6,6 +6,7 @@
 #include <atomic>
 #include <memory>
 
+#include "app/film.h"
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "base/files.h"
@@ -89,10 +90,13 @@ private:
 }  // namespace
 
 Status check_outputs(const PictureJob& job) {
-    for (const auto& [argument, path] : {std::pair{"--out", job.out}, {"--ids", job.ids}})
+    for (const auto& [argument, path] : {std::pair{"--out", job.out}, {"--ids", job.ids}}) {
+        if (names_film(path)) return Error{argument, "render writes pictures; `enfilade fly` writes films"};
+        if (Status wrong = refuse_other_kinds(path)) return Error{argument, wrong->what};
         if (job.views.size() != 1 && names_picture(path))
             return Error{argument, fmt::format("expected a folder for {} pictures; found the file name '{}'",
                                                job.views.size(), path)};
+    }
     return {};
 }
 

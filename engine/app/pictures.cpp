@@ -3,11 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace enfilade {
+namespace {
+
+constexpr std::array<std::string_view, 14> kOtherKinds{".jpg", ".jpeg", ".bmp", ".gif",  ".tga", ".tif", ".tiff",
+                                                       ".ppm", ".webp", ".avi", ".webm", ".mkv", ".mov", ".mpg"};
+
+/// ".png" of "a/B.PNG".
+std::string ending_of(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return ending;
+}
+
+}  // namespace
 
 Image image_of(const Frame& frame) { return {std::uint32_t(frame.width), std::uint32_t(frame.height), frame.pixels}; }
 
@@ -20,10 +35,12 @@ Image ids_image(const FrameFacts& facts, int width, int height) {
     return image;
 }
 
-bool names_picture(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return ending == ".png";
+bool names_picture(const std::string& path) { return ending_of(path) == ".png"; }
+
+Status refuse_other_kinds(const std::string& path) {
+    const std::string ending = ending_of(path);
+    if (std::ranges::find(kOtherKinds, ending) == std::end(kOtherKinds)) return {};
+    return Error{"--out", fmt::format("expected a folder, a .png picture or a .mp4 or .y4m film; found '{}'", path)};
 }
 
 std::string numbered_picture(const std::string& folder, std::size_t number) {

@@ -1,30 +1,17 @@
 // `enfilade render`: pictures of a map from given places, without a window.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <optional>
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
 #include "app/picture_job.h"
-#include "app/validators.h"
 #include "app/viewing.h"
 #include "base/files.h"
-#include "base/parallel.h"
 #include "formats/views_csv.h"
 
 namespace enfilade {
 namespace {
-
-/// The arguments as typed.
-struct RenderRequest {
-    std::string map, view, views, sector, size = "1280x800", renderer = "column", accuracy = "exact";
-    double fov_degrees = 90, time_s = 0;
-    std::optional<double> stretch;
-    std::size_t threads = hardware_threads();
-    std::vector<std::string> texture_folders;
-    std::string out, ids, timing;
-};
 
 /// The places of a list; where it is refused, its findings are on stderr.
 std::optional<std::vector<ViewRow>> read_places(const std::string& path) {
@@ -77,97 +64,31 @@ Result<std::vector<View>> view_of_player(const Map& map, const RenderRequest& re
     return std::vector{view.value()};
 }
 
-class RenderCommand final : public Command {
-public:
-    CLI::App* declare(CLI::App& enfilade) override {
-        CLI::App* command = enfilade.add_subcommand("render", "Draw pictures of a map, without a window");
-        command->add_option("MAP", request_.map, "The map file (.toml)")->required();
-        declare_places(*command);
-        declare_pictures(*command);
-        declare_outputs(*command);
-        command->footer(
-            "Examples:\n  enfilade render maps/enfilade.toml --out start.png\n  enfilade render "
-            "maps/enfilade.toml --view 3,2,1.7,90,0 --size 640x400 --out door.png\n  enfilade render "
-            "maps/enfilade.toml --views places.csv --out pictures --timing times.csv\nExit status: 0 done, 1 "
-            "the map or a file is at fault, 2 wrong usage.");
-        return command;
-    }
-
-    int run() override {
-        auto job = job_of(request_);
-        if (!job.ok()) return refuse_usage(job.error());
-        std::vector<ViewRow> places;
-        if (!request_.view.empty()) {
-            auto place = parse_view(request_.view);
-            if (!place.ok()) return refuse_usage({"--view", place.error().what});
-            place.value().sector = request_.sector;
-            places.push_back(std::move(place).value());
-        } else if (!request_.views.empty()) {
-            auto list = read_places(request_.views);
-            if (!list) return kFailed;
-            places = std::move(*list);
-        }
-        const auto map = open_map(request_.map, request_.texture_folders);
-        if (!map) return kFailed;
-        const bool from_start = request_.view.empty() && request_.views.empty();
-        auto views = from_start ? view_of_player(map->map, request_) : views_in(map->map, places, request_);
-        if (!views.ok()) return fail(views.error());
-        job.value().views = std::move(views).value();
-        if (Status wrong = check_outputs(job.value())) return refuse_usage(*wrong);
-        if (Status failed = draw_pictures(*map, job.value())) return fail(*failed);
-        return kDone;
-    }
-
-private:
-    void declare_places(CLI::App& command) {
-        auto* view = command.add_option(
-            "--view", request_.view, "Place of the eye in metres and look in degrees; without it, the player's start");
-        view->type_name("X,Y,Z,YAW,PITCH");
-        auto* views = command.add_option("--views", request_.views,
-                                         "Many places: a CSV file with the header x,y,z,yaw,pitch and maybe sector");
-        views->type_name("FILE.csv")->excludes(view);
-        command.add_option("--sector", request_.sector, "The sector that holds the view; else it is found")
-            ->type_name("NAME")
-            ->needs(view);
-        command.add_option("--time", request_.time_s, "The moment to show, in seconds since the start")
-            ->type_name("S")
-            ->check(number_within(0.0, 1e9));
-    }
-
-    void declare_pictures(CLI::App& command) {
-        command.add_option("--size", request_.size, "Size in pixels, 1280x800 if not given")->type_name("WxH");
-        command.add_option("--fov", request_.fov_degrees, "Horizontal field of view, 90 if not given")
-            ->type_name("DEG")
-            ->check(number_within(kMinFov, kMaxFov));
-        command.add_option("--stretch", request_.stretch, "Vertical stretch instead of the map's own; Doom's is 1.2")
-            ->type_name("S")
-            ->check(number_within(0.1, 10.0));
-        command.add_option("--renderer", request_.renderer, "column (fast) or reference (slow, simply right)")
-            ->type_name("NAME");
-        command.add_option("--accuracy", request_.accuracy, "exact")->type_name("NAME");
-        command.add_option("--threads", request_.threads, "Threads to draw with; else one for each core")
-            ->type_name("N")
-            ->check(number_within(1, 256));
-        command.add_option("--textures", request_.texture_folders, "More folders to look for pictures in")
-            ->type_name("DIR")
-            ->allow_extra_args(false);
-    }
-
-    void declare_outputs(CLI::App& command) {
-        command.add_option("--out", request_.out, "One picture, or a folder for 000000.png onward")
-            ->type_name("FILE.png|DIR")
-            ->required();
-        command.add_option("--ids", request_.ids, "The same for pictures of 24-bit surface ids, red the high byte")
-            ->type_name("FILE.png|DIR");
-        command.add_option("--timing", request_.timing, "How long each view took to draw: view,ns")
-            ->type_name("FILE.csv");
-    }
-
-    RenderRequest request_;
-};
-
 }  // namespace
 
-std::unique_ptr<Command> make_render_command() { return std::make_unique<RenderCommand>(); }
+int run_render(const RenderRequest& request) {
+    auto job = job_of(request);
+    if (!job.ok()) return refuse_usage(job.error());
+    std::vector<ViewRow> places;
+    if (!request.view.empty()) {
+        auto place = parse_view(request.view);
+        if (!place.ok()) return refuse_usage({"--view", place.error().what});
+        place.value().sector = request.sector;
+        places.push_back(std::move(place).value());
+    } else if (!request.views.empty()) {
+        auto list = read_places(request.views);
+        if (!list) return kFailed;
+        places = std::move(*list);
+    }
+    const auto map = open_map(request.map, request.texture_folders);
+    if (!map) return kFailed;
+    const bool from_start = request.view.empty() && request.views.empty();
+    auto views = from_start ? view_of_player(map->map, request) : views_in(map->map, places, request);
+    if (!views.ok()) return fail(views.error());
+    job.value().views = std::move(views).value();
+    if (Status wrong = check_outputs(job.value())) return refuse_usage(*wrong);
+    if (Status failed = draw_pictures(*map, job.value())) return fail(*failed);
+    return kDone;
+}
 
 }  // namespace enfilade

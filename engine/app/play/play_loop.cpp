@@ -42,7 +42,7 @@ PlayLoop::PlayLoop(Game& game, Window& window, const PlayOptions& options)
 }
 
 Status PlayLoop::run() {
-    started_ns_ = ticked_until_ns_ = looked_ns_ = now_ns();
+    started_ns_ = passed_until_ns_ = ticked_until_ns_ = looked_ns_ = now_ns();
     window_.grab_mouse(true);
     notices_.say("Esc: menu   Tab: map   F3: times   F12: picture", 0, kWelcomeSeconds);
     const auto frame_time = static_cast<std::int64_t>(kSecond / window_.refresh_hz());
@@ -140,8 +140,9 @@ void PlayLoop::reload() {
 }
 
 void PlayLoop::pass_time(std::int64_t now) {
+    if (menu_.is_open()) ticked_until_ns_ += now - passed_until_ns_;
+    passed_until_ns_ = now;
     ticked_until_ns_ = std::max(ticked_until_ns_, now - kMostToCatchUp);
-    if (menu_.is_open()) ticked_until_ns_ = now;
     for (; now - ticked_until_ns_ >= kTick; ticked_until_ns_ += kTick)
         game_.tick(input_.take_tick(game_.player().pitch_steps));
 }

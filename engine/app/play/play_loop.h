@@ -39,7 +39,7 @@ private:
     void apply_settings();
     void look_for_changes(std::int64_t now);
     void reload();
-    /// Lets as many ticks pass as time has.
+    /// Lets as many ticks pass as time has; none while the menu is open, and the picture then stands still, too.
     void pass_time(std::int64_t now);
     /// The automap learns what is in the picture.
     void remember_seen(std::int64_t now);
@@ -59,7 +59,7 @@ private:
     Menu menu_;
     Notices notices_;
     FrameTimes times_;
-    std::int64_t started_ns_ = 0, ticked_until_ns_ = 0, looked_ns_ = 0, remembered_ns_ = 0;
+    std::int64_t started_ns_ = 0, passed_until_ns_ = 0, ticked_until_ns_ = 0, looked_ns_ = 0, remembered_ns_ = 0;
     bool readout_open_ = false, screenshot_wanted_ = false, quit_ = false;
 };
 

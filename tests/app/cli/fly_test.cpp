@@ -1,0 +1,139 @@
+// `enfilade fly` from outside.
+#include <gmock/gmock.h>
+
+#include "app/cli/program.h"
+
+namespace enfilade {
+namespace {
+
+using test::Ended;
+using test::Program;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A second of walking at ten frames a second: eleven frames.
+constexpr const char* kWalk = R"(map = "map.toml"
+size = [64, 40]
+rate = 10
+[[legs]]
+seconds = 1
+to = [6, 3]
+)";
+
+class Fly : public ::testing::Test {
+protected:
+    Fly() {
+        program_.write("map.toml", test::kTwoRooms);
+        program_.write("walk.toml", kWalk);
+    }
+
+    Ended fly(std::vector<std::string> more) const {
+        more.insert(more.begin(), {"fly", "walk.toml"});
+        return program_.run(more);
+    }
+
+    Program program_;
+};
+
+TEST_F(Fly, DrawsEveryFrame) {
+    EXPECT_EQ(fly({"--out", "frames"}).exit_code, 0);
+    EXPECT_TRUE(program_.exists("frames/000000.png"));
+    EXPECT_TRUE(program_.exists("frames/000010.png"));
+    EXPECT_FALSE(program_.exists("frames/000011.png"));
+}
+
+TEST_F(Fly, DrawsAPartAsPartOfTheWhole) {
+    fly({"--out", "all"});
+    fly({"--out", "part", "--frames", "4..5"});
+    EXPECT_FALSE(program_.exists("part/000003.png"));
+    EXPECT_EQ(program_.text("part/000004.png"), program_.text("all/000004.png"));
+}
+
+TEST_F(Fly, FilmsAsY4m) {
+    EXPECT_EQ(fly({"--out", "walk.y4m"}).exit_code, 0);
+    const std::string film = program_.text("walk.y4m");
+    EXPECT_THAT(film, StartsWith("YUV4MPEG2 W64 H40 F10:1 "));
+    EXPECT_EQ(film.size(), film.find('\n') + 1 + 11 * (6 + 3 * 64 * 40));
+    EXPECT_FALSE(program_.exists("walk.y4m.part"));
+}
+
+TEST_F(Fly, SaysThatAnMp4NeedsFfmpeg) {
+    const Ended ended = program_.run({"fly", "walk.toml", "--out", "walk.mp4"}, "PATH=/nowhere");
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("ffmpeg"));
+    EXPECT_FALSE(program_.exists("walk.mp4"));
+}
+
+TEST_F(Fly, ChecksWhatItRecorded) {
+    EXPECT_EQ(fly({"--record"}).exit_code, 0);
+    EXPECT_TRUE(program_.exists("walk.hashes"));
+    EXPECT_EQ(fly({"--check"}).exit_code, 0);
+    EXPECT_EQ(fly({"--check", "--frames", "3..7", "--threads", "3"}).exit_code, 0);
+}
+
+TEST_F(Fly, ReportsFramesThatChanged) {
+    fly({"--record", "--keep", "5"});
+    program_.write("walk.toml", std::string(kWalk) + "pitch = 10\n");
+    const Ended ended = fly({"--check", "--out", "report"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("10 of 11 frames differ, frame 1 first"));
+    EXPECT_THAT(program_.text("report/index.html"), HasSubstr("as it was recorded"));
+    for (const char* what : {"expected", "actual", "difference"})
+        EXPECT_TRUE(program_.exists("report/000005-" + std::string(what) + ".png")) << what;
+}
+
+TEST_F(Fly, KeepsPicturesForTheEyeAndRenewsThem) {
+    fly({"--record", "--keep", "5"});
+    const std::string before = program_.text("walk.frames/000010.png");
+    EXPECT_NE(before, "");
+    EXPECT_FALSE(program_.exists("walk.frames/000001.png"));
+    program_.write("walk.toml", std::string(kWalk) + "pitch = 10\n");
+    fly({"--record"});
+    EXPECT_NE(program_.text("walk.frames/000010.png"), before);
+    fly({"--record", "--keep", "4"});
+    EXPECT_FALSE(program_.exists("walk.frames/000010.png"));
+}
+
+TEST_F(Fly, RefusesToCheckAgainstTheRecordOfAnotherLength) {
+    fly({"--record"});
+    program_.write("walk.toml", std::string(kWalk) + "[[legs]]\nwait = 1\n");
+    const Ended ended = fly({"--check"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("21 frames"));
+}
+
+TEST_F(Fly, SaysHowToMakeARecord) {
+    const Ended ended = fly({"--check"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("--record"));
+}
+
+TEST_F(Fly, ComparesRenderers) {
+    // A frame may differ in the texels that an edge falls on exactly: the start stands on the grid.
+    EXPECT_EQ(fly({"--check", "--against", "reference", "--tolerance", "100"}).exit_code, 0);
+    EXPECT_EQ(fly({"--check", "--against", "column"}).exit_code, 0);
+}
+
+TEST_F(Fly, PointsAtTheLegThatRunsIntoAWall) {
+    program_.write("walk.toml", "map = \"map.toml\"\n[[legs]]\nseconds = 1\nto = [2, 9]\n");
+    const Ended ended = fly({"--out", "frames"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("walk.toml:2:1: error: leg 1"));
+    EXPECT_FALSE(program_.exists("frames"));
+}
+
+TEST_F(Fly, RefusesWhatMakesNoSense) {
+    const std::vector<std::vector<std::string>> wrong{{},
+                                                      {"--check", "--record"},
+                                                      {"--against", "reference", "--out", "f"},
+                                                      {"--keep", "3", "--out", "f"},
+                                                      {"--record", "--frames", "1..2"},
+                                                      {"--out", "f", "--frames", "5..99"},
+                                                      {"--out", "f.webm"},
+                                                      {"--out", "f.png"},
+                                                      {"--out", "f", "--renderer", "stencil"}};
+    for (const auto& arguments : wrong) EXPECT_EQ(fly(arguments).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,138 @@
+// `enfilade render` from outside.
+#include <gmock/gmock.h>
+
+#include "app/cli/program.h"
+#include "formats/png.h"
+
+namespace enfilade {
+namespace {
+
+using test::Ended;
+using test::Program;
+using ::testing::HasSubstr;
+
+class Render : public ::testing::Test {
+protected:
+    Render() { program_.write("map.toml", test::kTwoRooms); }
+
+    /// Runs `render map.toml --size 64x40` with more arguments.
+    Ended render(std::vector<std::string> more) const {
+        std::vector<std::string> arguments{"render", "map.toml", "--size", "64x40"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return program_.run(arguments);
+    }
+
+    Image picture(const std::string& name) const {
+        const auto bytes = read_file(program_.path(name));
+        EXPECT_TRUE(bytes.ok()) << bytes.error().text();
+        return read_png(bytes.value()).value();
+    }
+
+    Program program_;
+};
+
+TEST_F(Render, DrawsThePlayersView) {
+    const Ended ended = render({"--out", "a.png"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(picture("a.png").width, 64u);
+    EXPECT_EQ(picture("a.png").height, 40u);
+}
+
+TEST_F(Render, DrawsTheSameFromTheSamePlaceGivenByHand) {
+    render({"--out", "a.png"});
+    EXPECT_EQ(render({"--view", "2,3,1.5,0,0", "--out", "b.png"}).exit_code, 0);
+    EXPECT_EQ(picture("a.png").pixels, picture("b.png").pixels);
+}
+
+TEST_F(Render, TakesAViewThatBeginsWithAMinus) {
+    const Ended ended = render({"--view", "-1,3,1.5,0,0", "--out", "b.png"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("(-1, 3)"));
+}
+
+TEST_F(Render, DrawsAList) {
+    program_.write("views.csv", "x,y,z,yaw,pitch,sector\n2,3,1.5,0,0,\n9,3,1.5,180,10,niche\n");
+    EXPECT_EQ(render({"--views", "views.csv", "--out", "pictures/of/it"}).exit_code, 0);
+    EXPECT_TRUE(program_.exists("pictures/of/it/000000.png"));
+    EXPECT_TRUE(program_.exists("pictures/of/it/000001.png"));
+    EXPECT_FALSE(program_.exists("pictures/of/it/000002.png"));
+}
+
+TEST_F(Render, DrawsAListTheSameWithAnyNumberOfThreads) {
+    std::string list = "x,y,z,yaw,pitch\n";
+    for (int yaw = 0; yaw < 360; yaw += 40) list += "2,3,1.5," + std::to_string(yaw) + ",0\n";
+    program_.write("views.csv", list);
+    render({"--views", "views.csv", "--out", "one", "--threads", "1"});
+    render({"--views", "views.csv", "--out", "three", "--threads", "3"});
+    for (int i = 0; i < 9; ++i) {
+        const std::string name = "/00000" + std::to_string(i) + ".png";
+        EXPECT_EQ(program_.text("one" + name), program_.text("three" + name));
+        EXPECT_NE(program_.text("one" + name), "");
+    }
+}
+
+TEST_F(Render, WritesSurfaceIdsThatBothRenderersAgreeOn) {
+    render({"--view", "2.3,3.1,1.4,7,0", "--out", "a.png", "--ids", "column.png"});
+    render({"--view", "2.3,3.1,1.4,7,0", "--out", "a.png", "--ids", "reference.png", "--renderer", "reference"});
+    EXPECT_EQ(picture("column.png").pixels, picture("reference.png").pixels);
+    EXPECT_EQ(picture("column.png").pixels.front(), 0xFF020000u);  // the hall's ceiling is 2, in blue
+}
+
+TEST_F(Render, WritesHowLongEachViewTook) {
+    program_.write("views.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n2,3,1.5,90,0\n");
+    EXPECT_EQ(render({"--views", "views.csv", "--out", "p", "--timing", "t.csv"}).exit_code, 0);
+    EXPECT_THAT(program_.text("t.csv"), ::testing::MatchesRegex("view,ns\n0,[0-9]+\n1,[0-9]+\n"));
+}
+
+TEST_F(Render, RefusesOnePictureFileForSeveralViews) {
+    program_.write("views.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n2,3,1.5,90,0\n");
+    EXPECT_EQ(render({"--views", "views.csv", "--out", "a.png"}).exit_code, 2);
+    EXPECT_FALSE(program_.exists("a.png"));
+}
+
+TEST_F(Render, RefusesPicturesThatAreNotPng) {
+    EXPECT_EQ(render({"--out", "a.jpg"}).exit_code, 2);
+    EXPECT_EQ(render({"--out", "a.mp4"}).exit_code, 2);
+}
+
+TEST_F(Render, NamesTheLineOfAViewOutsideTheMap) {
+    program_.write("views.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n99,3,1.5,0,0\n");
+    const Ended ended = render({"--views", "views.csv", "--out", "p"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("views.csv:3"));
+    EXPECT_FALSE(program_.exists("p"));
+}
+
+TEST_F(Render, RefusesWhatDoesNotExistYet) {
+    const Ended stencil = render({"--renderer", "stencil", "--out", "a.png"});
+    EXPECT_EQ(stencil.exit_code, 2);
+    EXPECT_THAT(stencil.err, HasSubstr("not there yet"));
+    EXPECT_EQ(render({"--accuracy", "fast", "--out", "a.png"}).exit_code, 2);
+}
+
+TEST_F(Render, RefusesNumbersOutOfRange) {
+    for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--fov", "180"},
+                                                                                        {"--fov", "nan"},
+                                                                                        {"--stretch", "0"},
+                                                                                        {"--threads", "0"},
+                                                                                        {"--time", "-1"},
+                                                                                        {"--size", "0x5"}})
+        EXPECT_EQ(render({option, value, "--out", "a.png"}).exit_code, 2) << option << " " << value;
+}
+
+TEST_F(Render, LeavesNothingBehindForAMapThatIsRefused) {
+    program_.write("map.toml", "format = 1\n");
+    const Ended ended = render({"--out", "new/a.png"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("map.toml"));
+    EXPECT_FALSE(program_.exists("new"));
+}
+
+TEST_F(Render, SaysWhenAPictureCannotBeWritten) {
+    const Ended ended = render({"--out", "no/such/a.png"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("no/such/a.png"));
+}
+
+}  // namespace
+}  // namespace enfilade
