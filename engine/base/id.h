@@ -25,5 +25,6 @@ using SectorId = Id<struct SectorTag>;
 using WallId = Id<struct WallTag>;
 using TextureId = Id<struct TextureTag>;
 using ThingId = Id<struct ThingTag>;
+using SpriteId = Id<struct SpriteTag>;
 
 }  // namespace enfilade

@@ -1,4 +1,4 @@
-// Where the player starts, and whether the things are in the map.
+// Where the player starts, and where the things are.
 #include <string>
 #include <vector>
 
@@ -9,6 +9,7 @@
 #include "map/names.h"
 #include "map/say.h"
 #include "map/sector_finder.h"
+#include "map/things.h"
 #include "math/grid.h"
 
 namespace enfilade {
@@ -51,14 +52,17 @@ public:
         draft_.map.player = start;
     }
 
-    void check_thing(const ThingRecord& thing) {
+    void place_thing(const ThingRecord& thing) {
         const Vec2 position = snap_to_point_grid(thing.position);
         const auto found = names_.find(0, thing.sector);
         if (!thing.sector.empty() && !found)
-            draft_.error(thing.place, "unknown-sector",
-                         "expected the name of a sector for the thing, found " + quoted(thing.sector) +
-                             names_.suggestion(0, thing.sector));
-        else if (found ? is_outside(SectorId(*found), position) : finder_.around(position).is_none())
+            return draft_.error(thing.place, "unknown-sector",
+                                "expected the name of a sector for the thing, found " + quoted(thing.sector) +
+                                    names_.suggestion(0, thing.sector));
+        const SectorId sector = found ? SectorId(*found) : finder_.around(position);
+        if (sector && !is_outside(sector, position))
+            add_thing(draft_, thing, sector, sprites_);
+        else
             draft_.warning(thing.place, "thing-outside",
                            "the thing at " + point_text(position) + " is outside " +
                                (found ? "sector " + quoted(thing.sector) : "every sector") + "; nobody will see it");
@@ -92,6 +96,7 @@ private:
 
     Draft& draft_;
     NameIndex names_;
+    SpriteShelf sprites_{draft_};
     SectorFinder finder_;
 };
 
@@ -114,7 +119,8 @@ void place_inhabitants(Draft& draft) {
     if (draft.map.sectors.empty() || (!draft.file.player && draft.file.things.empty())) return;
     Inhabitants inhabitants(draft);
     if (draft.file.player) inhabitants.place_player(*draft.file.player);
-    for (const ThingRecord& thing : draft.file.things) inhabitants.check_thing(thing);
+    for (const ThingRecord& thing : draft.file.things) inhabitants.place_thing(thing);
+    list_solid_things(draft.map);
 }
 
 }  // namespace enfilade

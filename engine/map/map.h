@@ -3,6 +3,7 @@
 // A Map is built once (map/load.h) and then only looked at. Everything is a value in a vector, joined by ids. What
 // moves or changes light is not here but in world/: functions take the heights of the moment beside the map.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -63,7 +64,44 @@ struct Sector {
     std::uint32_t wall_count = 0;
     double light = 1;  ///< at rest, 0..1
     Flat floor, ceiling;
-    Vec2 min, max;  ///< bounding box
+    Vec2 min, max;                  ///< bounding box
+    std::uint32_t first_solid = 0;  ///< its solid things are [first_solid, first_solid + solid_count) of
+    std::uint32_t solid_count = 0;  ///< Map::solid_things
+};
+
+/// One picture of an animation, from each direction.
+struct SpriteFrame {
+    /// By the eighth of a turn from which it is seen: 0 from the front, then going round to the thing's own left. One
+    /// picture for all directions is there eight times; none: nothing is shown.
+    std::array<TextureId, 8> views;
+    Vec2 origin_m;       ///< from the picture's upper left corner to the place of the thing, right and down [m]
+    double until_s = 0;  ///< when the next frame follows, counted from the start of the first; the last one's may be
+                         ///< infinity: it stays
+};
+
+/// What a thing looks like. Things that look alike share it.
+struct Sprite {
+    std::vector<SpriteFrame> frames;  ///< at least one
+    double texels_per_m = 32;
+    double reach_m = 0;  ///< how far any of its pictures reaches to either side
+};
+
+/// What a thing's height follows.
+enum class Footing : std::uint8_t { floor, ceiling, fixed };
+
+/// Something that stands or hangs in a room: an upright cylinder, shown as a picture that faces whoever looks.
+struct Thing {
+    std::string name, kind;  ///< both may be empty
+    SectorId sector;         ///< contains its position
+    Vec2 position;           ///< on the point grid
+    Angle yaw;
+    Footing footing = Footing::floor;
+    double z = 0;                 ///< of its foot, at rest [m]
+    double radius = 0;            ///< of its body, on the point grid [m]
+    double height = 0;            ///< of its body [m]
+    bool solid = false;           ///< bodies do not pass
+    std::optional<double> light;  ///< its own, 0..1, instead of the sector's
+    SpriteId sprite;              ///< none: nothing to be seen
 };
 
 /// Where the player starts.
@@ -79,11 +117,17 @@ struct Map {
     std::vector<Sector> sectors;
     std::vector<Wall> walls;
     std::vector<Rigid> links;  ///< what each linked portal or mirror does to what passes or is seen through it
+    std::vector<Thing> things;
+    std::vector<Sprite> sprites;
+    std::vector<ThingId> solid_things;  ///< by sector, each sector's in the order of their numbers
+    double widest_solid_m = 0;          ///< largest radius among them; 0: there are none
     std::optional<PlayerStart> player;
     RenderRecord render;
 
     const Sector& operator[](SectorId id) const { return sectors[id.index]; }
     const Wall& operator[](WallId id) const { return walls[id.index]; }
+    const Thing& operator[](ThingId id) const { return things[id.index]; }
+    const Sprite& operator[](SpriteId id) const { return sprites[id.index]; }
     /// The link's transform, or the identity.
     Rigid passage(const Wall& wall) const { return wall.link == Wall::kNoLink ? Rigid{} : links[wall.link]; }
 };

@@ -35,6 +35,12 @@ void note(Names& names, const std::optional<TextureSpec>& spec) {
     if (spec) note(names, *spec);
 }
 
+/// The pictures of one frame: one, or one for each of eight directions.
+void note(Names& names, const ThingRecord& thing, const SpriteFrameRecord& frame) {
+    for (int view = 0; view < thing.rotations; ++view)
+        note(names, TextureSpec{sprite_picture_name(thing, frame, view), {}, {}, thing.place});
+}
+
 Names names_used(const MapFile& file) {
     Names names;
     for (const SectorRecord& sector : file.sectors) {
@@ -45,6 +51,8 @@ Names names_used(const MapFile& file) {
                 for (const auto* spec : {&wall.texture, &wall.upper, &wall.lower, &wall.middle}) note(names, *spec);
         for (const PanelRecord& panel : sector.panels) note(names, panel.texture);
     }
+    for (const ThingRecord& thing : file.things)
+        for (const SpriteFrameRecord& frame : thing.frames) note(names, thing, frame);
     return names;
 }
 
@@ -104,6 +112,11 @@ void report(const Loading& loading, Findings& findings) {
 }
 
 }  // namespace
+
+std::string sprite_picture_name(const ThingRecord& thing, const SpriteFrameRecord& frame, int view) {
+    if (frame.texture == "-" || thing.rotations == 1) return frame.texture;
+    return frame.texture + std::to_string(view + 1);
+}
 
 TextureId TextureSet::find(std::string_view name) const {
     const std::string lower = lower_case(name);

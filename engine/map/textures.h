@@ -35,6 +35,9 @@ struct TextureSet {
     TextureId find(std::string_view name) const;
 };
 
+/// The name of the picture that a frame of a thing's sprite shows from one of eight directions, 0..7.
+std::string sprite_picture_name(const ThingRecord& thing, const SpriteFrameRecord& frame, int view);
+
 /// The picture that nobody can overlook: magenta and black.
 Texture make_placeholder();
 

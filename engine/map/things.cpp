@@ -1,0 +1,109 @@
+#include "map/things.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "formats/number_text.h"
+#include "formats/quoted.h"
+#include "map/say.h"
+#include "math/grid.h"
+
+namespace enfilade {
+namespace {
+
+/// How far a frame's pictures reach to either side of the thing [m].
+double reach_of(const SpriteFrame& frame, const TextureSet& textures, double texels_per_m) {
+    double reach = 0;
+    for (const TextureId view : frame.views)
+        if (view) reach = std::max({reach, frame.origin_m.x, textures[view].width / texels_per_m - frame.origin_m.x});
+    return reach;
+}
+
+Sprite sprite_from(const ThingRecord& thing, const TextureSet& textures) {
+    Sprite sprite;
+    sprite.texels_per_m = thing.size;
+    double time_s = 0;
+    for (const SpriteFrameRecord& record : thing.frames) {
+        SpriteFrame frame;
+        for (int view = 0; view < 8; ++view)
+            if (record.texture != "-") frame.views[view] = textures.find(sprite_picture_name(thing, record, view));
+        frame.origin_m = record.origin_tx * (1 / thing.size);
+        time_s = record.seconds > 0 ? time_s + record.seconds : std::numeric_limits<double>::infinity();
+        frame.until_s = time_s;
+        sprite.reach_m = std::max(sprite.reach_m, reach_of(frame, textures, thing.size));
+        sprite.frames.push_back(frame);
+        if (record.seconds == 0) break;  // it stays
+    }
+    return sprite;
+}
+
+void check_frames(Draft& draft, const ThingRecord& thing) {
+    const auto stays = [](const SpriteFrameRecord& frame) { return frame.seconds == 0; };
+    const auto last = std::find_if(thing.frames.begin(), thing.frames.end(), stays);
+    if (last == thing.frames.end() || last + 1 == thing.frames.end()) return;
+    draft.warning(thing.place, "unseen-frame",
+                  "the frame " + quoted(last->texture) + " of this thing is shown for ever, so " +
+                      quoted((last + 1)->texture) + " after it never is; give it seconds");
+}
+
+void check_height(Draft& draft, const Thing& thing, TextPlace place) {
+    const Sector& sector = draft.map[thing.sector];
+    const bool is_open = sector.floor.z < sector.ceiling.z;
+    if (!is_open || (thing.z < sector.ceiling.z && thing.z + thing.height > sector.floor.z)) return;
+    draft.warning(place, "thing-hidden",
+                  "expected the thing between the floor at " + number_text(sector.floor.z) + " m and the ceiling at " +
+                      number_text(sector.ceiling.z) + " m of sector " + quoted(sector.name) + ", found it from " +
+                      number_text(thing.z) + " m to " + number_text(thing.z + thing.height) + " m; nobody will see it");
+}
+
+}  // namespace
+
+SpriteId SpriteShelf::sprite_of(const ThingRecord& thing) {
+    if (thing.frames.empty()) return {};
+    std::vector<FrameKey> frames;
+    for (const SpriteFrameRecord& frame : thing.frames)
+        frames.emplace_back(frame.texture, frame.seconds, frame.origin_tx.x, frame.origin_tx.y);
+    std::vector<Sprite>& sprites = draft_.map.sprites;
+    const auto [it, is_new] = known_.try_emplace({thing.rotations, thing.size, std::move(frames)}, sprites.size());
+    if (is_new) sprites.push_back(sprite_from(thing, draft_.textures));
+    return it->second;
+}
+
+void add_thing(Draft& draft, const ThingRecord& record, SectorId sector, SpriteShelf& sprites) {
+    Thing thing;
+    thing.name = record.name;
+    thing.kind = record.kind;
+    thing.sector = sector;
+    thing.position = snap_to_point_grid(record.position);
+    thing.yaw = Angle::from_degrees(record.yaw_degrees);
+    thing.radius = snap_to_point_grid(record.radius);
+    thing.height = record.height;
+    thing.solid = record.solid;
+    thing.light = record.light;
+    thing.footing = record.z ? Footing::fixed : record.hanging ? Footing::ceiling : Footing::floor;
+    const Sector& home = draft.map[sector];
+    thing.z = record.z ? *record.z : record.hanging ? home.ceiling.z - record.height : home.floor.z;
+    thing.sprite = sprites.sprite_of(record);
+    check_frames(draft, record);
+    if (thing.footing == Footing::fixed) check_height(draft, thing, record.place);
+    draft.map.things.push_back(std::move(thing));
+}
+
+void list_solid_things(Map& map) {
+    for (std::size_t i = 0; i < map.things.size(); ++i) {
+        const Thing& thing = map.things[i];
+        if (!thing.solid || thing.radius <= 0 || thing.height <= 0) continue;
+        map.solid_things.push_back(ThingId(i));
+        map.widest_solid_m = std::max(map.widest_solid_m, thing.radius);
+        ++map.sectors[thing.sector.index].solid_count;
+    }
+    std::stable_sort(map.solid_things.begin(), map.solid_things.end(),
+                     [&](ThingId a, ThingId b) { return map[a].sector < map[b].sector; });
+    std::uint32_t first = 0;
+    for (Sector& sector : map.sectors) {
+        sector.first_solid = first;
+        first += sector.solid_count;
+    }
+}
+
+}  // namespace enfilade
