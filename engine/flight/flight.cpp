@@ -14,8 +14,9 @@ int frames_in(std::int64_t length_us, int rate) { return static_cast<int>(length
 
 }  // namespace
 
-Flight::Flight(Path path, const ScriptFile& script)
+Flight::Flight(Path path, const ScriptFile& script, const Map& map)
     : path_(std::move(path)),
+      at_rest_(at_rest(map)),
       rate_(script.rate),
       frames_(frames_in(std::visit([](const auto& kind) { return kind.length_us(); }, path_), script.rate)),
       fov_degrees_(script.fov_degrees) {}
@@ -23,7 +24,7 @@ Flight::Flight(Path path, const ScriptFile& script)
 std::optional<Flight> Flight::plan(const ScriptFile& script, const Map& map, Findings& findings) {
     auto path = CameraPath::plan(script, map, findings);
     if (!path) return {};
-    Flight flight(*path, script);
+    Flight flight(*path, script, map);
     if (auto misplaced = flight.misplaced_eye(*path, script, map)) {
         findings.push_back(std::move(*misplaced));
         return {};
@@ -33,7 +34,7 @@ std::optional<Flight> Flight::plan(const ScriptFile& script, const Map& map, Fin
 
 std::optional<Flight> Flight::plan(const ScriptFile& script, const Map& map, Tape tape, Findings& findings) {
     auto path = TapePath::plan(map, std::move(tape));
-    if (path.ok()) return Flight(std::move(path).value(), script);
+    if (path.ok()) return Flight(std::move(path).value(), script, map);
     findings.push_back({script.tape_place, Severity::error, "tape-refused", path.error().text()});
     return {};
 }
@@ -44,7 +45,7 @@ CameraPose Flight::pose_at(const Map& map, FrameTime time) const {
 
 FlightFrame Flight::at(const Map& map, int frame) const {
     const FrameTime time{frame, rate_};
-    FlightFrame shown{view_of(map, pose_at(map, time)), at_rest(map)};
+    FlightFrame shown{view_of(map, pose_at(map, time)), at_rest_};
     shown.snapshot.time_s = time.seconds();
     return shown;
 }

@@ -32,13 +32,14 @@ public:
     /// From frame 0 at the start to the last at the very end, both included: >= 1.
     int frames() const { return frames_; }
 
-    /// What frame n shows, 0 <= n < frames(). Cost: the walls on the way of one leg, and a snapshot.
+    /// What frame n shows, 0 <= n < frames(). Cost: the walls on the way of one leg, and a copy of a
+    /// snapshot.
     FlightFrame at(const Map& map, int frame) const;
 
 private:
     using Path = std::variant<CameraPath, TapePath>;
 
-    Flight(Path path, const ScriptFile& script);
+    Flight(Path path, const ScriptFile& script, const Map& map);
 
     CameraPose pose_at(const Map& map, FrameTime time) const;
     View view_of(const Map& map, const CameraPose& pose) const;
@@ -46,6 +47,7 @@ private:
     std::optional<Finding> misplaced_eye(const CameraPath& path, const ScriptFile& script, const Map& map) const;
 
     Path path_;
+    Snapshot at_rest_;
     int rate_ = 30;  ///< [1/s]
     int frames_ = 1;
     double fov_degrees_ = 90;

@@ -23,4 +23,8 @@ inline SurfaceId wall_id(const Map& map, WallId wall, WallPart part) {
                                   static_cast<unsigned>(part));
 }
 
+inline SurfaceId thing_id(const Map& map, ThingId thing) {
+    return static_cast<SurfaceId>(1 + 2 * map.sectors.size() + 3 * map.walls.size() + thing.index);
+}
+
 }  // namespace enfilade

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "map/map.h"
+#include "space/presence.h"
 
 namespace enfilade {
 
@@ -17,11 +18,26 @@ struct SectorSnapshot {
 struct Snapshot {
     std::vector<SectorSnapshot> sectors;  ///< indexed by SectorId
     double time_s = 0;
+    Presences things;  ///< which things are to be seen in which sector, and where there
 
     const SectorSnapshot& operator[](SectorId id) const { return sectors[id.index]; }
 };
 
-/// The map at rest.
+/// The map at rest. Cost: the sectors, and the walls around the things; setting time_s afterwards costs nothing.
 Snapshot at_rest(const Map& map);
+
+/// A thing at one instant.
+struct ThingSnapshot {
+    double z = 0;           ///< of its foot, in the space of its own sector [m]
+    double light = 1;       ///< 0..1
+    std::size_t frame = 0;  ///< of its sprite
+};
+
+/// How the thing is at the snapshot's time: worked out when somebody looks, so that things out of sight cost nothing.
+ThingSnapshot thing_at(const Map& map, const Snapshot& snapshot, ThingId thing);
+
+/// The frame that a sprite shows `time_s` after the start: a function of time, whatever was asked before. Negative
+/// times count as 0.
+std::size_t frame_at(const Sprite& sprite, double time_s);
 
 }  // namespace enfilade

@@ -1,5 +1,5 @@
-// What cannot be drawn in order: pictures with holes are noted while the viewports are drawn, together with the rows
-// that were open, and laid over the finished picture back to front. A frame without such pictures keeps nothing here.
+// What cannot be drawn in order: fences and things are noted while the viewports are drawn, together with the rows that
+// were open, and laid over the finished picture back to front. A frame without such pictures keeps nothing here.
 #pragma once
 #include <vector>
 

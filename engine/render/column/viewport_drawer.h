@@ -7,6 +7,7 @@
 #include "render/column/nearest_walls.h"
 #include "render/column/projection_cache.h"
 #include "render/column/row_split.h"
+#include "render/column/thing_columns.h"
 #include "render/column/viewport.h"
 #include "render/column/wall_painter.h"
 
@@ -44,6 +45,7 @@ private:
     RelativeHeights here_;
     NearestWalls nearest_;
     FlatPainter floor_, ceiling_;
+    ThingColumns things_;
 
     /// A portal wall of the viewport, and where what is seen through it is gathered.
     struct Opening {

@@ -17,6 +17,19 @@ void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& sur
     v_at_peg_ = peg * v_per_m_ - surface.offset_tiles.y;
 }
 
+void WallPainter::start_picture(const Scene& scene, const Texture& texture, double top, double height, double light,
+                                SurfaceId id) {
+    texture_ = &texture;
+    id_ = id;
+    model_ = scene.map.render.light;
+    light_ = light;
+    contrast_ = 1;
+    u_per_along_ = 1;
+    u_offset_ = 0;
+    v_per_m_ = 1 / height;
+    v_at_peg_ = top * v_per_m_;
+}
+
 WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallHit& hit) const {
     const double v_per_row = hit.depth / scene.screen.focal_y * v_per_m_;
     return {hit.along * u_per_along_ - u_offset_, v_at_peg_ - (scene.screen.horizon - 0.5) * v_per_row, v_per_row};

@@ -1,4 +1,4 @@
-// Walls and steps: which texel does a row of a column show?
+// Walls, steps and pictures of things: which texel does a row of a column show?
 #pragma once
 #include "render/column/kernels.h"
 #include "render/column/pose.h"
@@ -15,6 +15,11 @@ public:
     /// peg_height: of the texture's anchor above the eye [m]. light: of the sector, 0..1.
     void start(const Scene& scene, const Wall& wall, const Surface& surface, double peg_height, double light,
                SurfaceId id);
+
+    /// The same for a thing's picture, which is shown once: a hit is `along` it from its left edge.
+    /// top: above the eye [m]. height: [m].
+    void start_picture(const Scene& scene, const Texture& texture, double top, double height, double light,
+                       SurfaceId id);
 
     /// Rows [top, bottom) of column x, where the look meets the wall at `hit`.
     void paint(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;

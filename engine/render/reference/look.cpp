@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "render/reference/pane.h"
+#include "render/reference/things_met.h"
 #include "render/shade.h"
 
 namespace enfilade {
@@ -44,10 +46,6 @@ bool reaches(const Arrival& at, double height) {
 bool is_close_to(const Arrival& at, double height) {
     if (at.climb == 0 || at.hit.depth == 0) return false;
     return std::fabs(at.climb * at.hit.depth - height) < kAmbiguous;
-}
-
-std::uint32_t texel(const Texture& texture, double u, double v) {
-    return texture.at(texel_index(u, texture.width), texel_index(v, texture.height));
 }
 
 constexpr std::uint32_t kAlpha = 0xFF000000u;
@@ -106,27 +104,7 @@ Seen wall(const Arrival& at, const Surface& surface, WallPart part) {
     return wall(at, surface, peg_height(at, surface.peg), part);
 }
 
-/// A picture with holes in a portal, shown once from top to bottom, and how much of it hides what is behind.
-struct Pane {
-    Seen seen;
-    std::uint32_t alpha = 0;  ///< 0: the ray goes through a hole, or past the picture
-    bool ambiguous = false;
-};
-
-bool is_solid(const Texture& texture, double u, double v) {
-    return texel(texture, fraction(u), fraction(v)) >> 24 >= kSolidAlpha;
-}
-
-/// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round?
-bool is_at_rim_of_hole(const Texture& texture, TexelPosition at, Vec2 tile_m) {
-    constexpr double kFloatError = 0x1p-24;  // of the position [tiles]
-    const double u = static_cast<double>(at.u), du = kAmbiguous / tile_m.x + kFloatError;
-    const double v = static_cast<double>(at.v), dv = kAmbiguous / tile_m.y + kFloatError;
-    const bool solid = is_solid(texture, u - du, v - dv);
-    return is_solid(texture, u + du, v - dv) != solid || is_solid(texture, u - du, v + dv) != solid ||
-           is_solid(texture, u + du, v + dv) != solid;
-}
-
+/// The picture with holes in a portal, shown once from top to bottom.
 Pane pane(const Arrival& at) {
     const Surface& surface = at.wall.middle;
     const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
@@ -201,9 +179,13 @@ bool is_ambiguous(const Arrival& at) {
 Seen look(const Scene& scene, RayPath& path, double slope, double climb) {
     bool ambiguous = false;
     std::vector<Pane> panes;
+    double entry_depth = 0;
     for (std::size_t i = 0;; ++i) {
         const Arrival at = arrive(scene, path[i], slope, climb);
         ambiguous |= is_ambiguous(at);
+        if (!scene.snapshot.things.in(at.hit.sector).empty())
+            ambiguous |= add_things_met(scene, {at.hit, slope, climb, entry_depth}, panes);
+        entry_depth = at.hit.depth;
         if (const std::optional<Seen> end = end_of_ray(at)) {
             Seen seen = through_panes(panes, *end);
             seen.ambiguous = ambiguous;

@@ -3,135 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "base/random.h"
-#include "math/grid.h"
+#include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
 #include "render/column/strips.h"
-#include "render/reference/reference_renderer.h"
-#include "space/locate.h"
 #include "support/count_allocations.h"
-#include "support/map_builder.h"
 
 namespace enfilade {
 namespace {
 
 using namespace test;
-
-/// A map and its pictures.
-struct World {
-    Map map;
-    TextureSet textures;
-    Snapshot snapshot;
-
-    explicit World(const MapFile& file) : map(built(file)), textures(textures_for(file)), snapshot(at_rest(map)) {}
-};
-
-/// Nine rooms of different heights, a pillar, a pit, a closed door, a window and a yard under the sky.
-MapFile palace() {
-    MapFile file = map_of({
-        box_room("hall", 0, 0, 8, 8, 0, 4),
-        box_room("step", 8, 2, 9, 6, 0.5, 3),
-        box_room("high", 9, 0, 15, 8, 1, 6),
-        box_room("pit", 0, 8, 4, 12, -2, 3),
-        box_room("door", 4, 8, 5, 9, 0, 0),
-        box_room("vault", 4, 9, 8, 13, 0, 2.5),
-        box_room("window", 15, 3, 15.5, 5, 2, 3),
-        box_room("yard", 15.5, -4, 24, 12, 0, 7),
-        room("nook", {{0, 0}, {0, 8}, {-4, 8}, {-3, 5}, {-5, 3}, {-3, -2}}, 0.25, 2),
-    });
-    cut_pillar(sector(file, "hall"), 3, 3, 4, 5);
-    cut_pillar(sector(file, "yard"), 18, 1, 19, 2);
-    sector(file, "yard").ceiling.parallax = true;
-    sector(file, "high").light = 0.5;
-    sector(file, "vault").light = 0.25;
-    split_and_join(file);
-    return file;
-}
-
-View random_view(const Map& map, Random& random) {
-    View view;
-    const Sector* sector = nullptr;
-    do {
-        view.sector = SectorId(random.below(map.sectors.size()));
-        sector = &map[view.sector];
-        view.eye = {random.uniform(sector->min.x, sector->max.x), random.uniform(sector->min.y, sector->max.y)};
-        if (random.below(2) == 0) view.eye = {double(int(view.eye.x * 2)) / 2, double(int(view.eye.y * 2)) / 2};
-        view.eye = snap_to_point_grid(view.eye);
-    } while (!contains(map, view.sector, view.eye));
-    view.eye_z = random.uniform(sector->floor.z, sector->ceiling.z);
-    view.forward = direction(random.below(2) ? Angle{static_cast<std::uint32_t>(random.bits())}
-                                             : Angle{static_cast<std::uint32_t>(random.below(8)) << 29});
-    view.pitch_tangent = random.below(2) ? 0 : random.uniform(-1, 1);
-    view.fov_degrees = random.below(2) ? 90 : random.uniform(20, 150);
-    return view;
-}
-
-struct Comparison {
-    std::size_t not_once = 0;      ///< pixels not written exactly once
-    std::size_t wrong_ids = 0;     ///< outside the marked pixels
-    std::size_t wrong_colors = 0;  ///< differ by more than 2 of 255 where ids agree, off texel edges
-    std::size_t ambiguous = 0;
-    std::size_t pixels = 0;
-};
-
-bool alike(std::uint32_t a, std::uint32_t b) {
-    for (int shift : {0, 8, 16}) {
-        const int difference = int(a >> shift & 0xFF) - int(b >> shift & 0xFF);
-        if (difference > 2 || difference < -2) return false;
-    }
-    return true;
-}
-
-/// True where the texel position is so near a texel's edge that rounding may choose either side. The pictures are 64
-/// x 64.
-bool on_texel_edge(TexelPosition p) {
-    constexpr float kSide = 64, kNear = 1e-3f;  // [texels]; facts are floats, good to 64 * 2^-24 texels
-    const auto near_edge = [](float tiles) { return std::fabs(tiles * kSide - std::round(tiles * kSide)) < kNear; };
-    return near_edge(p.u) || near_edge(p.v);
-}
-
-void compare(const World& world, const View& view, int width, int height, Comparison& sum) {
-    static ColumnRenderer columns;
-    Frame a, b;
-    FrameFacts facts_a, facts_b;
-    a.resize(width, height);
-    b.resize(width, height);
-    reset(facts_a, width, height);
-    reset(facts_b, width, height);
-    columns.render(a, &facts_a, world.map, world.textures, world.snapshot, view);
-    render_reference(b, &facts_b, world.map, world.textures, world.snapshot, view);
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        sum.not_once += facts_a.writes[i] != 1;
-        sum.ambiguous += facts_b.ambiguous[i];
-        ++sum.pixels;
-        if (facts_b.ambiguous[i]) continue;
-        const bool same_id = facts_a.ids[i] == facts_b.ids[i];
-        sum.wrong_ids += !same_id;
-        sum.wrong_colors += same_id && !alike(a.pixels[i], b.pixels[i]) && !on_texel_edge(facts_b.texels[i]);
-    }
-}
-
-void expect_agreement(const World& world, std::uint64_t seed, int poses) {
-    Random random(seed);
-    Comparison sum;
-    for (int trial = 0; trial < poses; ++trial) {
-        const View view = random_view(world.map, random);
-        const Comparison before = sum;
-        compare(world, view, 160, 100, sum);
-        EXPECT_TRUE(sum.not_once == before.not_once && sum.wrong_ids == before.wrong_ids)
-            << "trial " << trial << ": sector " << world.map[view.sector].name << " eye " << view.eye.x << ","
-            << view.eye.y << "," << view.eye_z << " forward " << view.forward.x << "," << view.forward.y << " fov "
-            << view.fov_degrees << " pitch " << view.pitch_tangent << ": " << sum.not_once - before.not_once
-            << " not written once, " << sum.wrong_ids - before.wrong_ids << " wrong ids";
-        if (testing::Test::HasFailure()) break;
-    }
-    EXPECT_EQ(sum.wrong_colors, 0u);
-    EXPECT_LE(sum.ambiguous * 100, sum.pixels) << "marks must stay rare";
-    std::printf("%zu pixels, %zu marked, %zu colours differ\n", sum.pixels, sum.ambiguous, sum.wrong_colors);
-}
 
 TEST(ColumnRenderer, AgreesWithTheReferenceInAPalace) { expect_agreement(World(palace()), 1, 400); }
 
@@ -141,20 +23,6 @@ TEST(ColumnRenderer, AgreesWithTheReferenceWhereStepsAreOpen) {
         for (WallRecord& w : s.loops[0].walls)
             if (!w.next.empty()) w.texture.reset();
     expect_agreement(World(file), 2, 200);
-}
-
-/// A lattice: every other square of 8 x 8 is a hole, some squares are coloured glass.
-Texture lattice() {
-    Texture texture;
-    texture.name = "lattice";
-    texture.width = texture.height = 64;
-    texture.has_holes = true;
-    for (std::uint32_t x = 0; x < 64; ++x)
-        for (std::uint32_t y = 0; y < 64; ++y) {
-            const std::uint32_t square = x / 8 + y / 8;
-            texture.pixels.push_back(square % 2 ? 0xFF4080C0u : square % 3 ? 0 : 0x60FF2010u);
-        }
-    return texture;
 }
 
 TEST(ColumnRenderer, AgreesWithTheReferenceThroughFencesAndColouredGlass) {

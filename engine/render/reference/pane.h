@@ -1,0 +1,26 @@
+// Pictures with holes that a ray goes through: fences and things.
+#pragma once
+#include <vector>
+
+#include "math/vec.h"
+#include "render/reference/look.h"
+#include "render/shade.h"
+
+namespace enfilade {
+
+/// A picture with holes, and how much of it hides what is behind.
+struct Pane {
+    Seen seen;
+    std::uint32_t alpha = 0;  ///< 0: the ray goes through a hole, or past the picture
+    bool ambiguous = false;
+};
+
+/// The texel at a position within the tile, in [0, 1).
+inline std::uint32_t texel(const Texture& texture, double u, double v) {
+    return texture.at(texel_index(u, texture.width), texel_index(v, texture.height));
+}
+
+/// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round? size_m: of the picture.
+bool is_at_rim_of_hole(const Texture& texture, TexelPosition at, Vec2 size_m);
+
+}  // namespace enfilade

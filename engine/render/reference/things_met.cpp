@@ -1,0 +1,120 @@
+#include "render/reference/things_met.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/sprite.h"
+
+namespace enfilade {
+namespace {
+
+/// Whether all of several conditions hold, and whether they could do otherwise.
+struct Verdict {
+    bool holds = true;
+    bool possible = true;  ///< all hold, or are so close that they might
+    bool certain = true;   ///< all hold, and none is close
+
+    void require(bool condition, bool is_close) {
+        holds &= condition;
+        possible &= condition || is_close;
+        certain &= condition && !is_close;
+    }
+    bool is_ambiguous() const { return possible && !certain; }
+};
+
+bool are_close(double a, double b) { return std::fabs(a - b) < kAmbiguous; }
+
+/// Would a shift of the picture, or of the room's ends, change whether it is in the room?
+bool is_close_to_ends(const RoomRay& ray, double depth) {
+    const double entry = ray.entry_depth, exit = ray.hit.depth, d = kAmbiguous;
+    const bool is_met = is_met_between(depth, entry, exit);
+    return is_met_between(depth + d, entry - d, exit - d) != is_met ||
+           is_met_between(depth - d, entry + d, exit + d) != is_met || are_close(depth, kNearestSprite);
+}
+
+/// A picture where a ray meets its plane.
+struct Meeting {
+    ThingId thing;
+    double depth;  ///< [m]
+    Vec2 place_m;  ///< from the picture's upper left corner, as it was painted, right and down [m]
+    Pane pane;
+};
+
+/// That the ray goes through the picture between floor and ceiling. height: of the ray above the eye [m].
+void require_on_picture(Verdict& verdict, const Scene& scene, const RoomRay& ray, const SpritePicture& picture,
+                        const Meeting& at, double height) {
+    const SectorSnapshot& room = scene.snapshot[ray.hit.sector];
+    const double eye_z = ray.hit.space.eye_z, top = picture.foot_z - eye_z + picture.origin_m.y;
+    const double bottom = top - picture.size_m.y;
+    verdict.require(at.place_m.x >= 0, are_close(at.place_m.x, 0));
+    verdict.require(at.place_m.x < picture.size_m.x, are_close(at.place_m.x, picture.size_m.x));
+    const bool is_level = ray.climb == 0;  // compared with heights without any rounding
+    for (const double upper : {top, room.ceiling_z - eye_z})
+        verdict.require(height < upper, !is_level && are_close(height, upper));
+    for (const double lower : {bottom, room.floor_z - eye_z})
+        verdict.require(height >= lower, !is_level && are_close(height, lower));
+}
+
+/// What the ray sees of the picture, if it goes through it.
+Pane pane_of(const Scene& scene, const SpritePicture& picture, const Meeting& at) {
+    const Texture& texture = scene.textures[picture.texture];
+    const double u = at.place_m.x / picture.size_m.x, v = std::clamp(at.place_m.y / picture.size_m.y, 0.0, 1.0);
+    const std::uint32_t color = texel(texture, std::clamp(u, 0.0, 1.0), v);
+    const Shade shade = shade_at(scene.map.render.light, picture.light, 1, at.depth);
+    Pane pane;
+    pane.seen.id = thing_id(scene.map, at.thing);
+    pane.seen.depth = at.depth;
+    pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
+    pane.alpha = color >> 24;
+    pane.seen.color = (color & 0xFF000000u) | (shaded(color, shade) & 0x00FFFFFFu);
+    pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, picture.size_m);
+    return pane;
+}
+
+/// Adds the meeting if the ray goes through the picture. True where it almost does, or almost does not.
+bool meet(const Scene& scene, const RoomRay& ray, const Presence& presence, std::vector<Meeting>& met) {
+    const EyeSpace& space = ray.hit.space;
+    const Vec2 to_it = presence.position - space.eye;
+    Meeting at{presence.thing, dot(space.forward, to_it), {}, {}};
+    Verdict verdict;
+    verdict.require(is_met_between(at.depth, ray.entry_depth, ray.hit.depth), is_close_to_ends(ray, at.depth));
+    if (!verdict.possible) return false;
+    const SpritePicture picture = picture_of(scene.map, scene.textures, scene.snapshot, presence, space.eye);
+    if (!picture.texture) return false;
+    const Vec2 from_it = space.direction(ray.slope) * at.depth - to_it;
+    const double height = ray.climb * at.depth;
+    at.place_m = {picture.origin_m.x + dot(right_of(space.forward), from_it),
+                  picture.origin_m.y + (picture.foot_z - space.eye_z) - height};
+    require_on_picture(verdict, scene, ray, picture, at, height);
+    if (verdict.holds) {
+        at.pane = pane_of(scene, picture, at);
+        met.push_back(at);
+    }
+    return verdict.is_ambiguous();
+}
+
+/// Of pictures at the same depth the one of the thing with the lower number is the nearer.
+bool is_nearer(const Meeting& a, const Meeting& b) { return depth_steps(a.depth) < depth_steps(b.depth); }
+
+/// Would a shift change the order?
+bool is_order_close(const Meeting& a, const Meeting& b) {
+    return depth_steps(a.depth + kAmbiguous) > depth_steps(b.depth - kAmbiguous) &&
+           depth_steps(a.depth) != depth_steps(b.depth);
+}
+
+}  // namespace
+
+bool add_things_met(const Scene& scene, const RoomRay& ray, std::vector<Pane>& panes) {
+    bool ambiguous = false;
+    std::vector<Meeting> met;
+    for (const Presence& presence : scene.snapshot.things.in(ray.hit.sector))
+        ambiguous |= meet(scene, ray, presence, met);
+    std::stable_sort(met.begin(), met.end(), is_nearer);
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        ambiguous |= met[i].pane.ambiguous || (i > 0 && is_order_close(met[i - 1], met[i]));
+        panes.push_back(met[i].pane);
+    }
+    return ambiguous;
+}
+
+}  // namespace enfilade

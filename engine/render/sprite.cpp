@@ -1,0 +1,42 @@
+#include "render/sprite.h"
+
+#include "math/predicates.h"
+
+namespace enfilade {
+namespace {
+
+constexpr std::uint32_t kEighth = 1u << 29, kHalfEighth = 1u << 28;  ///< of a turn [Angle steps]
+
+}  // namespace
+
+std::size_t view_from(Vec2 eye, const Presence& presence, Angle yaw) {
+    const Vec2 place = presence.position;
+    // Growing yaws turn right, so from one view to the next the eye goes round to the left.
+    const auto is_right_of_start = [&](std::uint32_t view) {
+        const Vec2 start = direction(yaw - Angle{view * kEighth + kHalfEighth});
+        return side_of_line(place, place + snap_to_point_grid(presence.passage.turn(start)), eye) > 0;
+    };
+    for (std::uint32_t view = 0; view < 7; ++view)
+        if (is_right_of_start(view) && !is_right_of_start(view + 7)) return view;
+    return 7;
+}
+
+SpritePicture picture_of(const Map& map, const TextureSet& textures, const Snapshot& snapshot, const Presence& presence,
+                         Vec2 eye) {
+    const Thing& thing = map[presence.thing];
+    const Sprite& sprite = map[thing.sprite];
+    const ThingSnapshot now = thing_at(map, snapshot, presence.thing);
+    const SpriteFrame& frame = sprite.frames[now.frame];
+    const bool is_round = frame.views[0] == frame.views[1];
+    SpritePicture picture;
+    picture.texture = frame.views[is_round ? 0 : view_from(eye, presence, thing.yaw)];
+    if (!picture.texture) return picture;
+    const Texture& texture = textures[picture.texture];
+    picture.size_m = Vec2{double(texture.width), double(texture.height)} * (1 / sprite.texels_per_m);
+    picture.origin_m = frame.origin_m;
+    picture.foot_z = presence.passage.apply_height(now.z);
+    picture.light = now.light;
+    return picture;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,45 @@
+// The column renderer held against the reference in small maps made in code.
+#pragma once
+#include <cstdint>
+
+#include "base/random.h"
+#include "render/frame.h"
+#include "render/view.h"
+#include "support/map_builder.h"
+#include "world/snapshot.h"
+
+namespace enfilade::test {
+
+/// A map and its pictures.
+struct World {
+    Map map;
+    TextureSet textures;
+    Snapshot snapshot;
+
+    explicit World(const MapFile& file) : map(built(file)), textures(textures_for(file)), snapshot(at_rest(map)) {}
+};
+
+/// Nine rooms of different heights, a pillar, a pit, a closed door, a window and a yard under the sky.
+MapFile palace();
+
+/// A lattice: every other square of 8 x 8 is a hole, some squares are coloured glass.
+Texture lattice();
+
+/// Anywhere in the map; half of the eyes on a lattice of half metres, half of the looks along eighths of a turn.
+View random_view(const Map& map, Random& random);
+
+struct Comparison {
+    std::size_t not_once = 0;      ///< pixels not written exactly once
+    std::size_t wrong_ids = 0;     ///< outside the marked pixels
+    std::size_t wrong_colors = 0;  ///< differ by more than 2 of 255 where ids agree, off texel edges
+    std::size_t ambiguous = 0;
+    std::size_t pixels = 0;
+};
+
+/// Draws a view with both renderers and adds up how they differ.
+void compare(const World& world, const View& view, int width, int height, Comparison& sum);
+
+/// Fails where any of `poses` random views differs.
+void expect_agreement(const World& world, std::uint64_t seed, int poses);
+
+}  // namespace enfilade::test

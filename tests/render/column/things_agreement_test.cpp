@@ -1,0 +1,147 @@
+// Things drawn by the column renderer, against the reference: in doorways, on steps, sunk into floors, behind fences,
+// through links and in mirrors.
+#include <gtest/gtest.h>
+
+#include "math/grid.h"
+#include "render/column/agreement.h"
+#include "render/column/column_renderer.h"
+#include "render/column/strips.h"
+#include "space/locate.h"
+#include "support/count_allocations.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+/// A disc with a hole in it; what is around it is clear, a part of it coloured glass.
+Texture ring(std::uint32_t color) {
+    Texture texture;
+    texture.name = "ring";
+    texture.width = texture.height = 64;
+    texture.has_holes = true;
+    for (int x = 0; x < 64; ++x)
+        for (int y = 0; y < 64; ++y) {
+            const int square = (x - 32) * (x - 32) + (y - 32) * (y - 32);
+            const std::uint32_t alpha = square > 32 * 32 || square < 8 * 8 ? 0 : y < 20 ? 0x60000000u : 0xFF000000u;
+            texture.pixels.push_back(alpha | (color + static_cast<std::uint32_t>(x * 2 + y * 256 * 2)));
+        }
+    return texture;
+}
+
+/// A thing with eight pictures of 64 x 64 texels, 2 m each way, that stands on its middle texel column.
+ThingRecord thing_at(Vec2 position, double yaw = 0, double size = 32) {
+    ThingRecord thing;
+    thing.position = position;
+    thing.yaw_degrees = yaw;
+    thing.rotations = 8;
+    thing.size = size;
+    thing.frames = {{"ring", 0, {32, 60}}};  // four texels of it are below the floor it stands on
+    return thing;
+}
+
+/// `count` things anywhere in the rooms, some on a lattice so that they stand in doorways and on corners.
+void scatter(MapFile& file, int count, std::uint64_t seed) {
+    const Map rooms = built(file);
+    Random random(seed);
+    while (count > 0) {
+        const SectorId home(random.below(rooms.sectors.size()));
+        const Sector& sector = rooms[home];
+        Vec2 p{random.uniform(sector.min.x, sector.max.x), random.uniform(sector.min.y, sector.max.y)};
+        if (random.below(2) == 0) p = {double(int(p.x * 2)) / 2, double(int(p.y * 2)) / 2};
+        if (!contains(rooms, home, snap_to_point_grid(p))) continue;
+        ThingRecord thing = thing_at(p, random.uniform(0, 360), random.below(3) == 0 ? 100 : 40);
+        thing.sector = sector.name;
+        if (random.below(4) == 0) thing.z = random.uniform(sector.floor.z - 1, sector.ceiling.z);
+        if (random.below(4) == 0) thing.light = random.uniform(0, 1);
+        file.things.push_back(thing);
+        --count;
+    }
+}
+
+World world_with_things(MapFile file, int count, std::uint64_t seed) {
+    scatter(file, count, seed);
+    World world(file);
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        const std::string name = "ring" + std::to_string(i + 1);
+        Texture& texture = world.textures.textures[world.textures.find(name).index];
+        texture = ring(0x101010u * i);
+        texture.name = name;
+    }
+    return world;
+}
+
+MapFile fenced_palace() {
+    MapFile file = palace();
+    int count = 0;
+    for (SectorRecord& s : file.sectors)
+        for (WallRecord& w : s.loops[0].walls)
+            if (!w.next.empty()) {
+                w.middle = spec("lattice");
+                w.middle->offset_tx = {5.0 * count, 7.0 * (count++ % 9) - 20};  // rims not on the lattice of the eyes
+            }
+    return file;
+}
+
+TEST(ThingColumns, AgreeWithTheReferenceInAPalace) { expect_agreement(world_with_things(palace(), 60, 1), 11, 100); }
+
+TEST(ThingColumns, AgreeWithTheReferenceBehindFences) {
+    World world = world_with_things(fenced_palace(), 60, 2);
+    world.textures.textures[world.textures.find("lattice").index] = lattice();
+    expect_agreement(world, 12, 100);
+}
+
+TEST(ThingColumns, AgreeWithTheReferenceThroughLinksAndInMirrors) {
+    MapFile file = map_of({box_room("a", 0, 0, 5, 5, 0, 3), box_room("b", 20, 0, 26, 5, 1, 4),
+                           room("c", {{40, 0}, {44, 3}, {41, 7}, {37, 4}}, -1, 2)});
+    link(file, "a", {5, 0}, {5, 5}, "c", {44, 3}, {41, 7});
+    link(file, "a", {0, 5}, {0, 0}, "b", {26, 0}, {26, 5});
+    wall(file, "a", {0, 0}, {5, 0}).mirror = true;
+    wall(file, "b", {26, 5}, {20, 5}).mirror = true;
+    file.render.max_depth = 4;
+    expect_agreement(world_with_things(file, 30, 3), 13, 100);
+}
+
+TEST(ThingColumns, AgreeWithTheReferenceWhereAllThingsStandInDoorways) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 0, 8, 4, 0.25), box_room("c", 0, 4, 4, 8, -0.25),
+                           box_room("d", 4, 4, 8, 8, 0, 1.5)});
+    join_all(file);
+    for (double t = 0.5; t < 8; t += 1) {
+        file.things.push_back(thing_at({4, t}, 45 * t));
+        file.things.push_back(thing_at({t, 4}, 45 * t));
+    }
+    file.things.push_back(thing_at({4, 4}));
+    expect_agreement(world_with_things(file, 4, 4), 14, 100);
+}
+
+TEST(ThingColumns, DrawStripsThatEqualTheWholePicture) {
+    const World world = world_with_things(fenced_palace(), 60, 5);
+    Random random(5);
+    for (int trial = 0; trial < 20; ++trial) {
+        const View view = random_view(world.map, random);
+        Frame whole, parts;
+        whole.resize(131, 90);
+        parts.resize(131, 90);
+        ColumnRenderer().render(whole, nullptr, world.map, world.textures, world.snapshot, view);
+        ColumnStrips(4).render(parts, nullptr, world.map, world.textures, world.snapshot, view);
+        ASSERT_EQ(whole.pixels, parts.pixels) << "trial " << trial;
+    }
+}
+
+TEST(ThingColumns, AllocateNothingOnceTheViewHasBeenDrawn) {
+    const World world = world_with_things(fenced_palace(), 60, 6);
+    Random random(7);
+    ColumnRenderer renderer;
+    Frame frame;
+    frame.resize(320, 200);
+    for (int trial = 0; trial < 20; ++trial) {
+        const View view = random_view(world.map, random);
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        const std::size_t before = allocations();
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        EXPECT_EQ(allocations(), before) << "trial " << trial;
+    }
+}
+
+}  // namespace
+}  // namespace enfilade

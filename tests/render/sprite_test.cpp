@@ -1,0 +1,90 @@
+// The rules by which things are seen.
+#include "render/sprite.h"
+
+#include <gtest/gtest.h>
+
+#include "math/grid.h"
+#include "support/map_builder.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+Presence standing_at(Vec2 position) { return {ThingId(0u), {}, position}; }
+
+Angle degrees(double d) { return Angle::from_degrees(d); }
+
+// Yaw 0 looks along +x and growing yaws turn right, so a thing that looks along +x has its left at -y.
+TEST(ViewOfAThing, GoesRoundFromTheFrontToItsLeft) {
+    const Presence thing = standing_at({10, 10});
+    const Vec2 eyes[] = {{14, 10}, {13, 7}, {10, 6}, {7, 7}, {6, 10}, {7, 13}, {10, 14}, {13, 13}};
+    for (std::size_t view = 0; view < 8; ++view) EXPECT_EQ(view_from(eyes[view], thing, degrees(0)), view);
+}
+
+TEST(ViewOfAThing, TurnsWithIt) {
+    for (int eighths = 0; eighths < 8; ++eighths)
+        EXPECT_EQ(view_from({14, 10}, standing_at({10, 10}), degrees(45 * eighths)), std::size_t(eighths));
+}
+
+// With yaw 22.5 the eye straight along x is on the line between two views; half a step of the grid decides.
+TEST(ViewOfAThing, ChangesExactlyOnTheLineBetweenTwoEighths) {
+    const Presence thing = standing_at({10, 10});
+    EXPECT_EQ(view_from({30000, 10 - kPointGrid}, thing, degrees(22.5)), 1u);
+    EXPECT_EQ(view_from({30000, 10 + kPointGrid}, thing, degrees(22.5)), 0u);
+}
+
+TEST(ViewOfAThing, OnTheLineIsTheOneTheTieRuleSays) {
+    const Presence thing = standing_at({10, 10});
+    EXPECT_EQ(view_from({30000, 10}, thing, degrees(22.5)), 0u);   // the eye counts as a little farther down
+    EXPECT_EQ(view_from({10, -30000}, thing, degrees(22.5)), 2u);  // and to the right
+}
+
+TEST(ViewOfAThing, HasAnAnswerFromItsVeryPlace) { EXPECT_LT(view_from({10, 10}, standing_at({10, 10}), {}), 8u); }
+
+TEST(ViewOfAThing, BehindALinkTurnsWithTheLink) {
+    const Rigid quarter{0, 1, 1, {}, 0};  // turns +x to +y
+    EXPECT_EQ(view_from({10, 14}, {ThingId(0u), quarter, {10, 10}}, degrees(0)), 0u);
+}
+
+TEST(DepthOfAThing, AtADoorwayIsInTheRoomBehind) {
+    EXPECT_FALSE(is_met_between(5, 0, 5));
+    EXPECT_TRUE(is_met_between(5, 5, 9));
+}
+
+TEST(DepthOfAThing, ThatRoundingMovedOffADoorwayIsStillInTheRoomBehind) {
+    constexpr double kRounding = 1e-11;  // of depths carried through a link [m]
+    for (double d : {5 - kRounding, 5 + kRounding}) {
+        EXPECT_FALSE(is_met_between(d, 0, 5));
+        EXPECT_TRUE(is_met_between(d, 5, 9));
+    }
+}
+
+TEST(DepthOfAThing, IsInOneOfTwoRoomsThatFollowEachOther) {
+    for (double d = 4.999; d < 5.001; d += 1e-7)
+        EXPECT_NE(is_met_between(d, 0, 5.0000003), is_met_between(d, 5.0000003, 9));
+}
+
+TEST(DepthOfAThing, MayNotBeTooNear) {
+    EXPECT_FALSE(is_met_between(0.124, 0, 9));
+    EXPECT_TRUE(is_met_between(0.125, 0, 9));
+}
+
+TEST(PictureOfAThing, IsAsLargeAsItsTexelsSay) {
+    MapFile file = map_of({box_room("room", 0, 0, 4, 4, 1, 4)});
+    ThingRecord barrel;
+    barrel.position = {1, 1};
+    barrel.size = 16;
+    barrel.frames = {{"barrel", 0, {32, 60}}};
+    file.things = {barrel};
+    const Map map = built(file);
+    const Snapshot snapshot = at_rest(map);
+    const SpritePicture picture =
+        picture_of(map, textures_for(file), snapshot, snapshot.things.in(SectorId(0u))[0], {3, 3});
+    EXPECT_EQ(picture.size_m, (Vec2{4, 4}));
+    EXPECT_EQ(picture.origin_m, (Vec2{2, 3.75}));
+    EXPECT_EQ(picture.foot_z, 1);
+}
+
+}  // namespace
+}  // namespace enfilade
