@@ -72,6 +72,9 @@ Result<Pictures> Pictures::list(const WadPile& pile, const std::vector<std::stri
     const Result<Palette> palette = read_palette(playpal->bytes);
     if (!palette) return palette.error();
     pictures.palette_ = palette.value();
+    if (const Lump* colormap = pile.find("COLORMAP"))
+        if (const auto levels = measure_colormap(colormap->bytes, pictures.palette_))
+            pictures.light_levels_ = levels.value();
     const Result<std::vector<TextureDef>> defs = read_texture_defs(pile);
     if (!defs) return defs.error();
     if (!defs.value().empty()) pictures.null_texture_ = defs.value().front().name;

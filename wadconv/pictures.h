@@ -1,5 +1,6 @@
 // The catalogue of a pile's pictures: what there is, how large it is, what its file is called; and writing them.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -60,6 +61,8 @@ public:
 
     const std::vector<PictureFile>& files() const { return files_; }  ///< sorted by name
     const Palette& palette() const { return palette_; }
+    /// How bright COLORMAP's 32 levels are, full light first; nothing where the lump is missing or too short.
+    const std::optional<std::array<double, 32>>& light_levels() const { return light_levels_; }
     /// What was wrong with single pictures so far; they are left out.
     const std::vector<Error>& problems() const { return problems_; }
 
@@ -75,6 +78,7 @@ private:
     void sort_files();
 
     Palette palette_{};
+    std::optional<std::array<double, 32>> light_levels_;
     std::string null_texture_;
     std::vector<PictureFile> files_;
     std::map<std::string, SpriteRecord, std::less<>> sprites_;

@@ -104,8 +104,9 @@ WadPile::WadPile(std::vector<Wad> wads) : wads_(std::move(wads)) {
 }
 
 const Lump* WadPile::find(std::string_view name) const {
-    const auto found = lumps_.find(name);
-    return found == lumps_.end() ? nullptr : found->second;
+    for (const Names* names : {&lumps_, &sprites_})
+        if (const auto found = names->find(name); found != names->end()) return found->second;
+    return nullptr;
 }
 
 }  // namespace enfilade::wadconv

@@ -55,7 +55,8 @@ public:
 
     const std::vector<Wad>& wads() const { return wads_; }
 
-    /// The lump of that name outside the flats' and sprites' sections, or null. Names are upper case.
+    /// The lump of that name outside the flats' and sprites' sections, else the sprite (some textures are composed of
+    /// sprites), else null. Names are upper case.
     const Lump* find(std::string_view name) const;
 
     /// The lumps between F_START and F_END, and between S_START and S_END (also FF_ and SS_), sorted by name.

@@ -5,7 +5,7 @@
 namespace enfilade::wadconv::test {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 12;
+constexpr std::size_t kHeaderBytes = 12, kEntryBytes = 16;
 
 Bytes encode(const std::vector<Vertex>& vertices) {
     ByteWriter out;
@@ -96,20 +96,37 @@ std::vector<std::size_t> WadBuilder::boundaries() const {
     return starts;
 }
 
+void WadBuilder::put_directory(ByteWriter& out, std::size_t first_lump_at) const {
+    for (const Entry& lump : lumps_) {
+        out.u32(static_cast<std::uint32_t>(first_lump_at));
+        out.u32(static_cast<std::uint32_t>(lump.bytes.size()));
+        put_name(out, lump.name);
+        first_lump_at += lump.bytes.size();
+    }
+}
+
 Bytes WadBuilder::finish(std::string_view magic) const {
-    const std::vector<std::size_t> starts = boundaries();
     ByteWriter out;
     out.text(magic);
     out.u32(static_cast<std::uint32_t>(lumps_.size()));
-    out.u32(static_cast<std::uint32_t>(starts.back()));
-    for (const Entry& lump : lumps_)
-        for (std::byte b : lump.bytes) out.u8(std::to_integer<std::uint8_t>(b));
-    for (std::size_t i = 0; i < lumps_.size(); ++i) {
-        out.u32(static_cast<std::uint32_t>(starts[i]));
-        out.u32(static_cast<std::uint32_t>(lumps_[i].bytes.size()));
-        put_name(out, lumps_[i].name);
-    }
-    return bytes_of(out);
+    out.u32(static_cast<std::uint32_t>(boundaries().back()));
+    Bytes bytes = bytes_of(out);
+    for (const Entry& lump : lumps_) bytes.insert(bytes.end(), lump.bytes.begin(), lump.bytes.end());
+    ByteWriter directory;
+    put_directory(directory, kHeaderBytes);
+    bytes.insert(bytes.end(), directory.bytes().begin(), directory.bytes().end());
+    return bytes;
+}
+
+Bytes WadBuilder::finish_directory_first() const {
+    ByteWriter out;
+    out.text("IWAD");
+    out.u32(static_cast<std::uint32_t>(lumps_.size()));
+    out.u32(static_cast<std::uint32_t>(kHeaderBytes));
+    put_directory(out, kHeaderBytes + kEntryBytes * lumps_.size());
+    Bytes bytes = bytes_of(out);
+    for (const Entry& lump : lumps_) bytes.insert(bytes.end(), lump.bytes.begin(), lump.bytes.end());
+    return bytes;
 }
 
 WadPile pile_of(std::vector<Bytes> archives) {

@@ -32,10 +32,14 @@ public:
     /// The map's name and its five lumps.
     void add_map(const std::string& name, const DoomMap& map);
     Bytes finish(std::string_view magic = "IWAD") const;
+    /// The same with the directory right behind the header, so that a cut file keeps it.
+    Bytes finish_directory_first() const;
     /// Where each lump starts in finish()'s bytes, and where the directory does.
     std::vector<std::size_t> boundaries() const;
 
 private:
+    void put_directory(ByteWriter& out, std::size_t first_lump_at) const;
+
     struct Entry {
         std::string name;
         Bytes bytes;

@@ -134,6 +134,15 @@ TEST(WadPile, FindsSpritesBetweenDoubledMarkersToo) {
     EXPECT_EQ(pile_of({wad.finish("PWAD")}).sprites().count("POSSA1"), 1u);
 }
 
+// Freedoom's textures SLAD10 and SLAD11 are made of the teleport fog.
+TEST(WadPile, FindsSpritesWhereThereIsNoOtherLumpOfTheName) {
+    WadBuilder wad;
+    wad.add("S_START");
+    wad.add("TFOGF0", text_bytes("sprite"));
+    wad.add("S_END");
+    EXPECT_EQ(as_text(pile_of({wad.finish()}).find("TFOGF0")->bytes), "sprite");
+}
+
 TEST(WadPile, HasNothingOfAnUnknownName) { EXPECT_EQ(pile_of({WadBuilder().finish()}).find("NONE"), nullptr); }
 
 }  // namespace

@@ -1,0 +1,487 @@
+// Doom's maps as ours: how textures hang, what floors and skies become, where things stand, what is kept.
+#include "wadconv/convert.h"
+
+#include <gmock/gmock.h>
+
+#include "formats/map_toml.h"
+#include "map/build.h"
+#include "wadconv/wad_builder.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+using namespace test;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+/// A level converted with the pictures of picture_wad().
+struct Converted {
+    WadPile pile = pile_of({picture_wad().finish()});
+    Pictures pictures = Pictures::list(pile, {"POSSA", "POSSB", "BAR1A", "BAR1B"}).value();
+    MapFile file;
+    Report report;
+
+    explicit Converted(const Level& level, const ConvertOptions& options = {}, const std::string& name = "MAP01") {
+        DoomMap doom = level.map;
+        doom.name = name;
+        Conversion conversion = convert_map(doom, pictures, options);
+        EXPECT_EQ(conversion.report.refused, "");
+        file = conversion.file.value_or(MapFile{});
+        report = std::move(conversion.report);
+    }
+
+    std::vector<std::uint32_t> noted(Kind kind) const {
+        const auto found = report.found.find(kind);
+        return found == report.found.end() ? std::vector<std::uint32_t>{} : found->second;
+    }
+
+    /// The wall of the sector that starts at the given place, in Doom's units.
+    const WallRecord& wall(const std::string& sector, double x, double y) const {
+        for (const SectorRecord& s : file.sectors)
+            for (const LoopRecord& loop : s.loops)
+                for (std::size_t i = 0; i < loop.vertices.size(); ++i)
+                    if (s.name == sector && loop.vertices[i] == Vec2{x / 32, -y / 32}) return loop.walls[i];
+        ADD_FAILURE() << "no wall of " << sector << " at " << x << ", " << y;
+        return file.sectors.at(0).loops.at(0).walls.at(0);
+    }
+};
+
+/// Two rooms, "s0" from x = 0 to 64 and "s1" to 128, with the doorway (64, 64) -> (64, 0), line 2, between them.
+struct Doorway {
+    Level level;
+    Doorway(int floor = 16, int ceiling = 96, const std::string& flat = "CEIL1_1") {
+        level.sector(0, 128, "FLOOR0_1", flat);
+        level.sector(floor, ceiling, "FLOOR0_1", flat);
+        level.line({0, 0}, {0, 64}, 0);
+        level.line({0, 64}, {64, 64}, 0);
+        level.line({64, 64}, {64, 0}, 0, 1);
+        level.line({64, 0}, {0, 0}, 0);
+        level.line({64, 64}, {128, 64}, 1);
+        level.line({128, 64}, {128, 0}, 1);
+        level.line({128, 0}, {64, 0}, 1);
+        for (std::string* name : {&right().upper, &right().lower, &right().middle}) *name = "WALL";
+        level.thing(32, 32, 1);
+    }
+
+    Linedef& line() { return level.map.lines[2]; }
+    Sidedef& right() { return level.map.sides[line().right]; }
+};
+
+const WallRecord& front(const Converted& c) { return c.wall("s0", 64, 64); }
+const WallRecord& back(const Converted& c) { return c.wall("s1", 64, 0); }
+
+TEST(ConvertMap, PassesTheCheckWithoutAWord) {
+    const Converted c(small_level());
+    Findings findings;
+    EXPECT_TRUE(build_map(c.file, c.pictures.sizes(), findings));
+    for (const Finding& finding : findings) ADD_FAILURE() << finding.sentence;
+}
+
+TEST(ConvertMap, KeepsEveryVertexExactlyThroughTheText) {
+    Level level;
+    level.sector();
+    level.ring({{-32768, -32768}, {-32767, 32767}, {32767, 31}, {1, -1}}, 0);
+    const Converted c(level);
+    const MapReading back = read_map(write_map(c.file));
+    EXPECT_THAT(back.findings, IsEmpty());
+    std::vector<std::pair<double, double>> doom;
+    for (const Vec2& v : back.map.sectors.at(0).loops.at(0).vertices) doom.emplace_back(v.x * 32, -v.y * 32);
+    EXPECT_THAT(doom, ElementsAre(std::pair(-32768., -32768.), std::pair(-32767., 32767.), std::pair(32767., 31.),
+                                  std::pair(1., -1.)));
+}
+
+TEST(ConvertMap, SaysItsScaleStretchAndLightOnce) {
+    const Converted c(small_level());
+    EXPECT_EQ(c.file.format, 1);
+    EXPECT_EQ(c.file.size, 32);
+    EXPECT_EQ(c.file.render.stretch, 1.2);
+    EXPECT_EQ(c.file.render.light, LightModel::classic);
+}
+
+TEST(ConvertMap, AccountsForEverySide) {
+    const Converted c(small_level());
+    EXPECT_TRUE(c.report.sides.is_complete());
+    EXPECT_EQ(c.report.sides.panels, 4u);
+}
+
+TEST(ConvertSectors, TakeHeightsLightAndFlats) {
+    Level level = small_level();
+    level.map.sectors[0].light = 128;
+    const Converted c(level);
+    EXPECT_EQ(c.file.sectors[1].floor.z, 0.5);
+    EXPECT_EQ(c.file.sectors[1].ceiling.z, 3);
+    EXPECT_EQ(c.file.sectors[0].light, 0.5);
+    EXPECT_EQ(c.file.sectors[0].floor.texture->name, "flats/floor0_1");
+    EXPECT_FALSE(c.file.sectors[0].floor.parallax);
+}
+
+TEST(ConvertSectors, BringLightIntoRange) {
+    Level level = small_level();
+    level.map.sectors[0].light = -1;
+    level.map.sectors[1].light = 300;
+    const Converted c(level);
+    EXPECT_EQ(c.file.sectors[0].light, 0);
+    EXPECT_EQ(c.file.sectors[1].light, 255 / 256.);
+    EXPECT_THAT(c.noted(Kind::light_out_of_range), ElementsAre(0u, 1u));
+}
+
+TEST(ConvertSectors, HangTheSkyAsDoomDoes) {
+    const FlatRecord sky = Converted(small_level()).file.sectors[1].ceiling;
+    EXPECT_TRUE(sky.parallax);
+    EXPECT_EQ(sky.texture->name, "sky1");
+    EXPECT_EQ(sky.texture->tile_m, (Vec2{-256, 0.8}));  // four texels wide, 128 high
+    EXPECT_EQ(sky.texture->offset_tx, (Vec2{0, 28}));
+}
+
+TEST(ConvertSectors, NoteFlatsThatAreNotThere) {
+    Level level = small_level();
+    level.map.sectors[0].floor_flat = "NONE";
+    EXPECT_THAT(Converted(level).noted(Kind::unknown_flat), ElementsAre(0u));
+}
+
+TEST(ConvertSectors, KeepSpecialAndTagOnEveryPart) {
+    Level level;
+    level.sector();
+    level.map.sectors[0].special = 9;
+    level.map.sectors[0].tag = 5;
+    level.box(0, 0, 64, 64, 0);
+    level.box(128, 0, 192, 64, 0);
+    const Converted c(level);
+    ASSERT_THAT(c.file.sectors, SizeIs(2));
+    for (const SectorRecord& sector : c.file.sectors) EXPECT_EQ(sector.doom, (DoomRecord{9, 5, 0}));
+    EXPECT_EQ(c.file.sectors[1].name, "s0b");
+    EXPECT_EQ(c.report.sector_specials.at(9), 1u);
+}
+
+TEST(ConvertSectors, RaiseCeilingsThatAreBelowTheFloor) {
+    const Converted c(Doorway(32, 16).level);
+    EXPECT_EQ(c.file.sectors[1].floor.z, 1);
+    EXPECT_EQ(c.file.sectors[1].ceiling.z, 1);
+    EXPECT_THAT(c.noted(Kind::ceiling_below_floor), ElementsAre(1u));
+}
+
+TEST(ConvertWalls, HangASolidWallFromTheCeilingOrStandItOnTheFloor) {
+    Doorway d;
+    EXPECT_EQ(Converted(d.level).wall("s0", 0, 0).texture_peg, Peg::ceiling);
+    d.level.map.lines[0].flags |= kLowerUnpegged;
+    EXPECT_EQ(Converted(d.level).wall("s0", 0, 0).texture_peg, Peg::floor);
+}
+
+TEST(ConvertWalls, HangStepsAndMiddlesAtTheOpening) {
+    const Converted c(Doorway().level);
+    EXPECT_EQ(front(c).upper_peg, Peg::opening_top);
+    EXPECT_EQ(front(c).lower_peg, Peg::opening_bottom);
+    EXPECT_EQ(front(c).middle_peg, Peg::opening_top);
+}
+
+TEST(ConvertWalls, HangUnpeggedUpperStepsFromTheCeiling) {
+    Doorway d;
+    d.line().flags |= kUpperUnpegged;
+    const Converted c(d.level);
+    EXPECT_EQ(front(c).upper_peg, Peg::ceiling);
+    EXPECT_EQ(front(c).lower_peg, Peg::opening_bottom);
+}
+
+TEST(ConvertWalls, HangUnpeggedLowerStepsFromTheCeilingAndStandMiddlesOnTheOpening) {
+    Doorway d;
+    d.line().flags |= kLowerUnpegged;
+    const Converted c(d.level);
+    EXPECT_EQ(front(c).upper_peg, Peg::opening_top);
+    EXPECT_EQ(front(c).lower_peg, Peg::ceiling);
+    EXPECT_EQ(front(c).middle_peg, Peg::opening_bottom);
+}
+
+TEST(ConvertWalls, MoveTexturesByDoomsOffsetsOfEitherSign) {
+    Doorway d;
+    d.right().x_offset = 5;
+    d.right().y_offset = -7;
+    const Converted c(d.level);
+    EXPECT_EQ(front(c).upper->offset_tx, (Vec2{-5, 7}));
+    EXPECT_EQ(front(c).middle->offset_tx, (Vec2{-5, 7}));
+}
+
+TEST(ConvertWalls, JoinBothSidesOfALine) {
+    const Converted c(Doorway().level);
+    EXPECT_EQ(front(c).next, "s1");
+    EXPECT_EQ(back(c).next, "s0");
+    EXPECT_EQ(c.report.portals, 2u);
+}
+
+TEST(ConvertWalls, OpenStepsWithoutTexture) {
+    Doorway d;
+    d.right().upper = d.right().lower = "-";
+    const Converted c(d.level);
+    EXPECT_EQ(front(c).upper->name, "-");
+    EXPECT_EQ(front(c).lower->name, "-");
+    EXPECT_THAT(c.noted(Kind::missing_upper), ElementsAre(2u));
+    EXPECT_THAT(c.noted(Kind::missing_lower), ElementsAre(2u));
+}
+
+TEST(ConvertWalls, NoteNoMissingTextureWhereThereIsNoStep) {
+    const Converted c(Doorway(0, 128).level);
+    EXPECT_THAT(c.noted(Kind::missing_upper), IsEmpty());
+    EXPECT_THAT(c.noted(Kind::missing_lower), IsEmpty());
+}
+
+TEST(ConvertWalls, OpenStepsBetweenTwoSkies) {
+    const Converted c(Doorway(16, 96, "F_SKY1").level);
+    EXPECT_EQ(front(c).upper->name, "-");
+    EXPECT_THAT(c.noted(Kind::sky_step), ElementsAre(2u));
+    EXPECT_THAT(c.noted(Kind::missing_upper), IsEmpty());
+}
+
+// With two skies Doom counts from the ceiling beyond, here 32 units lower than the own one.
+TEST(ConvertWalls, HangUnpeggedLowerStepsBetweenTwoSkiesFromTheCeilingBeyond) {
+    Doorway d(16, 96, "F_SKY1");
+    d.line().flags |= kLowerUnpegged;
+    d.right().y_offset = 1;
+    const Converted c(d.level);
+    EXPECT_EQ(front(c).lower_peg, Peg::ceiling);
+    EXPECT_EQ(front(c).lower->offset_tx.y, 31);
+}
+
+TEST(ConvertWalls, DrawNothingForDoomsFirstTexture) {
+    Doorway d;
+    d.right().middle = "AANULL";
+    const Converted c(d.level);
+    EXPECT_FALSE(front(c).middle);
+    EXPECT_THAT(c.noted(Kind::null_texture), ElementsAre(2u));
+}
+
+TEST(ConvertWalls, NoteTexturesThatAreNotThere) {
+    Doorway d;
+    d.right().lower = "NONE";
+    EXPECT_THAT(Converted(d.level).noted(Kind::unknown_texture), ElementsAre(2u));
+}
+
+TEST(ConvertWalls, ShowThePlaceholderOnSolidWallsWithoutTexture) {
+    Doorway d;
+    d.level.map.sides[0].middle = "-";
+    const Converted c(d.level);
+    EXPECT_EQ(c.wall("s0", 0, 0).texture->name, "-");
+    EXPECT_THAT(c.noted(Kind::missing_middle), ElementsAre(0u));
+}
+
+TEST(ConvertWalls, NoteNoMissingTextureInClosedSectors) {
+    Doorway d(0, 0);
+    for (Sidedef& side : d.level.map.sides)
+        if (side.sector == 1) side.middle = "-";
+    EXPECT_THAT(Converted(d.level).noted(Kind::missing_middle), IsEmpty());
+}
+
+TEST(ConvertWalls, KeepALinesRecordOnItsRightSide) {
+    Doorway d;
+    d.line().special = 31;
+    d.line().tag = 4;
+    const Converted c(d.level);
+    EXPECT_EQ(front(c).doom, (DoomRecord{31, 4, kTwoSided}));
+    EXPECT_FALSE(back(c).doom);
+    EXPECT_EQ(c.report.line_specials.at(31), 1u);
+}
+
+TEST(ConvertWalls, KeepNoRecordOfPlainLines) {
+    const Converted c(Doorway().level);
+    EXPECT_FALSE(front(c).doom);
+    EXPECT_FALSE(c.wall("s0", 0, 0).doom);
+}
+
+TEST(ConvertWalls, KeepFlagsThatSayMore) {
+    Doorway d;
+    d.line().flags = kTwoSided | kBlocking;
+    EXPECT_EQ(front(Converted(d.level)).doom->flags, kTwoSided | kBlocking);
+}
+
+TEST(ConvertWalls, MakeUnmarkedLinesSolid) {
+    Doorway d;
+    d.line().flags = 0;
+    const Converted c(d.level);
+    EXPECT_EQ(front(c).next, "");
+    EXPECT_EQ(front(c).texture->name, "wall");
+}
+
+/// The only panel of the map.
+const PanelRecord& panel(const Converted& c, const std::string& texture) {
+    for (const SectorRecord& sector : c.file.sectors)
+        for (const PanelRecord& panel : sector.panels)
+            if (panel.texture.name == texture) return panel;
+    ADD_FAILURE() << "no panel with " << texture;
+    return c.file.sectors.at(0).panels.at(0);
+}
+
+TEST(ConvertPanels, HangAFenceFromTheCeilingOnce) {
+    const PanelRecord fence = panel(Converted(small_level()), "fence");
+    EXPECT_EQ(fence.a, (Vec2{4, -4}));
+    EXPECT_EQ(fence.b, (Vec2{6, -4}));
+    EXPECT_EQ(fence.top, 4);
+    EXPECT_EQ(fence.bottom, 4 - 4 / 32.);
+}
+
+TEST(ConvertPanels, StandAnUnpeggedFenceOnTheFloor) {
+    Level level = small_level();
+    Linedef& line = level.map.lines[11];
+    line.flags |= kLowerUnpegged;
+    level.map.sides[line.right].x_offset = 3;
+    level.map.sides[line.right].y_offset = 8;
+    const PanelRecord fence = panel(Converted(level), "fence");
+    EXPECT_EQ(fence.bottom, 8 / 32.);
+    EXPECT_EQ(fence.top, 12 / 32.);
+    EXPECT_EQ(fence.texture.offset_tx, (Vec2{-3, 0}));
+}
+
+TEST(ConvertPanels, TurnAFenceThatOnlyTheLeftSideShows) {
+    Level level = small_level();
+    const Linedef& line = level.map.lines[11];
+    std::swap(level.map.sides[line.right].middle, level.map.sides[line.left].middle);
+    const PanelRecord fence = panel(Converted(level), "fence");
+    EXPECT_EQ(fence.a, (Vec2{6, -4}));
+    EXPECT_EQ(fence.b, (Vec2{4, -4}));
+}
+
+TEST(ConvertPanels, KeepWhatALineWithoutPictureMeans) {
+    const Converted c(small_level());
+    EXPECT_EQ(panel(c, "-").doom, (DoomRecord{97, 0, kTwoSided}));
+    EXPECT_THAT(c.noted(Kind::self_unseen), ElementsAre(12u));
+}
+
+// Freedoom MAP20 has fences that run through a column of another sector.
+TEST(ConvertPanels, AreCutWhereTheyLeaveTheirSector) {
+    Level level;
+    level.sector();
+    level.sector();
+    level.box(0, 0, 128, 128, 0);
+    level.box(48, 48, 80, 80, 1, 0);
+    const int line = level.line({32, 64}, {96, 64}, 0, 0);
+    level.map.sides[level.map.lines[static_cast<std::size_t>(line)].right].middle = "FENCE";
+    const Converted c(level);
+    ASSERT_THAT(c.file.sectors[0].panels, SizeIs(2));
+    ASSERT_THAT(c.file.sectors[1].panels, SizeIs(1));
+    EXPECT_EQ(c.file.sectors[1].panels[0].a, (Vec2{1.5, -2}));
+    EXPECT_EQ(c.file.sectors[1].panels[0].b, (Vec2{2.5, -2}));
+    EXPECT_EQ(c.file.sectors[1].panels[0].texture.offset_tx.x, -16);
+}
+
+TEST(ConvertPanels, KeepTheRecordOfALineDrawnOverAnother) {
+    Doorway d;
+    d.level.map.lines[static_cast<std::size_t>(d.level.line({64, 64}, {64, 0}, 0, 1))].special = 52;
+    EXPECT_EQ(panel(Converted(d.level), "-").doom->special, 52);
+}
+
+TEST(OpenDoors, RaiseTheSectorBehindAPushedDoor) {
+    Doorway d(0, 0);
+    d.line().special = 1;
+    const Converted c(d.level, {.open_doors = true});
+    EXPECT_EQ(c.file.sectors[1].ceiling.z, 124 / 32.);
+    EXPECT_THAT(c.noted(Kind::opened_door), ElementsAre(1u));
+}
+
+TEST(OpenDoors, RaiseTheSectorsOfARemoteDoorsTag) {
+    Doorway d(0, 0);
+    d.level.map.lines[0].special = 103;
+    d.level.map.lines[0].tag = d.level.map.sectors[1].tag = 7;
+    EXPECT_EQ(Converted(d.level, {.open_doors = true}).file.sectors[1].ceiling.z, 124 / 32.);
+}
+
+TEST(OpenDoors, LeaveAloneWhatNoDoorOpens) {
+    const Converted c(Doorway(0, 0).level, {.open_doors = true});
+    EXPECT_EQ(c.file.sectors[1].ceiling.z, 0);
+    EXPECT_THAT(c.noted(Kind::closed_door), ElementsAre(1u));
+}
+
+TEST(OpenDoors, OpenOnlyWhenAsked) {
+    Doorway d(0, 0);
+    d.line().special = 1;
+    EXPECT_EQ(Converted(d.level).file.sectors[1].ceiling.z, 0);
+}
+
+TEST(ConvertThings, TellWhatStandsWhere) {
+    const Converted c(small_level());
+    ASSERT_THAT(c.file.things, SizeIs(3));
+    const ThingRecord& thing = c.file.things[1];
+    EXPECT_EQ(thing.kind, "Zombieman");
+    EXPECT_EQ(thing.sector, "s0");
+    EXPECT_EQ(thing.position, (Vec2{6.25, -1.25}));
+    EXPECT_EQ(thing.radius, 20 / 32.);
+    EXPECT_EQ(thing.height, 56 / 32.);
+    EXPECT_TRUE(thing.solid);
+    EXPECT_FALSE(thing.hanging);
+    EXPECT_EQ(thing.doom, (DoomRecord{3004, 0, 7}));
+}
+
+TEST(ConvertThings, AnimateThemIdly) {
+    const ThingRecord zombie = Converted(small_level()).file.things[1];
+    EXPECT_EQ(zombie.rotations, 8);
+    ASSERT_THAT(zombie.frames, SizeIs(2));
+    EXPECT_EQ(zombie.frames[0].texture, "sprites/possa");
+    EXPECT_EQ(zombie.frames[0].seconds, 10 / 35.);
+    EXPECT_EQ(zombie.frames[0].origin_tx, (Vec2{1, 3}));
+    const ThingRecord barrel = Converted(small_level()).file.things[2];
+    EXPECT_EQ(barrel.rotations, 1);
+    EXPECT_EQ(barrel.frames[1].texture, "sprites/bar1b");
+}
+
+TEST(ConvertThings, TurnByEighthsRightWhereDoomTurnsLeft) {
+    std::vector<double> yaws;
+    for (int angle : {0, 45, 90, 180, 315, 359, 360, 65535}) {
+        Level level = small_level();
+        level.thing(32, 32, 3004, angle);
+        yaws.push_back(Converted(level).file.things.back().yaw_degrees);
+    }
+    EXPECT_THAT(yaws, ElementsAre(0, 315, 270, 180, 45, 45, 0, 0));
+}
+
+TEST(ConvertThings, LeaveOutUnknownTypesAndThingsInTheVoid) {
+    Level level = small_level();
+    level.thing(32, 32, 32000);
+    level.thing(1000, 1000, 3004);
+    const Converted c(level);
+    EXPECT_THAT(c.file.things, SizeIs(3));
+    EXPECT_THAT(c.noted(Kind::unknown_thing), ElementsAre(3u));
+    EXPECT_THAT(c.noted(Kind::thing_outside), ElementsAre(4u));
+}
+
+TEST(ConvertThings, KeepThoseWithoutSprite) {
+    Level level = small_level();
+    level.thing(32, 32, 68);
+    const Converted c(level);
+    EXPECT_EQ(c.file.things[3].kind, "Arachnotron");
+    EXPECT_THAT(c.file.things[3].frames, IsEmpty());
+    EXPECT_THAT(c.noted(Kind::missing_sprite), ElementsAre(3u));
+}
+
+TEST(ConvertThings, PutThePlayerOnItsStart) {
+    const PlayerRecord player = *Converted(small_level()).file.player;
+    EXPECT_EQ(player.sector, "s0");
+    EXPECT_EQ(player.position, (Vec2{1, -1}));
+    EXPECT_EQ(player.eye_z, 41 / 32.);
+    EXPECT_EQ(player.yaw_degrees, 270);
+}
+
+TEST(ConvertThings, TakeTheLastOfSeveralStarts) {
+    Level level = small_level();
+    level.thing(280, 40, 1);
+    EXPECT_EQ(Converted(level).file.player->sector, "s1");
+}
+
+TEST(ConvertThings, StartADeathmatchMapAtItsFirstStart) {
+    Level level = small_level();
+    level.map.things.clear();
+    level.thing(280, 40, 11);
+    level.thing(32, 32, 11);
+    const Converted c(level);
+    EXPECT_EQ(c.file.player->sector, "s1");
+    EXPECT_THAT(c.noted(Kind::no_start), SizeIs(1));
+}
+
+TEST(ConvertMap, SaysWhyItRefuses) {
+    DoomMap doom = Doorway().level.map;
+    doom.lines.erase(doom.lines.begin(), doom.lines.begin() + 2);
+    doom.lines.erase(doom.lines.begin() + 1);
+    const WadPile pile = pile_of({picture_wad().finish()});
+    const Conversion conversion = convert_map(doom, Pictures::list(pile, {}).value(), {});
+    EXPECT_FALSE(conversion.file);
+    EXPECT_NE(conversion.report.refused, "");
+}
+
+}  // namespace
+}  // namespace enfilade::wadconv

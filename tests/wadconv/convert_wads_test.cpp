@@ -1,0 +1,183 @@
+// A whole run, down to the files it writes.
+#include "wadconv/convert_wads.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "map/load.h"
+#include "support/temp_dir.h"
+#include "wadconv/wad_builder.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+using namespace test;
+using enfilade::testing::TempDir;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// A level that cannot be closed.
+Level broken_level() {
+    Level level;
+    level.sector();
+    level.line({0, 0}, {0, 64}, 0);
+    level.line({64, 0}, {128, 0}, 0);
+    return level;
+}
+
+/// A level in which something must be guessed: its gap is closed.
+Level gappy_level() {
+    Level level;
+    level.sector();
+    level.box(0, 0, 64, 64, 0);
+    level.map.lines.pop_back();
+    level.thing(32, 32, 1);
+    return level;
+}
+
+/// WADs on disk and a folder to convert them into.
+struct Bench {
+    TempDir dir;
+    RunOptions options;
+
+    Bench() { options.out = dir.path("out"); }
+    void add(const WadBuilder& wad, std::string_view magic = "IWAD") {
+        options.wads.push_back(dir.path(std::to_string(options.wads.size()) + ".wad"));
+        ASSERT_FALSE(write_file(options.wads.back(), wad.finish(magic)));
+    }
+    Result<RunResult> run() {
+        return convert_wads(options, [](std::size_t, std::size_t) {});
+    }
+    bool wrote(const std::string& file) const { return std::filesystem::exists(dir.path("out/" + file)); }
+};
+
+WadBuilder wad_with(const std::vector<std::pair<std::string, Level>>& maps) {
+    WadBuilder wad = picture_wad();
+    for (const auto& [name, level] : maps) wad.add_map(name, level.map);
+    return wad;
+}
+
+TEST(ConvertWads, WritesMapsThatLoadWithoutAWord) {
+    Bench bench;
+    bench.add(wad_with({{"MAP01", small_level()}}));
+    const auto result = bench.run();
+    ASSERT_TRUE(result.ok()) << result.error().text();
+    EXPECT_TRUE(result.value().is_complete());
+    const LoadedMap loaded = load_map(bench.dir.path("out/map01.toml"), {}, read_file);
+    for (const Finding& finding : loaded.findings) ADD_FAILURE() << finding.sentence;
+    EXPECT_TRUE(loaded.map);
+}
+
+TEST(ConvertWads, GivesTheSameBytesWithAnyNumberOfJobs) {
+    Bench one, four;
+    for (Bench* bench : {&one, &four})
+        bench->add(wad_with({{"E1M1", small_level()}, {"E1M2", gappy_level()}, {"E1M3", broken_level()}}));
+    four.options.jobs = 4;
+    ASSERT_TRUE(one.run().ok());
+    ASSERT_TRUE(four.run().ok());
+    std::vector<std::string> compared;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(one.dir.path("out"))) {
+        if (!entry.is_regular_file()) continue;
+        compared.push_back(std::filesystem::relative(entry.path(), one.dir.path("out")).string());
+        EXPECT_EQ(read_file(entry.path().string()).value(), read_file(four.dir.path("out/" + compared.back())).value())
+            << compared.back();
+    }
+    EXPECT_GT(compared.size(), 10u);
+}
+
+TEST(ConvertWads, ConvertsOnlyTheMapsAskedFor) {
+    Bench bench;
+    bench.add(wad_with({{"E1M1", small_level()}, {"E1M2", small_level()}}));
+    bench.options.maps = {"e1m2"};
+    ASSERT_TRUE(bench.run().ok());
+    EXPECT_FALSE(bench.wrote("e1m1.toml"));
+    EXPECT_TRUE(bench.wrote("e1m2.toml"));
+}
+
+TEST(ConvertWads, NamesAMapThatIsNotThere) {
+    Bench bench;
+    bench.add(wad_with({{"E1M1", small_level()}}));
+    bench.options.maps = {"E9M9"};
+    EXPECT_THAT(bench.run().error().text(), HasSubstr("no map E9M9"));
+}
+
+TEST(ConvertWads, RefusesOneMapAndConvertsTheOthers) {
+    Bench bench;
+    bench.add(wad_with({{"MAP01", broken_level()}, {"MAP02", small_level()}}));
+    const RunResult result = bench.run().value();
+    EXPECT_FALSE(result.is_complete());
+    EXPECT_THAT(result.reports[0].refused, HasSubstr("sector 0 is not closed"));
+    EXPECT_FALSE(bench.wrote("map01.toml"));
+    EXPECT_TRUE(bench.wrote("map02.toml"));
+}
+
+TEST(ConvertWads, RefusesMapsThatDoNotPassTheCheck) {
+    Level level;
+    level.sector();
+    level.ring({{0, 0}, {96, 96}, {64, 0}, {0, 64}}, 0);  // crosses itself
+    Bench bench;
+    bench.add(wad_with({{"MAP01", level}}));
+    EXPECT_THAT(bench.run().value().reports[0].refused, HasSubstr("not sound"));
+    EXPECT_FALSE(bench.wrote("map01.toml"));
+}
+
+TEST(ConvertWads, RefusesGuessesOnlyWhenStrict) {
+    Bench bench;
+    bench.add(wad_with({{"MAP01", gappy_level()}}));
+    EXPECT_EQ(bench.run().value().reports[0].refused, "");
+    bench.options.strict = true;
+    EXPECT_THAT(bench.run().value().reports[0].refused, HasSubstr("1 sectors that lack one line"));
+}
+
+TEST(ConvertWads, LaysAPatchOverTheIwad) {
+    Bench bench;
+    bench.add(wad_with({{"MAP01", broken_level()}}));
+    WadBuilder above;
+    above.add_map("MAP01", small_level().map);
+    bench.add(above, "PWAD");
+    EXPECT_TRUE(bench.run().value().is_complete());
+}
+
+TEST(ConvertWads, AsksForTheIwadWhereAPatchComesAlone) {
+    Bench bench;
+    WadBuilder wad;
+    wad.add_map("MAP01", small_level().map);
+    bench.add(wad, "PWAD");
+    EXPECT_THAT(bench.run().error().text(), HasSubstr("give the IWAD too"));
+}
+
+TEST(ConvertWads, NamesAFileThatIsNotThere) {
+    Bench bench;
+    bench.options.wads = {bench.dir.path("none.wad")};
+    EXPECT_THAT(bench.run().error().text(), HasSubstr("none.wad"));
+}
+
+TEST(ConvertWads, CountsItsStepsUpToTheTotal) {
+    Bench bench;
+    bench.add(wad_with({{"MAP01", small_level()}}));
+    std::vector<std::size_t> steps;
+    std::size_t of = 0;
+    ASSERT_TRUE(convert_wads(bench.options, [&](std::size_t done, std::size_t total) {
+                    steps.push_back(done);
+                    of = total;
+                }).ok());
+    ASSERT_FALSE(steps.empty());
+    EXPECT_EQ(steps.back(), of);
+    EXPECT_EQ(steps.size(), of);
+}
+
+TEST(ReportText, TellsNumbersByKind) {
+    Bench bench;
+    bench.add(wad_with({{"MAP01", small_level()}, {"MAP02", gappy_level()}}));
+    const std::string text = to_text(bench.run().value());
+    EXPECT_THAT(text, HasSubstr("2 maps converted, 0 refused"));
+    EXPECT_THAT(text, HasSubstr("1 sectors that lack one line"));
+    EXPECT_THAT(text, HasSubstr("      sector 0\n"));
+    EXPECT_THAT(text, HasSubstr("line specials (number x times): 97x1"));
+    EXPECT_THAT(text, HasSubstr("COLORMAP's 32 levels of light are within 1 %"));
+}
+
+}  // namespace
+}  // namespace enfilade::wadconv

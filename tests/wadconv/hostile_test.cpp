@@ -1,0 +1,190 @@
+// Any bytes at all: a sentence or a map, never a crash, a hang or a map that the check would refuse unheard.
+#include <gmock/gmock.h>
+
+#include "base/random.h"
+#include "map/build.h"
+#include "wadconv/convert.h"
+#include "wadconv/map_lumps.h"
+#include "wadconv/wad_builder.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+using namespace test;
+
+/// Where in a file with the directory first its entries are.
+constexpr std::size_t kEntriesAt = 12, kEntryBytes = 16, kSizeAt = 4;
+
+WadBuilder whole_wad() {
+    WadBuilder wad = picture_wad();
+    wad.add_map("MAP01", small_level().map);
+    return wad;
+}
+
+/// What came of the bytes; the text of the first error where there is one.
+struct Outcome {
+    std::size_t pictures = 0, maps = 0;
+    std::string error;
+};
+
+void note(Outcome& outcome, const std::string& error) {
+    if (outcome.error.empty()) outcome.error = error;
+}
+
+void draw_all(const Pictures& pictures, Outcome& outcome) {
+    for (const PictureFile& file : pictures.files()) {
+        const Result<Picture> picture = file.draw();
+        if (!picture)
+            note(outcome, picture.error().text());
+        else
+            outcome.pictures += !to_png(picture.value(), pictures.palette()).empty();
+    }
+}
+
+void convert(const WadPile& pile, const std::string& name, const Pictures& pictures, const TextureSet& sizes,
+             Outcome& outcome) {
+    const Result<MapLumps> lumps = find_map(pile, name);
+    if (!lumps) return note(outcome, lumps.error().text());
+    const Result<DoomMap> doom = decode_map(lumps.value());
+    if (!doom) return note(outcome, doom.error().text());
+    const Conversion conversion = convert_map(doom.value(), pictures, {.open_doors = true});
+    if (!conversion.file) return note(outcome, conversion.report.refused);
+    EXPECT_TRUE(conversion.report.sides.is_complete());
+    Findings findings;
+    if (build_map(*conversion.file, sizes, findings))
+        ++outcome.maps;
+    else
+        note(outcome, "not sound");
+}
+
+/// Everything a run does but for writing files.
+Outcome digest(Bytes bytes) {
+    Outcome outcome;
+    Result<Wad> wad = Wad::read("x.wad", std::move(bytes));
+    if (!wad) return {0, 0, wad.error().text()};
+    std::vector<Wad> wads;
+    wads.push_back(std::move(wad).value());
+    const WadPile pile(std::move(wads));
+    const Result<Pictures> pictures = Pictures::list(pile, {"POSSA", "POSSB", "BAR1A", "BAR1B"});
+    if (!pictures) return {0, 0, pictures.error().text()};
+    draw_all(pictures.value(), outcome);
+    const TextureSet sizes = pictures.value().sizes();
+    for (const std::string& name : map_names(pile)) convert(pile, name, pictures.value(), sizes, outcome);
+    return outcome;
+}
+
+Bytes cut(const Bytes& bytes, std::size_t length) {
+    return Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
+}
+
+void put_u32(Bytes& bytes, std::size_t at, std::uint32_t value) {
+    for (std::size_t i = 0; i < 4; ++i) bytes.at(at + i) = static_cast<std::byte>(value >> (8 * i));
+}
+
+TEST(HostileWad, IsFineWhenItIsNot) {
+    const Outcome outcome = digest(whole_wad().finish_directory_first());
+    EXPECT_EQ(outcome.error, "");
+    EXPECT_EQ(outcome.maps, 1u);
+    EXPECT_EQ(outcome.pictures, 24u);
+}
+
+TEST(HostileWad, IsRefusedWhenCutAtAnyLump) {
+    const WadBuilder wad = whole_wad();
+    const Bytes first = wad.finish_directory_first(), last = wad.finish();
+    const std::vector<std::size_t> starts = wad.boundaries();
+    const std::size_t directory = first.size() - starts.back();
+    for (std::size_t start : starts) {
+        EXPECT_NE(digest(cut(last, start)).error, "") << start;
+        if (start != starts.back()) {
+            EXPECT_NE(digest(cut(first, start + directory)).error, "") << start;
+        }
+    }
+}
+
+TEST(HostileWad, IsRefusedWhenCutAnywhere) {
+    const Bytes whole = whole_wad().finish_directory_first();
+    Random random(1);
+    for (int i = 0; i < 2000; ++i) {
+        const std::size_t length = random.below(whole.size());
+        EXPECT_NE(digest(cut(whole, length)).error, "") << length;
+    }
+}
+
+TEST(HostileWad, SurvivesLumpsThatEndEarly) {
+    const Bytes whole = whole_wad().finish_directory_first();
+    const std::size_t lumps = std::to_integer<std::size_t>(whole[4]);
+    for (std::size_t lump = 0; lump < lumps; ++lump) {
+        const std::size_t at = kEntriesAt + kEntryBytes * lump + kSizeAt;
+        const std::uint32_t size = ByteReader(std::span(whole).subspan(at)).u32();
+        for (std::uint32_t parts = 0; parts < 16; ++parts) {
+            Bytes spoilt = whole;
+            put_u32(spoilt, at, size * parts / 16);
+            digest(std::move(spoilt));
+        }
+    }
+}
+
+TEST(HostileWad, SurvivesLumpsThatOverlap) {
+    const Bytes whole = whole_wad().finish_directory_first();
+    const std::size_t lumps = std::to_integer<std::size_t>(whole[4]);
+    Random random(2);
+    for (int i = 0; i < 500; ++i) {
+        Bytes spoilt = whole;
+        const std::size_t at = kEntriesAt + kEntryBytes * random.below(lumps);
+        const auto offset = static_cast<std::uint32_t>(random.below(whole.size()));
+        put_u32(spoilt, at, offset);
+        put_u32(spoilt, at + kSizeAt, static_cast<std::uint32_t>(random.below(whole.size() - offset)));
+        digest(std::move(spoilt));
+    }
+}
+
+TEST(HostileWad, SurvivesWrongBytesAnywhere) {
+    const Bytes whole = whole_wad().finish_directory_first();
+    for (std::uint64_t trial = 0; trial < 2000; ++trial) {
+        Random random(trial);
+        Bytes spoilt = whole;
+        for (std::uint64_t count = 1 + random.below(8); count > 0; --count)
+            spoilt[random.below(spoilt.size())] = static_cast<std::byte>(random.below(256));
+        digest(std::move(spoilt));
+    }
+}
+
+TEST(HostileWad, SurvivesExtremeNumbersInEveryFieldOfAMap) {
+    const WadBuilder wad = whole_wad();
+    const Bytes whole = wad.finish_directory_first();
+    const std::vector<std::size_t> starts = wad.boundaries();
+    const std::size_t directory = whole.size() - starts.back();
+    // The map's lumps are the last five.
+    for (std::size_t at = starts[starts.size() - 6] + directory; at + 1 < whole.size(); at += 2)
+        for (unsigned value : {0x0000, 0x0001, 0x7FFF, 0x8000, 0xFFFE, 0xFFFF}) {
+            Bytes spoilt = whole;
+            spoilt[at] = static_cast<std::byte>(value);
+            spoilt[at + 1] = static_cast<std::byte>(value >> 8);
+            digest(std::move(spoilt));
+        }
+}
+
+TEST(HostileWad, RefusesMoreThingsAndSidesThanCanBePlaced) {
+    Level level;
+    level.sector();
+    level.box(0, 0, 64, 64, 0);
+    level.map.things.resize(60000);
+    // Boxes within boxes, by turns outlines and holes: 40000 sides in every one of which every thing would have to be
+    // looked for.
+    level.map.lines.clear();
+    level.map.vertices.clear();
+    const auto put = [&](int x, int y) { level.map.vertices.push_back({std::int16_t(x), std::int16_t(y)}); };
+    for (int i = 0; i < 9999; ++i) {
+        put(-i - 1, -i - 1), put(-i - 1, i + 1), put(i + 1, i + 1), put(i + 1, -i - 1);
+        for (int k = 0; k < 4; ++k)
+            level.map.lines.push_back({static_cast<std::uint16_t>(4 * i + (i % 2 ? 3 - k : k)),
+                                       static_cast<std::uint16_t>(4 * i + (i % 2 ? (6 - k) % 4 : (k + 1) % 4)),
+                                       kBlocking, 0, 0, 0, kNoSide});
+    }
+    const WadPile pile = pile_of({picture_wad().finish()});
+    const Conversion conversion = convert_map(level.map, Pictures::list(pile, {}).value(), {});
+    EXPECT_THAT(conversion.report.refused, ::testing::HasSubstr("too many together"));
+}
+
+}  // namespace
+}  // namespace enfilade::wadconv

@@ -1,0 +1,67 @@
+#include "wadconv/convert.h"
+
+#include "wadconv/workbench.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+/// Vertical stretch of Doom's picture: 320 x 200 pixels shown on a screen of 4 : 3.
+constexpr double kStretch = 1.2;
+
+MapFile empty_map(const std::string& name) {
+    MapFile file;
+    file.format = 1;
+    file.name = name;
+    file.size = kUnitsPerMetre;
+    file.render.stretch = kStretch;
+    file.render.light = LightModel::classic;
+    return file;
+}
+
+/// Points to be found times edges to be looked at; the largest map of FreeDoom needs 30 million. What asks for far more
+/// is no map but an attempt to keep us busy.
+constexpr std::uint64_t kMaxSearches = std::uint64_t{1} << 31;
+
+bool is_too_large(const DoomMap& doom, const Parts& parts) {
+    return (doom.things.size() + parts.lone.size()) * std::uint64_t{parts.edges.size()} > kMaxSearches;
+}
+
+void count_contents(const DoomMap& doom, Report& report) {
+    report.map = doom.name;
+    report.lines = doom.lines.size();
+    report.sectors = doom.sectors.size();
+    report.things = doom.things.size();
+    for (const Linedef& line : doom.lines)
+        if (line.special != 0) ++report.line_specials[line.special];
+    for (std::size_t i = 0; i < doom.trailing_bytes; ++i) report.note(Kind::trailing_bytes, i);
+}
+
+}  // namespace
+
+Conversion convert_map(const DoomMap& doom, const Pictures& pictures, const ConvertOptions& options) {
+    Conversion conversion;
+    Report& report = conversion.report;
+    count_contents(doom, report);
+    const Result<Parts> parts = make_parts(collect_edges(doom, report), doom.sectors.size(), report);
+    if (!parts) {
+        report.refused = parts.error().what;
+        return conversion;
+    }
+    if (is_too_large(doom, parts.value())) {
+        report.refused = std::to_string(doom.things.size()) + " things and " +
+                         std::to_string(parts.value().edges.size()) + " sides are too many together";
+        return conversion;
+    }
+    MapFile file = empty_map(doom.name);
+    Workbench bench{doom,   pictures, parts.value(), settle_heights(doom, parts.value(), options.open_doors, report),
+                    report, file};
+    convert_sectors(bench);
+    convert_walls(bench);
+    convert_panels(bench);
+    convert_things(bench);
+    report.parts = file.sectors.size();
+    conversion.file = std::move(file);
+    return conversion;
+}
+
+}  // namespace enfilade::wadconv

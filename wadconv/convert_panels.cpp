@@ -1,0 +1,155 @@
+// Lines that bound no sector: fences in the middle of a room, and lines that only mean something when crossed.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "wadconv/workbench.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+/// Steps of the vertex grid, 1/1024 m, in a map unit: where a line may be cut.
+constexpr double kGridSteps = 32;
+
+/// A piece of a line within one part.
+struct Piece {
+    std::uint32_t part = kNone;
+    Vec2 a, b;  ///< [map units], on the vertex grid
+};
+
+/// Where along a -> b, as a fraction, the line crosses the edge; nothing where it does not, or only touches.
+std::optional<double> crossing(Point a, Point b, const Edge& edge) {
+    const std::int64_t start = cross(edge.a, edge.b, a), end = cross(edge.a, edge.b, b);
+    const std::int64_t left = cross(a, b, edge.a), right = cross(a, b, edge.b);
+    if ((start > 0) == (end > 0) || (left > 0) == (right > 0) || !start || !end || !left || !right) return {};
+    return static_cast<double>(start) / static_cast<double>(start - end);
+}
+
+double snapped(double x) { return std::floor(x * kGridSteps + 0.5) / kGridSteps; }
+
+/// The point a fraction of the way along, on the vertex grid.
+Vec2 point_along(Point a, Point b, double t) {
+    return {snapped(a.x + t * (b.x - a.x)), snapped(a.y + t * (b.y - a.y))};
+}
+
+Point fine_middle(Vec2 a, Vec2 b) {
+    return {static_cast<std::int32_t>((a.x + b.x) * (kFineSteps / 2)),
+            static_cast<std::int32_t>((a.y + b.y) * (kFineSteps / 2))};
+}
+
+/// Cuts a line wherever it crosses the edge of a part, and drops what lies in none.
+std::vector<Piece> pieces_of(const Parts& parts, Point a, Point b) {
+    std::vector<double> cuts = {0, 1};
+    for (std::uint32_t e = 0; e < parts.edges.size(); ++e)
+        if (parts.part_of_edge[e] != kNone)
+            if (const auto t = crossing(a, b, parts.edges[e])) cuts.push_back(*t);
+    std::ranges::sort(cuts);
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        Piece piece{kNone, point_along(a, b, cuts[i]), point_along(a, b, cuts[i + 1])};
+        piece.part = piece.a == piece.b ? kNone : part_at(parts, fine_middle(piece.a, piece.b));
+        if (piece.part != kNone) pieces.push_back(piece);
+    }
+    return pieces;
+}
+
+/// The side that shows a picture on a line that stands in a sector: the right one first.
+const Sidedef* shown_side(const DoomMap& doom, const Linedef& line) {
+    for (std::uint16_t side : {line.right, line.left})
+        if (side < doom.sides.size() && doom.sides[side].middle != "-") return &doom.sides[side];
+    return nullptr;
+}
+
+/// Hangs the picture, once from top to bottom, as Doom hangs the middle texture of such a line.
+void hang_picture(const PictureFile& file, const Linedef& line, const Sidedef& side, const Heights& heights,
+                  PanelRecord& panel) {
+    if (line.flags & kLowerUnpegged) {
+        panel.bottom = metres(heights.floor + side.y_offset);
+        panel.top = panel.bottom + metres(file.height);
+    } else {
+        panel.top = metres(heights.ceiling + side.y_offset);
+        panel.bottom = panel.top - metres(file.height);
+    }
+    panel.texture.name = file.name;
+    panel.texture.offset_tx.x = 0.0 - side.x_offset;
+}
+
+/// Makes panels of lines that became no wall.
+class PanelMaker {
+public:
+    explicit PanelMaker(Workbench& bench) : bench_(bench) {}
+
+    void convert(std::uint32_t index) {
+        const Linedef& line = bench_.doom.lines[index];
+        const Point a = point_of(line.start), b = point_of(line.end);
+        const Sidedef* side = shown_side(bench_.doom, line);
+        const PictureFile* file = side ? picture_of(*side, index) : nullptr;
+        const bool from_left = file && side != right_side(line);
+        for (const Piece& piece : from_left ? pieces_of(bench_.parts, b, a) : pieces_of(bench_.parts, a, b))
+            add(line, piece, file, side, from_left ? b : a);
+        bench_.report.note(file ? Kind::self_panel : Kind::self_unseen, index);
+    }
+
+private:
+    Point point_of(std::uint16_t vertex) const {
+        const Vertex& v = bench_.doom.vertices[vertex];
+        return {v.x, -std::int32_t{v.y}};
+    }
+
+    const Sidedef* right_side(const Linedef& line) const {
+        return line.right < bench_.doom.sides.size() ? &bench_.doom.sides[line.right] : nullptr;
+    }
+
+    const PictureFile* picture_of(const Sidedef& side, std::uint32_t line) {
+        return texture_spec(bench_, side.middle, side, line) ? bench_.pictures.wall(side.middle) : nullptr;
+    }
+
+    void add(const Linedef& line, const Piece& piece, const PictureFile* file, const Sidedef* side, Point start) {
+        const Heights& heights = bench_.heights_of(bench_.parts.parts[piece.part]);
+        PanelRecord panel;
+        panel.a = {metres(piece.a.x), metres(piece.a.y)};
+        panel.b = {metres(piece.b.x), metres(piece.b.y)};
+        panel.bottom = metres(heights.floor);
+        // One unit where the sector is closed, so that the panel has a height.
+        panel.top = metres(std::max(heights.ceiling, heights.floor + 1));
+        panel.texture.name = "-";
+        if (file) hang_picture(*file, line, *side, own_heights(*side), panel);
+        if (file) panel.texture.offset_tx.x -= distance(start, piece.a);
+        panel.doom = record_of(line);
+        bench_.file.sectors[piece.part].panels.push_back(std::move(panel));
+        ++bench_.report.panels;
+    }
+
+    const Heights& own_heights(const Sidedef& side) const { return bench_.heights[side.sector]; }
+
+    static double distance(Point from, Vec2 to) {
+        const double dx = to.x - from.x, dy = to.y - from.y;
+        return std::sqrt(dx * dx + dy * dy);
+    }
+
+    Workbench& bench_;
+};
+
+/// Lines between two points that became no wall: lone ones, and lines drawn over others if they mean something.
+std::vector<std::uint32_t> lines_without_walls(const Workbench& bench) {
+    const std::vector<std::uint32_t> wall = first_walls(bench.doom, bench.parts);
+    std::vector<bool> is_lone(bench.doom.lines.size());
+    for (std::uint32_t e : bench.parts.lone) is_lone[bench.parts.edges[e].line] = true;
+    std::vector<std::uint32_t> lines;
+    for (std::uint32_t i = 0; i < bench.doom.lines.size(); ++i) {
+        const Linedef& line = bench.doom.lines[i];
+        const bool is_there = line.start < bench.doom.vertices.size() && line.end < bench.doom.vertices.size();
+        if (wall[i] == kNone && is_there && (is_lone[i] || line.special != 0)) lines.push_back(i);
+    }
+    return lines;
+}
+
+}  // namespace
+
+void convert_panels(Workbench& bench) {
+    bench.report.sides.panels = bench.parts.lone.size();
+    PanelMaker maker(bench);
+    for (std::uint32_t line : lines_without_walls(bench)) maker.convert(line);
+}
+
+}  // namespace enfilade::wadconv

@@ -1,0 +1,82 @@
+// Floors, ceilings, light and skies.
+#include <algorithm>
+
+#include "wadconv/map_lumps.h"
+#include "wadconv/workbench.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+/// Light levels of Doom reach from 0 to 255; its 16 steps are level / 16, so that 256 parts make light * 16 exact.
+constexpr double kLightLevels = 256;
+
+/// A sky picture's columns go round 1024 to the full turn, and to the left: Doom's skies are mirrored.
+constexpr double kSkyColumns = -1024;
+/// One row for every pixel of a 320 x 200 picture with a field of view of 90 degrees: this many to the tangent 1.
+constexpr double kSkyRowsPerTangent = 160;
+/// The row that lies on the horizon.
+constexpr double kSkyHorizonRow = 100;
+
+/// The texture Doom uses as sky: by episode, or in Doom II for maps 1 to 11, 12 to 20 and from 21.
+std::string sky_texture(std::string_view map) {
+    if (map.starts_with('E')) return std::string("SKY") + map[1];
+    const int number = (map[3] - '0') * 10 + (map[4] - '0');
+    return number < 12 ? "SKY1" : number < 21 ? "SKY2" : "SKY3";
+}
+
+/// The map's sky, or the first of all; null where there is neither.
+const PictureFile* sky_file(const Workbench& bench) {
+    const PictureFile* file = bench.pictures.wall(sky_texture(bench.doom.name));
+    return file ? file : bench.pictures.wall("SKY1");
+}
+
+TextureSpec sky_spec(const PictureFile& file) {
+    TextureSpec spec;
+    spec.name = file.name;
+    spec.tile_m = Vec2{kSkyColumns / file.width, file.height / kSkyRowsPerTangent};
+    spec.offset_tx = {0, std::max(0.0, file.height - kSkyHorizonRow)};
+    return spec;
+}
+
+std::optional<TextureSpec> flat_spec(const Workbench& bench, const std::string& flat) {
+    const PictureFile* file = is_sky(flat) ? sky_file(bench) : bench.pictures.flat(flat);
+    if (!file) return {};
+    return is_sky(flat) ? sky_spec(*file) : TextureSpec{file->name, {}, {}, {}};
+}
+
+/// A flat, or the sky.
+FlatRecord flat_record(Workbench& bench, const std::string& flat, std::int32_t height, std::uint32_t sector) {
+    FlatRecord record;
+    record.z = metres(height);
+    record.parallax = is_sky(flat);
+    record.texture = flat_spec(bench, flat);
+    if (!record.texture) bench.report.note(Kind::unknown_flat, sector);
+    return record;
+}
+
+SectorRecord sector_record(Workbench& bench, const Part& part) {
+    const DoomSector& doom = bench.doom.sectors[part.sector];
+    const Heights& heights = bench.heights_of(part);
+    SectorRecord record;
+    record.name = part_name(part);
+    record.light = std::clamp<int>(doom.light, 0, 255) / kLightLevels;
+    record.floor = flat_record(bench, doom.floor_flat, heights.floor, part.sector);
+    record.ceiling = flat_record(bench, doom.ceiling_flat, heights.ceiling, part.sector);
+    if (doom.special != 0 || doom.tag != 0) record.doom = DoomRecord{doom.special, doom.tag, 0};
+    return record;
+}
+
+}  // namespace
+
+bool is_sky(std::string_view flat) { return flat == kSkyFlat; }
+
+void convert_sectors(Workbench& bench) {
+    for (const Part& part : bench.parts.parts) bench.file.sectors.push_back(sector_record(bench, part));
+    for (std::size_t s = 0; s < bench.doom.sectors.size(); ++s) {
+        const DoomSector& sector = bench.doom.sectors[s];
+        if (sector.light < 0 || sector.light > 255) bench.report.note(Kind::light_out_of_range, s);
+        if (sector.special != 0) ++bench.report.sector_specials[sector.special];
+    }
+}
+
+}  // namespace enfilade::wadconv

@@ -1,0 +1,99 @@
+// Things, and where the player starts.
+#include <algorithm>
+#include <array>
+
+#include "wadconv/thing_table.h"
+#include "wadconv/workbench.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+/// Height of the player's eye above the floor [map units].
+constexpr double kEyeHeight = 41;
+
+/// Doom turns things by eighths only; yaw turns right where Doom's angle turns left.
+double yaw_of(const DoomThing& thing) { return (8 - thing.angle / 45 % 8) % 8 * 45.0; }
+
+Point point_of(const DoomThing& thing) { return {thing.x, -std::int32_t{thing.y}}; }
+
+std::uint32_t part_of(const Workbench& bench, const DoomThing& thing) {
+    return part_at(bench.parts, to_fine(point_of(thing)));
+}
+
+/// The idle animation: eight rotations only where all frames have them.
+void give_frames(Workbench& bench, const ThingType& type, std::size_t index, ThingRecord& record) {
+    std::vector<const SpriteRecord*> sprites;
+    bool is_bright = !type.frames.empty(), has_rotations = true;
+    for (std::string_view rest = type.frames; !rest.empty();) {
+        const IdleFrame frame = take_frame(rest);
+        const SpriteRecord* sprite = bench.pictures.sprite(std::string(type.sprite) + frame.letter);
+        if (!sprite) return bench.report.note(Kind::missing_sprite, index);
+        is_bright = is_bright && frame.is_bright;
+        has_rotations = has_rotations && sprite->canvas.has_rotations;
+        sprites.push_back(sprite);
+        record.frames.push_back({sprite->name,
+                                 frame.tics / kTicsPerSecond,
+                                 {double(sprite->canvas.origin_x), double(sprite->canvas.origin_y)}});
+    }
+    record.rotations = has_rotations && !sprites.empty() ? 8 : 1;
+    if (record.rotations == 1)
+        for (std::size_t i = 0; i < sprites.size(); ++i)
+            if (sprites[i]->canvas.has_rotations) record.frames[i].texture += '1';
+    if (is_bright) record.light = 1;
+}
+
+void convert_thing(Workbench& bench, std::size_t index) {
+    const DoomThing& thing = bench.doom.things[index];
+    const ThingType* type = find_thing_type(thing.type);
+    if (!type) return bench.report.note(Kind::unknown_thing, index);
+    const std::uint32_t part = part_of(bench, thing);
+    if (part == kNone) return bench.report.note(Kind::thing_outside, index);
+    ThingRecord record;
+    record.kind = type->kind;
+    record.sector = bench.file.sectors[part].name;
+    record.position = metres(point_of(thing));
+    record.yaw_degrees = yaw_of(thing);
+    record.radius = metres(type->radius);
+    record.height = metres(type->height);
+    record.solid = type->is_solid;
+    record.hanging = type->hangs;
+    record.size = kUnitsPerMetre;
+    record.doom = DoomRecord{thing.type, 0, thing.flags};
+    give_frames(bench, *type, index, record);
+    bench.file.things.push_back(std::move(record));
+    ++bench.report.placed_things;
+}
+
+bool start_here(Workbench& bench, const DoomThing& thing) {
+    const std::uint32_t part = part_of(bench, thing);
+    if (part == kNone) return false;
+    PlayerRecord player;
+    player.sector = bench.file.sectors[part].name;
+    player.position = metres(point_of(thing));
+    player.eye_z = metres(bench.heights_of(bench.parts.parts[part]).floor + kEyeHeight);
+    player.yaw_degrees = yaw_of(thing);
+    bench.file.player = std::move(player);
+    return true;
+}
+
+/// Player 1's last start, as in Doom; else the first of the other players', else of a deathmatch.
+void place_player(Workbench& bench) {
+    const auto& things = bench.doom.things;
+    for (auto thing = things.rbegin(); thing != things.rend(); ++thing)
+        if (thing->type == kFirstStart && start_here(bench, *thing)) return;
+    bench.report.note(Kind::no_start, kFirstStart);
+    for (const auto& [first, last] :
+         {std::pair(kFirstStart, kLastStart), std::pair(kDeathmatchStart, kDeathmatchStart)})
+        for (const DoomThing& thing : things)
+            if (thing.type >= first && thing.type <= last && start_here(bench, thing)) return;
+}
+
+}  // namespace
+
+void convert_things(Workbench& bench) {
+    for (const DoomThing& thing : bench.doom.things) ++bench.report.thing_types[thing.type];
+    for (std::size_t i = 0; i < bench.doom.things.size(); ++i) convert_thing(bench, i);
+    place_player(bench);
+}
+
+}  // namespace enfilade::wadconv

@@ -1,0 +1,174 @@
+#include "wadconv/convert_wads.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <optional>
+
+#include "base/parallel.h"
+#include "formats/map_toml.h"
+#include "map/build.h"
+#include "wadconv/map_lumps.h"
+#include "wadconv/pictures.h"
+#include "wadconv/thing_table.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+Result<WadPile> read_pile(const std::vector<std::string>& paths) {
+    std::vector<Wad> wads;
+    for (const std::string& path : paths) {
+        Result<Bytes> bytes = read_file(path);
+        if (!bytes) return bytes.error();
+        Result<Wad> wad = Wad::read(path, std::move(bytes).value());
+        if (!wad) return wad.error();
+        wads.push_back(std::move(wad).value());
+    }
+    return WadPile(std::move(wads));
+}
+
+std::string in_case(std::string text, char from, char to) {
+    for (char& c : text)
+        if (c >= from && c <= from + 25) c = static_cast<char>(c - from + to);
+    return text;
+}
+
+/// The maps asked for, in the order of the archives.
+Result<std::vector<std::string>> choose_maps(const WadPile& pile, const std::vector<std::string>& wanted) {
+    const std::vector<std::string> all = map_names(pile);
+    const std::string file = pile.wads().back().file();
+    if (all.empty()) return Error{file, "there is no map in it: no lump called E1M1, MAP01 or the like"};
+    if (wanted.empty()) return all;
+    std::vector<std::string> chosen;
+    for (const std::string& name : wanted)
+        if (std::ranges::find(all, in_case(name, 'a', 'A')) == all.end())
+            return Error{file, "there is no map " + name + "; the first there is is " + all.front()};
+    for (const std::string& name : all)
+        if (std::ranges::any_of(wanted, [&](const std::string& w) { return in_case(w, 'a', 'A') == name; }))
+            chosen.push_back(name);
+    return chosen;
+}
+
+/// Every frame of every thing that stands idle.
+std::vector<std::string> idle_frames() {
+    std::vector<std::string> frames;
+    for (const ThingType& type : thing_types())
+        for (std::string_view rest = type.frames; !rest.empty();)
+            frames.push_back(std::string(type.sprite) + take_frame(rest).letter);
+    return frames;
+}
+
+/// What keeps the converted map from loading, or nothing.
+std::string first_error(const MapFile& file, const TextureSet& sizes) {
+    Findings findings;
+    build_map(file, sizes, findings);
+    const auto error = std::ranges::find(findings, Severity::error, &Finding::severity);
+    return error == findings.end() ? "" : "the converted map is not sound: " + error->sentence;
+}
+
+/// Classic light darkens by a thirty-second a level; this says how far that is from what the WAD's own table does.
+std::string light_text(const Pictures& pictures) {
+    if (!pictures.light_levels()) return "There is no COLORMAP to compare classic light with";
+    const auto& levels = *pictures.light_levels();
+    double worst = 0;
+    const auto count = static_cast<double>(levels.size());
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        worst = std::max(worst, std::abs(levels[i] - (count - static_cast<double>(i)) / count));
+    const int percent = static_cast<int>(std::ceil(100 * worst));
+    return "COLORMAP's 32 levels of light are within " + std::to_string(percent) + " % of classic light's";
+}
+
+std::string guesses_text(const Report& report) {
+    std::string text = "something had to be guessed, which strict conversion refuses:";
+    for (const auto& [kind, numbers] : report.found)
+        if (const KindFacts& facts = facts_of(kind); facts.fate == Fate::guessed)
+            text += " " + std::to_string(numbers.size()) + " " + std::string(facts.name) + ";";
+    text.pop_back();
+    return text;
+}
+
+/// One run's maps.
+class MapWriter {
+public:
+    MapWriter(const WadPile& pile, const Pictures& pictures, const RunOptions& options)
+        : pile_(pile), pictures_(pictures), options_(options), sizes_(pictures.sizes()) {}
+
+    Report convert(const std::string& name) const {
+        Conversion conversion = convert_one(name);
+        Report& report = conversion.report;
+        report.map = name;
+        if (report.refused.empty()) report.refused = first_error(*conversion.file, sizes_);
+        if (report.refused.empty() && options_.strict && report.count(Fate::guessed) > 0)
+            report.refused = guesses_text(report);
+        if (report.refused.empty()) write(name, *conversion.file, report);
+        return std::move(report);
+    }
+
+private:
+    Conversion convert_one(const std::string& name) const {
+        const Result<MapLumps> lumps = find_map(pile_, name);
+        if (!lumps) return refused(lumps.error());
+        const Result<DoomMap> doom = decode_map(lumps.value());
+        if (!doom) return refused(doom.error());
+        return convert_map(doom.value(), pictures_, options_.convert);
+    }
+
+    static Conversion refused(const Error& error) {
+        Conversion conversion;
+        conversion.report.refused = error.text();
+        return conversion;
+    }
+
+    void write(const std::string& name, const MapFile& file, Report& report) const {
+        const Status failed = write_file(options_.out + "/" + in_case(name, 'A', 'a') + ".toml", write_map(file));
+        if (failed) report.refused = failed->text();
+    }
+
+    const WadPile& pile_;
+    const Pictures& pictures_;
+    const RunOptions& options_;
+    const TextureSet sizes_;
+};
+
+}  // namespace
+
+bool RunResult::is_complete() const {
+    return problems.empty() && std::ranges::all_of(reports, [](const Report& r) { return r.refused.empty(); });
+}
+
+Result<RunResult> convert_wads(const RunOptions& options, const Progress& progress) {
+    const Result<WadPile> pile = read_pile(options.wads);
+    if (!pile) return pile.error();
+    const Result<std::vector<std::string>> maps = choose_maps(pile.value(), options.maps);
+    if (!maps) return maps.error();
+    const Result<Pictures> listed = Pictures::list(pile.value(), idle_frames());
+    if (!listed) return listed.error();
+    const Pictures& pictures = listed.value();
+
+    const std::size_t total = pictures.files().size() + maps.value().size();
+    std::atomic<std::size_t> done{0};
+    const auto step = [&] { progress(done.fetch_add(1) + 1, total); };
+    RunResult result;
+    result.light = light_text(pictures);
+    for (const Error& problem : pictures.problems()) result.problems.push_back(problem.text());
+    const auto failures = write_pictures(pictures, options.out + "/textures", options.jobs, step);
+    for (const Error& problem : failures) result.problems.push_back(problem.text());
+
+    const MapWriter writer(pile.value(), pictures, options);
+    result.reports.resize(maps.value().size());
+    parallel_for(maps.value().size(), options.jobs, [&](std::size_t i, std::size_t) {
+        result.reports[i] = writer.convert(maps.value()[i]);
+        step();
+    });
+    if (Status failed = write_file(options.out + "/report.txt", to_text(result))) return *failed;
+    return result;
+}
+
+std::string to_text(const RunResult& result) {
+    std::string text = totals_text(result.reports) + "  " + result.light + "\n";
+    for (const std::string& problem : result.problems) text += "problem: " + problem + "\n";
+    for (const Report& report : result.reports) text += "\n" + to_text(report);
+    return text;
+}
+
+}  // namespace enfilade::wadconv

@@ -1,0 +1,140 @@
+// Walls and portals with their textures, hung as Doom hangs them (id Software, r_segs.c, 1993, rules only).
+#include <algorithm>
+
+#include "wadconv/workbench.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+/// One edge with what lies on its two sides.
+struct Opening {
+    const Edge& edge;
+    const Sidedef& side;
+    const DoomSector& front;
+    const DoomSector& back;
+    Heights here, beyond;
+
+    bool has_two_skies() const { return is_sky(front.ceiling_flat) && is_sky(back.ceiling_flat); }
+};
+
+Opening opening_of(const Workbench& bench, const Edge& edge) {
+    const Edge& other = bench.parts.edges[edge.opposite];
+    return {edge,
+            bench.side_of(edge),
+            bench.doom.sectors[edge.sector],
+            bench.doom.sectors[other.sector],
+            bench.heights[edge.sector],
+            bench.heights[other.sector]};
+}
+
+/// Steps that nothing is drawn on say so, or the check would take it for an oversight.
+void open_bare_steps(Workbench& bench, const Opening& o, WallRecord& wall) {
+    const TextureSpec nothing{"-", {}, {}, {}};
+    if (o.beyond.ceiling < o.here.ceiling && !wall.upper) {
+        bench.report.note(o.has_two_skies() ? Kind::sky_step : Kind::missing_upper, o.edge.line);
+        wall.upper = nothing;
+    }
+    if (o.beyond.floor > o.here.floor && !wall.lower) {
+        bench.report.note(Kind::missing_lower, o.edge.line);
+        wall.lower = nothing;
+    }
+}
+
+void hang_textures(Workbench& bench, const Opening& o, WallRecord& wall) {
+    const std::uint16_t flags = bench.doom.lines[o.edge.line].flags;
+    if (!o.has_two_skies()) wall.upper = texture_spec(bench, o.side.upper, o.side, o.edge.line);
+    wall.lower = texture_spec(bench, o.side.lower, o.side, o.edge.line);
+    wall.middle = texture_spec(bench, o.side.middle, o.side, o.edge.line);
+    wall.upper_peg = flags & kUpperUnpegged ? Peg::ceiling : Peg::opening_top;
+    wall.lower_peg = flags & kLowerUnpegged ? Peg::ceiling : Peg::opening_bottom;
+    wall.middle_peg = flags & kLowerUnpegged ? Peg::opening_bottom : Peg::opening_top;
+    // Between two skies Doom hangs an unpegged step from the ceiling beyond; a map unit is a texel.
+    if (wall.lower && wall.lower_peg == Peg::ceiling && o.has_two_skies())
+        wall.lower->offset_tx.y += o.here.ceiling - o.beyond.ceiling;
+}
+
+void convert_portal(Workbench& bench, const Edge& edge, WallRecord& wall) {
+    const Opening opening = opening_of(bench, edge);
+    wall.next = part_name(bench.parts.parts[bench.parts.part_of_edge[edge.opposite]]);
+    hang_textures(bench, opening, wall);
+    open_bare_steps(bench, opening, wall);
+    ++bench.report.portals;
+    if (opening.edge.sector == bench.parts.edges[edge.opposite].sector && !edge.is_left)
+        bench.report.note(Kind::self_portal, edge.line);
+}
+
+void convert_solid(Workbench& bench, const Edge& edge, WallRecord& wall) {
+    const Sidedef& side = bench.side_of(edge);
+    wall.texture = texture_spec(bench, side.middle, side, edge.line);
+    wall.texture_peg = bench.doom.lines[edge.line].flags & kLowerUnpegged ? Peg::floor : Peg::ceiling;
+    if (wall.texture) return;
+    wall.texture = TextureSpec{"-", {}, {}, {}};
+    // Closed sectors behind the edge of the sky have such walls by the dozen, and nobody ever sees them.
+    if (bench.heights[edge.sector].floor < bench.heights[edge.sector].ceiling)
+        bench.report.note(Kind::missing_middle, edge.line);
+}
+
+/// Flags of a line that say no more than that it is solid, or that it is not.
+bool is_plain(const Linedef& line, bool is_open) {
+    return line.special == 0 && line.tag == 0 && line.flags == (is_open ? kTwoSided : kBlocking);
+}
+
+/// `keeper`: by line, the edge that keeps the line's record.
+WallRecord convert_wall(Workbench& bench, std::uint32_t index, const std::vector<std::uint32_t>& keeper) {
+    const Edge& edge = bench.parts.edges[index];
+    WallRecord wall;
+    ++bench.report.walls;
+    if (edge.line == kNone) return wall;
+    ++bench.report.sides.walls;
+    if (edge.is_open)
+        convert_portal(bench, edge, wall);
+    else
+        convert_solid(bench, edge, wall);
+    const Linedef& line = bench.doom.lines[edge.line];
+    if (keeper[edge.line] == index && !is_plain(line, edge.is_open)) wall.doom = record_of(line);
+    return wall;
+}
+
+}  // namespace
+
+std::optional<TextureSpec> texture_spec(Workbench& bench, const std::string& name, const Sidedef& side,
+                                        std::uint32_t line) {
+    if (name == "-" || name.empty()) return {};
+    if (bench.pictures.is_null_texture(name)) {
+        bench.report.note(Kind::null_texture, line);
+        return {};
+    }
+    const PictureFile* file = bench.pictures.wall(name);
+    if (!file) {
+        bench.report.note(Kind::unknown_texture, line);
+        return {};
+    }
+    // Doom's offsets move into the picture, ours are subtracted; + 0.0 keeps a zero from turning negative.
+    return TextureSpec{file->name, {}, {0.0 - side.x_offset, 0.0 - side.y_offset}, {}};
+}
+
+std::vector<std::uint32_t> first_walls(const DoomMap& doom, const Parts& parts) {
+    std::vector<std::uint32_t> first(doom.lines.size(), kNone);
+    for (std::uint32_t e = 0; e < parts.edges.size(); ++e)
+        if (const std::uint32_t line = parts.edges[e].line;
+            line != kNone && parts.part_of_edge[e] != kNone && first[line] == kNone)
+            first[line] = e;
+    return first;
+}
+
+DoomRecord record_of(const Linedef& line) { return {line.special, line.tag, line.flags}; }
+
+void convert_walls(Workbench& bench) {
+    const std::vector<std::uint32_t> first = first_walls(bench.doom, bench.parts);
+    for (std::size_t p = 0; p < bench.parts.parts.size(); ++p)
+        for (const Loop& loop : bench.parts.parts[p].loops) {
+            LoopRecord& record = bench.file.sectors[p].loops.emplace_back();
+            record.name = &loop == &bench.parts.parts[p].loops[0] ? "border" : "hole";
+            for (std::uint32_t e : loop.edges) {
+                record.vertices.push_back(metres(bench.parts.edges[e].a));
+                record.walls.push_back(convert_wall(bench, e, first));
+            }
+        }
+}
+
+}  // namespace enfilade::wadconv

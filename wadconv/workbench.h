@@ -1,0 +1,66 @@
+// What the steps of one map's conversion hand on to each other. Private to the converter.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/map_file.h"
+#include "wadconv/doom_records.h"
+#include "wadconv/parts.h"
+#include "wadconv/pictures.h"
+#include "wadconv/report.h"
+
+namespace enfilade::wadconv {
+
+/// A sector's heights as converted [map units].
+struct Heights {
+    std::int32_t floor = 0;
+    std::int32_t ceiling = 0;  ///< >= floor
+};
+
+/// The map on its way. file.sectors[i] is parts.parts[i].
+struct Workbench {
+    const DoomMap& doom;
+    const Pictures& pictures;
+    const Parts& parts;
+    std::vector<Heights> heights;  ///< by Doom sector
+    Report& report;
+    MapFile& file;
+
+    const Sidedef& side_of(const Edge& edge) const { return doom.sides[edge.side]; }
+    const Heights& heights_of(const Part& part) const { return heights[part.sector]; }
+};
+
+/// [m] from map units.
+constexpr double metres(double units) { return units / kUnitsPerMetre; }
+constexpr Vec2 metres(Point p) { return {p.x / kUnitsPerMetre, p.y / kUnitsPerMetre}; }
+
+bool is_sky(std::string_view flat);
+
+/// heights.cpp: ceilings below floors raised, doors opened if asked.
+std::vector<Heights> settle_heights(const DoomMap& doom, const Parts& parts, bool open_doors, Report& report);
+
+/// convert_sectors.cpp: names, floors, ceilings and light of file.sectors.
+void convert_sectors(Workbench& bench);
+
+/// convert_walls.cpp: the loops of file.sectors.
+void convert_walls(Workbench& bench);
+
+/// The texture of a side with its offset [texels], or nothing for "-", Doom's "no texture" and unknown names.
+std::optional<TextureSpec> texture_spec(Workbench& bench, const std::string& name, const Sidedef& side,
+                                        std::uint32_t line);
+
+/// By line: the lowest of its edges that bounds a part, which is the right side's if that does; or kNone.
+std::vector<std::uint32_t> first_walls(const DoomMap& doom, const Parts& parts);
+
+/// What is kept of a line.
+DoomRecord record_of(const Linedef& line);
+
+/// convert_panels.cpp: lines that bound no part but show a picture or mean something.
+void convert_panels(Workbench& bench);
+
+/// convert_things.cpp: things and the player's start.
+void convert_things(Workbench& bench);
+
+}  // namespace enfilade::wadconv
