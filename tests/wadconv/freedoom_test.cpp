@@ -1,0 +1,161 @@
+// The real thing: all 100 maps of FreeDoom, from the Debian packages freedoom and freedm.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+
+#include "formats/map_toml.h"
+#include "map/build.h"
+#include "wadconv/convert.h"
+#include "wadconv/map_lumps.h"
+#include "wadconv/parts.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+struct GameCase {
+    const char* file;
+    std::size_t maps;
+};
+
+/// One WAD with its maps, read once for all tests of it.
+class FreeDoom : public ::testing::TestWithParam<GameCase> {
+protected:
+    void SetUp() override {
+        const std::string path = folder() + "/" + GetParam().file;
+        Result<Bytes> bytes = read_file(path);
+        if (!bytes.ok() && std::getenv("ENFILADE_REQUIRE_FREEDOOM") == nullptr)
+            GTEST_SKIP() << path
+                         << " is not there; install Debian's packages freedoom and freedm to convert their maps";
+        ASSERT_TRUE(bytes.ok()) << bytes.error().text();
+        std::vector<Wad> wads;
+        wads.push_back(Wad::read(path, std::move(bytes).value()).value());
+        pile_.emplace(std::move(wads));
+        pictures_.emplace(Pictures::list(*pile_, {}).value());
+        for (const std::string& name : map_names(*pile_))
+            maps_.push_back(decode_map(find_map(*pile_, name).value()).value());
+    }
+
+    /// Where Debian's packages put the WADs, or what DOOMWADDIR says, as for other Doom engines.
+    static std::string folder() {
+        const char* chosen = std::getenv("DOOMWADDIR");
+        return chosen ? chosen : "/usr/share/games/doom";
+    }
+
+    std::optional<WadPile> pile_;
+    std::optional<Pictures> pictures_;
+    std::vector<DoomMap> maps_;
+};
+
+void print_row(const Report& r) {
+    std::printf(
+        "%-6s %6zu lines %5zu -> %5zu sectors %6zu walls %3zu panels %5zu things;"
+        " %4zu converted %3zu repaired %3zu guessed %2zu dropped\n",
+        r.map.c_str(), r.lines, r.sectors, r.parts, r.walls, r.panels, r.placed_things, r.count(Fate::converted),
+        r.count(Fate::repaired), r.count(Fate::guessed), r.count(Fate::dropped));
+}
+
+TEST_P(FreeDoom, ConvertsEveryMapSoThatItPassesTheCheck) {
+    EXPECT_EQ(maps_.size(), GetParam().maps);
+    const TextureSet sizes = pictures_->sizes();
+    for (const DoomMap& map : maps_) {
+        const Conversion conversion = convert_map(map, *pictures_, {});
+        ASSERT_TRUE(conversion.file) << map.name << ": " << conversion.report.refused;
+        MapReading reading = read_map(write_map(*conversion.file));
+        EXPECT_TRUE(build_map(reading.map, sizes, reading.findings)) << map.name;
+        for (const Finding& finding : reading.findings) ADD_FAILURE() << to_text(map.name, finding);
+        EXPECT_TRUE(conversion.report.sides.is_complete()) << map.name;
+        print_row(conversion.report);
+    }
+}
+
+TEST_P(FreeDoom, OpensItsDoorsToMapsThatPassTheCheckToo) {
+    const TextureSet sizes = pictures_->sizes();
+    for (const DoomMap& map : maps_) {
+        const Conversion conversion = convert_map(map, *pictures_, {.open_doors = true});
+        Findings findings;
+        EXPECT_TRUE(build_map(conversion.file.value(), sizes, findings)) << map.name;
+    }
+}
+
+/// Twice each sector's area by its edges [map units^2].
+std::vector<std::int64_t> areas_of(const std::vector<Edge>& edges, std::size_t sectors) {
+    std::vector<std::int64_t> areas(sectors);
+    for (const Edge& e : edges) areas[e.sector] += cross({0, 0}, e.a, e.b);
+    return areas;
+}
+
+TEST_P(FreeDoom, GivesEverySectorTheAreaOfItsParts) {
+    for (const DoomMap& map : maps_) {
+        Report report;
+        const std::vector<Edge> edges = collect_edges(map, report);
+        const Parts parts = make_parts(edges, map.sectors.size(), report).value();
+        // What a deep water ring encloses changes hands on purpose, and only that.
+        const std::vector<std::int64_t> before = areas_of(edges, map.sectors.size());
+        const std::vector<std::int64_t> after = areas_of(parts.edges, map.sectors.size());
+        if (!report.found.contains(Kind::deep_water)) {
+            EXPECT_EQ(before, after) << map.name;
+        }
+        std::vector<std::int64_t> of_parts(map.sectors.size());
+        for (const Part& part : parts.parts) of_parts[part.sector] += double_area(part);
+        EXPECT_EQ(of_parts, after) << map.name;
+    }
+}
+
+TEST_P(FreeDoom, KeepsEveryVertexExactly) {
+    for (const DoomMap& map : maps_) {
+        const Conversion conversion = convert_map(map, *pictures_, {});
+        const MapFile back = read_map(write_map(*conversion.file)).map;
+        std::set<std::pair<double, double>> doom, ours;
+        for (const Linedef& line : map.lines)
+            for (std::uint16_t v : {line.start, line.end}) doom.emplace(map.vertices[v].x, map.vertices[v].y);
+        for (const SectorRecord& sector : back.sectors) {
+            for (const LoopRecord& loop : sector.loops)
+                for (const Vec2& v : loop.vertices) ours.emplace(v.x * 32, 0 - v.y * 32);
+            for (const PanelRecord& panel : sector.panels)
+                for (const Vec2& v : {panel.a, panel.b}) ours.emplace(v.x * 32, 0 - v.y * 32);
+        }
+        for (const auto& v : doom) EXPECT_TRUE(ours.contains(v)) << map.name << " " << v.first << ", " << v.second;
+    }
+}
+
+TEST_P(FreeDoom, KeepsEveryLineSpecialAndTag) {
+    for (const DoomMap& map : maps_) {
+        std::multiset<std::pair<int, int>> doom, ours;
+        for (const Linedef& line : map.lines)
+            if (line.special != 0) doom.emplace(line.special, line.tag);
+        const Conversion conversion = convert_map(map, *pictures_, {});
+        const auto keep = [&](const std::optional<DoomRecord>& record) {
+            if (record && record->special != 0) ours.emplace(record->special, record->tag);
+        };
+        for (const SectorRecord& sector : conversion.file->sectors) {
+            for (const LoopRecord& loop : sector.loops)
+                for (const WallRecord& wall : loop.walls) keep(wall.doom);
+            for (const PanelRecord& panel : sector.panels) keep(panel.doom);
+        }
+        // A line that passes through several sectors becomes several panels, each with the line's record.
+        EXPECT_TRUE(std::ranges::includes(ours, doom)) << map.name;
+        EXPECT_EQ(std::set(ours.begin(), ours.end()), std::set(doom.begin(), doom.end())) << map.name;
+    }
+}
+
+TEST_P(FreeDoom, DrawsEveryPicture) {
+    for (const PictureFile& file : pictures_->files()) {
+        const Result<Picture> picture = file.draw();
+        EXPECT_TRUE(picture.ok()) << file.name << ": " << picture.error().text();
+    }
+    EXPECT_TRUE(pictures_->problems().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Wads, FreeDoom,
+                         ::testing::Values(GameCase{"freedoom1.wad", 36}, GameCase{"freedoom2.wad", 32},
+                                           GameCase{"freedm.wad", 32}),
+                         [](const auto& game) {
+                             const std::string file = game.param.file;
+                             return file.substr(0, file.find('.'));
+                         });
+
+}  // namespace
+}  // namespace enfilade::wadconv
