@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "world/heights.h"
+#include "world/obstacle.h"
 
 namespace enfilade {
 namespace {
@@ -18,12 +19,19 @@ double distance_to(const ReachedWall& wall) {
 
 }  // namespace
 
-Clearance clearance(const Map& map, const std::vector<ReachedSector>& sectors) {
+Clearance clearance(const Map& map, const Body& body, const std::vector<ReachedSector>& sectors) {
     Clearance free{-kWorldLimit, kWorldLimit};
     for (const ReachedSector& s : sectors) {
         const Heights heights = heights_of(map, s.sector);
         free.floor_z = std::max(free.floor_z, heights.floor_z - s.passage.rise);
         free.ceiling_z = std::min(free.ceiling_z, heights.ceiling_z - s.passage.rise);
+    }
+    for (const Obstacle& thing : obstacles_near(map, body, 0)) {
+        if (is_beside(thing, body)) continue;
+        if (is_at_most(thing.top, body.feet_z))
+            free.floor_z = std::max(free.floor_z, thing.top);
+        else
+            free.ceiling_z = std::min(free.ceiling_z, thing.bottom);
     }
     return free;
 }
@@ -46,7 +54,7 @@ Reach around(const Map& map, const Body& body) {
 
 bool fits(const Map& map, const Body& body, const Reach& around) {
     if (!around.walls.empty()) return false;
-    const Clearance free = clearance(map, around.sectors);
+    const Clearance free = clearance(map, body, around.sectors);
     return is_at_most(body.height, free.ceiling_z - std::max(free.floor_z, body.feet_z));
 }
 
@@ -58,7 +66,7 @@ Body squeezed(const Map& map, Body body) {
     for (const ReachedWall& wall : found.walls)
         body.radius = std::min(body.radius, grid_length_below(distance_to(wall)));
     if (!found.walls.empty()) found = around(map, body);
-    body.ceiling_z = clearance(map, found.sectors).ceiling_z;
+    body.ceiling_z = clearance(map, body, found.sectors).ceiling_z;
     body.height = std::clamp(body.ceiling_z - body.feet_z, 0.0, body.height);
     return body;
 }

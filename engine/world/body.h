@@ -21,12 +21,14 @@ struct Body {
     double ceiling_z = kWorldLimit;   ///< lowest ceiling over the disc [m]
 };
 
-/// Highest floor and lowest ceiling of the sectors a disc overlaps, in the space of its place [m].
+/// The highest floor under a body and the lowest ceiling over it, in the space of its place [m]. A solid thing below
+/// its feet is a floor, too, and one above its head a ceiling.
 struct Clearance {
     double floor_z;
     double ceiling_z;
 };
-Clearance clearance(const Map& map, const std::vector<ReachedSector>& sectors);
+/// sectors: those that the body's disc overlaps.
+Clearance clearance(const Map& map, const Body& body, const std::vector<ReachedSector>& sectors);
 
 /// Heights are compared to the millimetre of the vertex grid, so that a step that was written as 0.75 may be climbed
 /// whatever binary fractions its two floors became. True where `height` is not more than `limit` [m].
@@ -36,7 +38,8 @@ constexpr bool is_at_most(double height, double limit) { return snap_to_vertex_g
 /// its own ceiling bounds as well, because on a step it stands under both. `passage` as in MayPass.
 bool can_pass(const Map& map, const Body& body, WallId portal, const Rigid& passage);
 
-/// Whether the body, where it is, touches no wall and has headroom on the highest floor it stands on.
+/// Whether the body, where it is, touches no wall and has headroom on the highest floor it stands on. Things beside it
+/// are for the walk to see to (world/obstacle.h).
 bool fits(const Map& map, const Body& body, const Reach& around);
 
 /// The body where it is, made as wide, and at most as high, as there is room: a body that was put closer to a wall

@@ -1,8 +1,9 @@
-// When a moving disc first touches a wall.
+// When a moving disc first touches a wall or a solid thing.
 #pragma once
 #include <optional>
 
 #include "space/reach.h"
+#include "world/obstacle.h"
 
 namespace enfilade {
 
@@ -20,5 +21,9 @@ struct Contact {
 /// target : on the point grid, in the space of the place
 /// radius : of the disc [m]
 std::optional<Contact> first_contact(const Map& map, const Reach& around, Vec2 target, double radius);
+
+/// The same for solid things; each may be approached up to its limit, and one that is nearer already may not be
+/// approached at all.
+std::optional<Contact> first_contact(const Map& map, const std::vector<Obstacle>& obstacles, Vec2 target);
 
 }  // namespace enfilade

@@ -92,7 +92,7 @@ Player player_at(const Map& map, const PlayerStart& start) {
     Player player;
     player.place = body.place;
     player.height = body.height;
-    const Clearance free = clearance(map, around(map, body).sectors);
+    const Clearance free = clearance(map, body, around(map, body).sectors);
     player.feet_z = std::max(body.feet_z, free.floor_z);
     player.on_ground = player.feet_z <= free.floor_z;
     player.yaw = start.yaw;

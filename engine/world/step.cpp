@@ -103,7 +103,7 @@ void step(const Map& map, World& world, const TickInput& input) {
     world.passage = walked.passage;
 
     body = body_of(map, player);
-    const Clearance free = clearance(map, around(map, body).sectors);
+    const Clearance free = clearance(map, body, around(map, body).sectors);
     step_or_fall(player, free.floor_z);
     settle_eye(player, free.ceiling_z);
     ++world.tick;

@@ -69,7 +69,10 @@ private:
 
 class Walker {
 public:
-    Walker(const Map& map, const Body& body, Vec2 velocity) : map_(map), body_(body), velocity_(velocity) {}
+    Walker(const Map& map, const Body& body, Vec2 velocity) : map_(map), body_(body), velocity_(velocity) {
+        for (const Obstacle& obstacle : obstacles_beside(body_, 0))
+            overlapped_.push_back({obstacle.thing, distance_kept(obstacle)});
+    }
 
     Walk run(double seconds) {
         move_ = velocity_ * seconds;
@@ -88,7 +91,8 @@ private:
         const Vec2 target = round_outward(from + move_, normals_.sum());
         if (target == from) return false;
         const double way = length(target - from);
-        const auto touch = first_contact(map_, within(way), target, body_.radius);
+        const auto touch = nearer_of(first_contact(map_, within(way), target, body_.radius),
+                                     first_contact(map_, obstacles_beside(body_, way), target));
         if (!touch) return advance_part(target);
         const Vec2 spent = move_ * touch->fraction;
         move_ = move_ - spent;
@@ -107,6 +111,28 @@ private:
     Reach within(double way) const {
         const double radius = snap_to_point_grid(body_.radius + way) + kPointGrid;
         return reach(map_, body_.place, radius, [this](WallId p, const Rigid& r) { return may_pass(p, r); });
+    }
+
+    static std::optional<Contact> nearer_of(const std::optional<Contact>& a, const std::optional<Contact>& b) {
+        if (!a || !b) return a ? a : b;
+        return b->fraction < a->fraction ? b : a;
+    }
+
+    /// The solid things that the body might bump into on a way of this length. Of one that it was in already when the
+    /// walk began, it only may not get nearer to the middle: so it can leave, but not go deeper.
+    std::vector<Obstacle> obstacles_beside(const Body& body, double way) const {
+        std::vector<Obstacle> found = obstacles_near(map_, body, way);
+        std::erase_if(found, [&](const Obstacle& obstacle) { return !is_beside(obstacle, body); });
+        for (const Overlapped& old : overlapped_)
+            for (Obstacle& obstacle : found)
+                if (obstacle.thing == old.thing) obstacle.limit = std::fmin(obstacle.limit, old.distance);
+        return found;
+    }
+
+    /// How far the body is from the middle of a thing that it is in, or a bit less, on the point grid [m].
+    double distance_kept(const Obstacle& obstacle) const {
+        const double distance = length(obstacle.centre - map_[obstacle.thing].position);
+        return std::fmax(0.0, snap_to_point_grid(distance) - 2 * kPointGrid);
     }
 
     /// Goes to the target, or as much of the way there as can be; then there is some left to go.
@@ -133,13 +159,15 @@ private:
             if (way.stopped) return false;
             const Body there = carried(way);
             const Reach found = around(map_, there);
-            if (fits(map_, there, found)) {
+            std::vector<Obstacle> things = obstacles_beside(there, 0);
+            std::erase_if(things, [&](const Obstacle& obstacle) { return !overlaps(map_, obstacle); });
+            if (things.empty() && fits(map_, there, found)) {
                 settle(there, way.passage);
                 *turned = way.passage;
                 return true;
             }
-            if (found.walls.empty()) return false;
-            off = inverse(way.passage).turn(away_from(found));
+            if (found.walls.empty() && things.empty()) return false;
+            off = inverse(way.passage).turn(away_from(found) + away_from(things));
         }
         return false;
     }
@@ -162,6 +190,15 @@ private:
         return sum;
     }
 
+    Vec2 away_from(const std::vector<Obstacle>& things) const {
+        Vec2 sum;
+        for (const Obstacle& thing : things) {
+            const Vec2 out = thing.centre - map_[thing.thing].position;
+            if (out != Vec2{}) sum = sum + inverse(thing.passage).turn(out * (1 / length(out)));
+        }
+        return sum;
+    }
+
     void settle(const Body& there, const Rigid& passage) {
         body_ = there;
         passage_ = then(passage_, passage);
@@ -175,6 +212,13 @@ private:
     Vec2 velocity_, move_;
     Rigid passage_;
     Normals normals_;
+
+    /// A thing that the body was in when the walk began, and how far from its middle.
+    struct Overlapped {
+        ThingId thing;
+        double distance;
+    };
+    std::vector<Overlapped> overlapped_;
 };
 
 }  // namespace
