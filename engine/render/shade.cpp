@@ -6,16 +6,18 @@
 namespace enfilade {
 namespace {
 
-constexpr double kClassicLevels = 32;  ///< COLORMAP's levels from full to black
-constexpr double kClassicLights = 16;  ///< steps of sector light
-constexpr double kClassicDepth = 40;   ///< levels won back at 1 m: 1280 map units / 32
-constexpr double kReachAtHalf = 9;     ///< smooth: depth at which light 1/2 has halved [m]; chosen by eye
-constexpr double kFarthest = 1e9;      ///< stands for infinity, which times 0 would be no number [m]
+constexpr double kClassicLevels = 32;   ///< COLORMAP's levels from full to black
+constexpr double kClassicLights = 32;   ///< steps of sector light, of two levels each; contrast moves by two
+constexpr double kClassicDepth = 40;    ///< levels won back at 1 m: 1280 map units / 32
+constexpr double kClassicNearest = 23;  ///< most levels that are won back, as for Doom's walls
+constexpr double kReachAtHalf = 9;      ///< smooth: depth at which light 1/2 has halved [m]; chosen by eye
+constexpr double kFarthest = 1e9;       ///< stands for infinity, which times 0 would be no number [m]
 
 Shade classic(double light, double contrast, double depth) {
-    const double step = contrast < 1 ? -1 : contrast > 1 ? 1 : 0;  // walls along x darker, along y brighter
-    const double number = std::clamp(std::floor(light * (kClassicLights - 1) + 0.5) + step, 0.0, kClassicLights - 1);
-    const double level = 4 * (kClassicLights - 1 - number) - std::floor(kClassicDepth / std::max(depth, 0.01));
+    const double step = contrast < 1 ? -2 : contrast > 1 ? 2 : 0;  // walls along x darker, along y brighter
+    const double number = std::clamp(std::floor(light * kClassicLights) + step, 0.0, kClassicLights - 1);
+    const double won = std::min(std::floor(kClassicDepth / std::max(depth, 0.01)), kClassicNearest);
+    const double level = 2 * (kClassicLights - 2 - number) - won;
     return static_cast<Shade>((kClassicLevels - std::clamp(level, 0.0, kClassicLevels - 1)) * (256 / kClassicLevels));
 }
 

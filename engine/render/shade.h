@@ -13,8 +13,10 @@ namespace enfilade {
 using Shade = std::uint32_t;
 
 /// How light falls off. Both models start from the sector's light and darken with depth, dark sectors sooner:
-///   classic: Doom's 32 levels, levels = 4 (15 - 16 light) - 40 / depth, each 1/32 darker (id Software, r_main.c 1993,
-///            formulas only); contrast below or above 1 moves light by one sixteenth, Doom's "fake contrast"
+///   classic: Doom's 32 levels, level = 60 - 2 [32 light] - min([40 / depth], 23), each 1/32 darker, [] cutting to
+///   whole
+///            numbers (id Software, r_main.c 1993, formulas only; twice its steps of light, as later engines have
+///            them); contrast below or above 1 moves light by one sixteenth, Doom's "fake contrast"
 ///   smooth:  light * contrast / (1 + (depth / reach)^2), reach growing without bound as light goes to 1
 ///
 /// light: 0..1, clamped. contrast: Wall::contrast, 1 for flats. depth: >= 0 [m], infinity allowed.

@@ -61,7 +61,7 @@ TEST(ShadeAtSmooth, HalvesHalfLightAtNineMetres) {
 
 TEST(ShadeAtSmooth, IsBlackInNoLight) { EXPECT_EQ(shade_at(LightModel::smooth, 0, 1, 0), 0u); }
 
-/// Worked out from Doom's formulas: level = 4 (15 - 16 steps of light) - 40 / depth, of 32, each 8 / 256 darker.
+/// Worked out from Doom's formulas: level = 60 - 2 [32 light] - min([40 / depth], 23), of 32, each 8 / 256 darker.
 struct ClassicLevel {
     double light;
     double depth;
@@ -77,11 +77,14 @@ TEST_P(ShadeAtClassic, IsDoomsLevel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, ShadeAtClassic,
-                         testing::Values(ClassicLevel{1, 1, 0}, ClassicLevel{1, 1000, 0},  // light 15 of 15: as painted
-                                         ClassicLevel{0.8, 40, 11}, ClassicLevel{0.8, 10, 8},  // 12: 4 * 3 - 40 / depth
-                                         ClassicLevel{0.8, 4, 2}, ClassicLevel{0.8, 3, 0}, ClassicLevel{0.4, 40, 31},
-                                         ClassicLevel{0.4, 2, 16},                             // 6: 4 * 9 = 36
-                                         ClassicLevel{0, 1, 20}, ClassicLevel{0, 1e30, 31}));  // 0: 60, never below 31
+                         testing::Values(ClassicLevel{1, 1, 0}, ClassicLevel{1, 1000, 0},  // light 31 of 31: as painted
+                                         ClassicLevel{0.8, 40, 9},
+                                         ClassicLevel{0.8, 10, 6},  // 25: 60 - 50 - 40 / depth
+                                         ClassicLevel{0.8, 5, 2}, ClassicLevel{0.8, 3, 0}, ClassicLevel{0.4, 40, 31},
+                                         ClassicLevel{0.4, 2, 16},  // 12: 60 - 24 = 36
+                                         ClassicLevel{0.25, 1, 21},
+                                         ClassicLevel{0.25, 0.1, 21},  // at most 23 are won back
+                                         ClassicLevel{0, 2, 31}, ClassicLevel{0, 1e30, 31}));  // 0: 60, never below 31
 
 TEST(Shaded, KeepsColorsAsPaintedAtTheTop) { EXPECT_EQ(shaded(0xFF123456u, 256), 0xFF123456u); }
 
