@@ -1,0 +1,26 @@
+// What the stencil renderer draws with: an OpenGL context that somebody else opened.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+
+namespace enfilade {
+
+/// A context of OpenGL 3.3 core or OpenGL ES 3.0, or newer. It is current only while something is drawn, so that it may
+/// be used by one thread after another.
+class GlContext {
+public:
+    virtual ~GlContext() = default;
+
+    /// The calling thread's OpenGL calls go to it from now on. An error where it was lost.
+    virtual Status make_current() = 0;
+    /// They go nowhere again.
+    virtual void release() = 0;
+};
+
+/// Opens a context, or says in a sentence why there is none.
+using GlContextOpener = std::function<Result<std::unique_ptr<GlContext>>()>;
+
+}  // namespace enfilade

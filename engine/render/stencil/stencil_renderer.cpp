@@ -1,0 +1,134 @@
+#include "render/stencil/stencil_renderer.h"
+
+#include <optional>
+#include <string>
+
+#include "base/check.h"
+#include "base/hash.h"
+#include "render/stencil/layer_painter.h"
+#include "space/overlap.h"
+
+namespace enfilade {
+
+using namespace stencil;
+
+struct StencilRenderer::State {
+    /// The OpenGL objects, which end before the context they live in.
+    struct Objects {
+        TexelStore store;
+        Target target;
+        LayerPainter painter;
+    };
+
+    std::unique_ptr<GlContext> context;
+    std::unique_ptr<Objects> objects;
+    Mesh mesh;
+    MapFacts facts;
+    std::optional<std::uint64_t> facts_of;  ///< fingerprint of the map that `facts` belong to
+    StencilCounts counts;
+
+    ~State() {
+        if (context->make_current()) static_cast<void>(objects.release());  // they were lost with the context
+        objects.reset();
+        context->release();
+    }
+
+    Status draw(Frame& frame, FrameFacts* frame_facts, const Map& map, const TextureSet& textures,
+                const Snapshot& snapshot, const View& view);
+};
+
+namespace {
+
+/// OpenGL ES 3.0 and OpenGL 3.3 as epoxy counts versions.
+constexpr int kLeastEs = 30, kLeastDesktop = 33;
+
+Status check_version() {
+    const int version = epoxy_gl_version();
+    if (version >= (epoxy_is_desktop_gl() ? kLeastDesktop : kLeastEs)) return {};
+    return Error{"stencil renderer", std::string("expected OpenGL 3.3 or OpenGL ES 3.0, or newer; this graphics card "
+                                                 "or its driver has OpenGL ") +
+                                         (epoxy_is_desktop_gl() ? "" : "ES ") + std::to_string(version / 10) + "." +
+                                         std::to_string(version % 10)};
+}
+
+/// Some of the map's walls: enough to notice that it was loaded again, cheap enough for every frame.
+std::uint64_t fingerprint(const Map& map) {
+    constexpr std::size_t kSamples = 64;
+    Hash hash;
+    hash.add(reinterpret_cast<std::uintptr_t>(map.walls.data()));
+    hash.add(map.walls.size());
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        const Wall& wall = map.walls[(map.walls.size() - 1) * i / kSamples];
+        hash.add(wall.a.x);
+        hash.add(wall.a.y);
+        hash.add(wall.behind.index);
+    }
+    return hash.value();
+}
+
+/// What went wrong since the last question.
+Status gl_failure() {
+    const GLenum error = glGetError();
+    switch (error) {
+        case GL_NO_ERROR: return {};
+        case GL_OUT_OF_MEMORY: return Error{"stencil renderer", "the graphics card has no memory left"};
+        case GL_CONTEXT_LOST: return Error{"stencil renderer", "the graphics card was reset and lost the picture"};
+        default: return Error{"stencil renderer", "OpenGL reports error " + std::to_string(error)};
+    }
+}
+
+}  // namespace
+
+Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const Map& map, const TextureSet& textures,
+                                    const Snapshot& snapshot, const View& view) {
+    const bool with_facts = frame_facts != nullptr;
+    if (Status failed = objects->store.hold(textures)) return failed;
+    if (Status failed = objects->target.prepare(frame.width, frame.height, with_facts)) return failed;
+    const Screen screen(Projection(view, frame.width, frame.height));
+    const Plan plan = make_plan(map, facts, snapshot, screen, view);
+    const Scene scene{map, textures, snapshot, objects->store, screen};
+    mesh.clear();
+    const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
+    objects->target.clear();
+    objects->painter.paint(objects->target, scene, plan, mesh, ranges, with_facts);
+    objects->target.read(frame);
+    if (with_facts) objects->target.read(*frame_facts);
+    counts = {plan.layers.size(),     0,           plan.visits, plan.cut, objects->painter.draws(),
+              mesh.index_count() / 3, plan.deepest};
+    for (const Layer& layer : plan.layers) counts.sectors += layer.sectors.size();
+    return gl_failure();
+}
+
+StencilRenderer::StencilRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+StencilRenderer::~StencilRenderer() = default;
+
+Result<std::unique_ptr<StencilRenderer>> StencilRenderer::make(std::unique_ptr<GlContext> context) {
+    auto state = std::make_unique<State>();
+    state->context = std::move(context);
+    if (Status failed = state->context->make_current()) return *failed;
+    if (Status failed = check_version()) return *failed;
+    state->objects = std::make_unique<State::Objects>();
+    if (Status failed = state->objects->painter.prepare()) return *failed;
+    if (Status failed = state->objects->target.prepare(1, 1, false)) return *failed;
+    if (Status failed = gl_failure()) return *failed;
+    state->context->release();
+    return std::unique_ptr<StencilRenderer>(new StencilRenderer(std::move(state)));
+}
+
+Status StencilRenderer::render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
+                               const Snapshot& snapshot, const View& view) {
+    ENFILADE_CHECK(view.sector.index < map.sectors.size() && snapshot.sectors.size() == map.sectors.size());
+    State& state = *state_;
+    if (Status failed = state.context->make_current()) return failed;
+    frame.resize(frame.width, frame.height);
+    const std::uint64_t wanted = fingerprint(map);
+    if (state.facts_of != wanted) state.facts.overlaps = overlapping_sectors(map);
+    state.facts_of = wanted;
+    const Status failed = state.draw(frame, facts, map, textures, snapshot, view);
+    state.context->release();
+    return failed;
+}
+
+StencilCounts StencilRenderer::counts() const { return state_->counts; }
+
+}  // namespace enfilade

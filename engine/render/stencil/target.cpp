@@ -1,0 +1,97 @@
+#include "render/stencil/target.h"
+
+#include <algorithm>
+#include <bit>
+#include <string>
+#include <vector>
+
+namespace enfilade::stencil {
+namespace {
+
+constexpr GLenum kColor = GL_COLOR_ATTACHMENT0, kFacts = GL_COLOR_ATTACHMENT1;
+
+void give_storage(GlRenderbuffer& buffer, GLenum format, int width, int height, GLenum attachment) {
+    buffer.create();
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+    glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.id());
+}
+
+void write_to(GLenum first, GLenum second) {
+    const GLenum buffers[] = {first, second};
+    glDrawBuffers(2, buffers);
+}
+
+}  // namespace
+
+Status Target::prepare(int width, int height, bool with_facts) {
+    framebuffer_.create();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    if (width != width_ || height != height_ || (with_facts && !with_facts_))
+        if (Status failed = make(width, height, with_facts)) return failed;
+    glViewport(0, 0, width, height);
+    return {};
+}
+
+Status Target::make(int width, int height, bool with_facts) {
+    width_ = height_ = 0;  // until it is made
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+    if (std::max(width, height) > most)
+        return Error{"stencil renderer", "expected a picture of at most " + std::to_string(most) +
+                                             " pixels a side, which is what this graphics card can draw; found " +
+                                             std::to_string(width) + "x" + std::to_string(height)};
+    give_storage(color_, GL_RGBA8, width, height, kColor);
+    give_storage(depth_stencil_, GL_DEPTH32F_STENCIL8, width, height, GL_DEPTH_STENCIL_ATTACHMENT);
+    if (with_facts) give_storage(facts_, GL_RGBA32UI, width, height, kFacts);
+    if (!with_facts) glFramebufferRenderbuffer(GL_FRAMEBUFFER, kFacts, GL_RENDERBUFFER, 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        return Error{
+            "stencil renderer",
+            "expected a picture with 8 bits of stencil and a depth buffer of floats; this graphics card or its "
+            "driver has none of " +
+                std::to_string(width) + "x" + std::to_string(height) + " pixels"};
+    width_ = width;
+    height_ = height;
+    with_facts_ = with_facts;
+    return {};
+}
+
+void Target::clear() {
+    const GLfloat black[] = {0, 0, 0, 1};
+    const GLuint nothing[] = {kNothing, 0, 0, 0};
+    glDisable(GL_SCISSOR_TEST);
+    glDepthMask(GL_TRUE);
+    glStencilMask(0xFF);
+    write_all();
+    glClearBufferfv(GL_COLOR, 0, black);
+    if (with_facts_) glClearBufferuiv(GL_COLOR, 1, nothing);
+    glClearBufferfi(GL_DEPTH_STENCIL, 0, 0, 0);
+}
+
+void Target::write_all() const { write_to(kColor, with_facts_ ? kFacts : GL_NONE); }
+void Target::write_color() const { write_to(kColor, GL_NONE); }
+void Target::write_facts() const { write_to(GL_NONE, with_facts_ ? kFacts : GL_NONE); }
+
+void Target::read(Frame& frame) const {
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadBuffer(kColor);
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, frame.pixels.data());
+}
+
+void Target::read(FrameFacts& facts) const {
+    struct Fact {
+        std::uint32_t id, depth, u, v;
+    };
+    std::vector<Fact> all(facts.ids.size());
+    glReadBuffer(kFacts);
+    glReadPixels(0, 0, width_, height_, GL_RGBA_INTEGER, GL_UNSIGNED_INT, all.data());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        facts.ids[i] = all[i].id;
+        facts.depths[i] = static_cast<double>(std::bit_cast<float>(all[i].depth));
+        facts.texels[i] = {std::bit_cast<float>(all[i].u), std::bit_cast<float>(all[i].v)};
+        facts.writes[i] = all[i].id != kNothing;
+    }
+}
+
+}  // namespace enfilade::stencil

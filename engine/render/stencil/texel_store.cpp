@@ -1,0 +1,63 @@
+#include "render/stencil/texel_store.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/hash.h"
+
+namespace enfilade::stencil {
+namespace {
+
+/// Some texels of every picture: enough to notice that a map was loaded again, cheap enough for every frame.
+std::uint64_t fingerprint(const TextureSet& set) {
+    constexpr std::size_t kSamples = 16;
+    Hash hash;
+    const auto add = [&](const Texture& texture) {
+        hash.add(texture.width);
+        hash.add(texture.height);
+        hash.add(reinterpret_cast<std::uintptr_t>(texture.pixels.data()));
+        for (std::size_t i = 0; i < kSamples; ++i) hash.add(texture.pixels[(texture.pixels.size() - 1) * i / kSamples]);
+    };
+    for (const Texture& texture : set.textures) add(texture);
+    add(set.placeholder);
+    return hash.value();
+}
+
+}  // namespace
+
+Status TexelStore::hold(const TextureSet& textures) {
+    const std::uint64_t wanted = fingerprint(textures);
+    if (!places_.empty() && wanted == held_) return {};
+    held_ = wanted;
+    return upload(textures);
+}
+
+Status TexelStore::upload(const TextureSet& textures) {
+    std::vector<std::uint32_t> texels;
+    places_.clear();
+    const auto add = [&](const Texture& texture) {
+        places_.push_back(static_cast<std::uint32_t>(texels.size()));
+        texels.insert(texels.end(), texture.pixels.begin(), texture.pixels.end());
+    };
+    for (const Texture& texture : textures.textures) add(texture);
+    add(textures.placeholder);
+    const std::size_t rows = (texels.size() + kRow - 1) / kRow;
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (rows > static_cast<std::size_t>(most)) {
+        places_.clear();
+        return Error{"stencil renderer", "expected at most " + std::to_string(std::size_t(most) * kRow) +
+                                             " pixels in all pictures of a map; found " +
+                                             std::to_string(texels.size()) + ", which this graphics card cannot hold"};
+    }
+    texels.resize(rows * kRow);
+    texture_.create();
+    glBindTexture(GL_TEXTURE_2D, texture_.id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8UI, GLsizei(kRow), static_cast<GLsizei>(rows), 0, GL_RGBA_INTEGER,
+                 GL_UNSIGNED_BYTE, texels.data());
+    return {};
+}
+
+}  // namespace enfilade::stencil

@@ -1,0 +1,32 @@
+// All pictures of a map in one texture of the graphics card, one after another, so that a whole layer is one draw.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "base/result.h"
+#include "map/textures.h"
+#include "render/stencil/gl_object.h"
+
+namespace enfilade::stencil {
+
+/// Texel (x, y) of a picture is number place + x * height + y; number n is at (n mod kRow, n / kRow). Exact whole
+/// numbers are read back, so nearest sampling is the same arithmetic as in the other renderers.
+class TexelStore {
+public:
+    static constexpr std::uint32_t kRow = 2048;  ///< texels; OpenGL ES 3.0 promises textures this wide
+
+    /// Loads the pictures unless the same ones are there already. An error where they do not fit.
+    Status hold(const TextureSet& textures);
+
+    std::uint32_t place_of(TextureId id) const { return places_[id ? id.index : places_.size() - 1]; }
+    GLuint texture() const { return texture_.id(); }
+
+private:
+    Status upload(const TextureSet& textures);
+
+    GlTexture texture_;
+    std::vector<std::uint32_t> places_;  ///< by TextureId; the placeholder comes last
+    std::uint64_t held_ = 0;             ///< what hold() loaded last
+};
+
+}  // namespace enfilade::stencil

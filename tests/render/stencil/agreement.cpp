@@ -1,0 +1,210 @@
+#include "render/stencil/agreement.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+#include "render/column/column_renderer.h"
+
+namespace enfilade::test {
+namespace {
+
+/// Pixels may differ by this in a channel and still be the same colour.
+constexpr int kSameColor = 2;
+
+/// OpenGL computes in floats, good to 2^-24 of a position: texels this near to each other may be confused [texels].
+constexpr double kTexelSlack = 0.05;
+
+/// Graphics cards put edges on a grid of 1/256 px: this far aside their picture may be right [px].
+constexpr double kAside[] = {0, -1.0 / 256, 1.0 / 256, -1.0 / 128, 1.0 / 128, -1.0 / 64, 1.0 / 64};
+
+[[noreturn]] void stop(const std::string& why) {
+    std::fprintf(stderr, "%s\n", why.c_str());
+    std::abort();
+}
+
+std::string text_of(const View& v, PictureSize size) {
+    char text[400];
+    std::snprintf(text, sizeof text, "--view %.17g,%.17g,%.17g,%.17g,%.17g --size %dx%d --fov %.17g --stretch %.17g",
+                  v.eye.x, v.eye.y, v.eye_z, angle_of(v.forward).degrees(),
+                  std::atan(v.pitch_tangent) * 180 / 3.14159265358979, size.width, size.height, v.fov_degrees,
+                  v.stretch);
+    return text;
+}
+
+int difference(std::uint32_t a, std::uint32_t b) {
+    int largest = 0;
+    for (int shift = 0; shift < 24; shift += 8)
+        largest = std::max(largest, std::abs(int(a >> shift & 255) - int(b >> shift & 255)));
+    return largest;
+}
+
+const Texture& texture_of(const Map& map, const TextureSet& textures, SurfaceId id) {
+    const auto first_wall = static_cast<SurfaceId>(1 + 2 * map.sectors.size());
+    if (id < first_wall) {
+        const Sector& sector = map.sectors[(id - 1) / 2];
+        return textures[(id % 2 ? sector.floor : sector.ceiling).surface.texture];
+    }
+    const Wall& wall = map.walls[(id - first_wall) / 3];
+    const Surface& middle = wall.kind == WallKind::portal ? wall.middle : wall.texture;
+    const Surface* const parts[] = {&middle, &wall.upper, &wall.lower};
+    return textures[parts[(id - first_wall) % 3]->texture];
+}
+
+bool is_near_edge(double texels) { return std::fabs(texels - std::round(texels)) < kTexelSlack; }
+
+/// A pixel between different surfaces, or beside one.
+bool is_at_edge(const Picture& p, int x, int y) {
+    const auto id = [&](int i, int j) {
+        i = std::clamp(i, 0, p.frame.width - 1);
+        j = std::clamp(j, 0, p.frame.height - 1);
+        return p.facts.ids[static_cast<std::size_t>(j * p.frame.width + i)];
+    };
+    for (int j = y - 1; j <= y + 1; ++j)
+        for (int i = x - 1; i <= x + 1; ++i)
+            if (id(i, j) != id(x, y)) return true;
+    return false;
+}
+
+}  // namespace
+
+Agreement& Agreement::operator+=(const Agreement& o) {
+    pixels += o.pixels;
+    undrawn += o.undrawn;
+    at_edges += o.at_edges;
+    elsewhere += o.elsewhere;
+    other_texel += o.other_texel;
+    wrong_color += o.wrong_color;
+    if (o.worst_share > worst_share) {
+        worst_share = o.worst_share;
+        worst_view = o.worst_view;
+    }
+    if (first_fault.empty()) first_fault = o.first_fault;
+    return *this;
+}
+
+std::string describe(const Agreement& a) {
+    std::ostringstream text;
+    text << "of " << a.pixels << " pixels " << a.undrawn << " undrawn, " << a.at_edges
+         << " of another surface at edges, " << a.elsewhere << " elsewhere, " << a.other_texel
+         << " of a neighbouring texel, " << a.wrong_color << " of a wrong colour; in the worst picture "
+         << a.worst_share * 100 << " % of another surface: " << a.worst_view;
+    if (!a.first_fault.empty()) text << "\n  " << a.first_fault;
+    return text.str();
+}
+
+std::unique_ptr<StencilRenderer> software_stencil(GlApi api) {
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    auto context = open_headless_gl(api);
+    if (!context.ok()) stop("no OpenGL to test with: " + context.error().text());
+    auto renderer = StencilRenderer::make(std::move(context).value());
+    if (!renderer.ok()) stop("no stencil renderer to test: " + renderer.error().text());
+    return std::move(renderer).value();
+}
+
+Sight::Sight(const Map& map, const TextureSet& textures, GlApi api)
+    : map_(map), textures_(textures), snapshot_(at_rest(map)), stencil_(software_stencil(api)) {}
+
+namespace {
+Picture blank(PictureSize size) {
+    Picture picture;
+    picture.frame.resize(size.width, size.height);
+    reset(picture.facts, size.width, size.height);
+    return picture;
+}
+}  // namespace
+
+Picture Sight::by_stencil(const View& view, PictureSize size) {
+    Picture picture = blank(size);
+    if (Status failed = stencil_->render(picture.frame, &picture.facts, map_, textures_, snapshot_, view))
+        stop(failed->text());
+    return picture;
+}
+
+Picture Sight::by_column(const View& view, PictureSize size) const {
+    Picture picture = blank(size);
+    ColumnRenderer().render(picture.frame, &picture.facts, map_, textures_, snapshot_, view);
+    return picture;
+}
+
+/// What the column renderer would show had the picture been taken a hair aside: surfaces thinner than that, and where
+/// one surface is seen twice side by side, have edges that its picture does not show.
+bool Sight::is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const Picture& shown) const {
+    const Projection projection(view, size.width, size.height);
+    for (const double dx : kAside)
+        for (const double dy : kAside) {
+            View aside = view;
+            const double slope = dx * 2 * projection.half_fov_tangent() / size.width;
+            const Vec2 turned = view.forward + right_of(view.forward) * slope;
+            aside.forward = turned * (1 / std::sqrt(dot(turned, turned)));
+            aside.pitch_tangent += dy / projection.focal_y();
+            const Picture truth = by_column(aside, size);
+            if (truth.facts.ids[pixel] == shown.facts.ids[pixel] &&
+                difference(truth.frame.pixels[pixel], shown.frame.pixels[pixel]) <= kSameColor)
+                return true;
+        }
+    return false;
+}
+
+Agreement Sight::compare(const View& view, PictureSize size) {
+    const Picture shown = by_stencil(view, size), truth = by_column(view, size);
+    Agreement result;
+    result.pixels = truth.frame.pixels.size();
+    for (std::size_t i = 0; i < truth.frame.pixels.size(); ++i) {
+        const int x = int(i) % size.width, y = int(i) / size.width;
+        const SurfaceId id = truth.facts.ids[i];
+        result.undrawn += shown.facts.ids[i] == kNothing;
+        bool is_fault = shown.facts.ids[i] == kNothing;
+        if (shown.facts.ids[i] != id) {
+            const bool at_edge = is_at_edge(truth, x, y) || is_hair_aside(view, size, i, shown);
+            ++(at_edge ? result.at_edges : result.elsewhere);
+            is_fault |= !at_edge;
+        } else if (id != kRecursionEnd && difference(shown.frame.pixels[i], truth.frame.pixels[i]) > kSameColor) {
+            const Texture& texture = texture_of(map_, textures_, id);
+            const TexelPosition at = truth.facts.texels[i];
+            const bool near = is_near_edge(static_cast<double>(at.u) * texture.width) ||
+                              is_near_edge(static_cast<double>(at.v) * texture.height) ||
+                              is_hair_aside(view, size, i, shown);
+            ++(near ? result.other_texel : result.wrong_color);
+            is_fault |= !near;
+        }
+        if (is_fault && result.first_fault.empty()) {
+            const auto &ours = shown.facts, &theirs = truth.facts;
+            char text[300];
+            std::snprintf(text, sizeof text,
+                          "pixel (%d, %d): surface %u, not %u; colour %08x, not %08x; depth %.9g, not %.9g; texel %.9g "
+                          "%.9g, not %.9g %.9g; ",
+                          x, y, ours.ids[i], id, shown.frame.pixels[i], truth.frame.pixels[i], ours.depths[i],
+                          theirs.depths[i], double(ours.texels[i].u), double(ours.texels[i].v),
+                          double(theirs.texels[i].u), double(theirs.texels[i].v));
+            result.first_fault = text + text_of(view, size) + " --sector " + map_[view.sector].name;
+        }
+    }
+    result.worst_share = double(result.at_edges + result.elsewhere) / double(result.pixels);
+    result.worst_view = text_of(view, size) + " --sector " + map_[view.sector].name;
+    return result;
+}
+
+Agreement Sight::compare_poses(int count, PictureSize size, std::uint64_t seed) {
+    Random random(seed);
+    Agreement sum;
+    for (int i = 0; i < count; ++i) {
+        sum += compare(random_pose(map_, random), size);
+        sum += compare(lattice_pose(map_, size, random), size);
+    }
+    return sum;
+}
+
+void expect_agreement(const Agreement& a) {
+    EXPECT_EQ(a.undrawn, 0u) << describe(a);
+    EXPECT_EQ(a.elsewhere, 0u) << describe(a);
+    // Where a row of pixels goes through the foot of a link or mirror, the room behind begins up to kTieShift early and
+    // shows its floor from before the portal.
+    EXPECT_LE(double(a.wrong_color), 5e-5 * double(a.pixels)) << describe(a);
+    EXPECT_LE(double(a.at_edges), 0.001 * double(a.pixels)) << describe(a);
+}
+
+}  // namespace enfilade::test

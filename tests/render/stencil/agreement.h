@@ -1,0 +1,68 @@
+// The stencil renderer held against the column renderer, pixel by pixel.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "hard_cases/poses.h"
+#include "map/textures.h"
+#include "platform/gl_context.h"
+#include "render/stencil/stencil_renderer.h"
+#include "world/snapshot.h"
+
+namespace enfilade::test {
+
+/// How pictures of one view, or of many, differ [px].
+struct Agreement {
+    std::uint64_t pixels = 0;
+    std::uint64_t undrawn = 0;      ///< shows nothing
+    std::uint64_t at_edges = 0;     ///< another surface, within a pixel of an edge
+    std::uint64_t elsewhere = 0;    ///< another surface, and no edge near
+    std::uint64_t other_texel = 0;  ///< same surface, another colour, but next to a texel's or a light band's edge
+    std::uint64_t wrong_color = 0;  ///< same surface, more than 2/255 off, and no such excuse
+    double worst_share = 0;         ///< largest share of differing surfaces in one picture
+    std::string worst_view, first_fault;
+
+    Agreement& operator+=(const Agreement& other);
+};
+
+std::string describe(const Agreement& agreement);
+
+/// A renderer in a headless context drawn by the CPU (Mesa's llvmpipe), whatever graphics card there is. Where there is
+/// no such context the test program stops: a machine that cannot test this must not pass.
+std::unique_ptr<StencilRenderer> software_stencil(GlApi api = GlApi::desktop);
+
+/// What one renderer drew.
+struct Picture {
+    Frame frame;
+    FrameFacts facts;
+};
+
+/// A map, what it shows, and both renderers.
+class Sight {
+public:
+    Sight(const Map& map, const TextureSet& textures, GlApi api = GlApi::desktop);
+
+    /// Both pictures; a failure of OpenGL stops the test program.
+    Picture by_stencil(const View& view, PictureSize size);
+    Picture by_column(const View& view, PictureSize size) const;
+
+    Agreement compare(const View& view, PictureSize size);
+    /// `count` random poses and as many where things coincide.
+    Agreement compare_poses(int count, PictureSize size, std::uint64_t seed);
+
+    Snapshot& snapshot() { return snapshot_; }
+    StencilCounts counts() const { return stencil_->counts(); }
+
+private:
+    bool is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const Picture& shown) const;
+
+    const Map& map_;
+    const TextureSet& textures_;
+    Snapshot snapshot_;
+    std::unique_ptr<StencilRenderer> stencil_;
+};
+
+/// At most one pixel in a thousand shows another surface, only at edges; colours are right.
+void expect_agreement(const Agreement& agreement);
+
+}  // namespace enfilade::test

@@ -1,0 +1,96 @@
+// The same pictures by OpenGL and OpenGL ES, by one renderer and another; and pictures that cannot be.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "hard_cases/scenes.h"
+#include "render/stencil/agreement.h"
+#include "support/looks.h"
+#include "support/map_builder.h"
+
+namespace enfilade::test {
+namespace {
+
+constexpr PictureSize kSize{160, 100};
+
+struct Hall {
+    MapFile file = linked_rooms();
+    Map map = built(file);
+    TextureSet textures = textures_for(file);
+    View view = look_from(map, {10, 12}, 1.5, 30);
+};
+
+TEST(StencilApis, DrawTheSamePicture) {
+    const Hall hall;
+    const Picture desktop = Sight(hall.map, hall.textures, GlApi::desktop).by_stencil(hall.view, kSize);
+    const Picture es = Sight(hall.map, hall.textures, GlApi::es).by_stencil(hall.view, kSize);
+    EXPECT_EQ(desktop.frame.pixels, es.frame.pixels);
+}
+
+TEST(StencilRenderer, DrawsTheSameWithAndWithoutFacts) {
+    const Hall hall;
+    const auto renderer = software_stencil();
+    const Picture with_facts = Sight(hall.map, hall.textures).by_stencil(hall.view, kSize);
+    Frame frame;
+    frame.resize(kSize.width, kSize.height);
+    EXPECT_FALSE(renderer->render(frame, nullptr, hall.map, hall.textures, at_rest(hall.map), hall.view));
+    EXPECT_EQ(frame.pixels, with_facts.frame.pixels);
+}
+
+TEST(StencilRenderer, DrawsOnAnyThread) {
+    const Hall hall;
+    Sight sight(hall.map, hall.textures);
+    const Picture here = sight.by_stencil(hall.view, kSize);
+    Picture there;
+    std::thread([&] { there = sight.by_stencil(hall.view, kSize); }).join();
+    EXPECT_EQ(here.frame.pixels, there.frame.pixels);
+}
+
+TEST(StencilRenderer, NoticesAnotherMap) {
+    const Hall hall;
+    const auto renderer = software_stencil();
+    const auto draw = [&](const Hall& drawn) {
+        Frame frame;
+        frame.resize(kSize.width, kSize.height);
+        EXPECT_FALSE(renderer->render(frame, nullptr, drawn.map, drawn.textures, at_rest(drawn.map), drawn.view));
+        return frame.pixels;
+    };
+    const auto before = draw(hall);
+    Hall other;
+    other.file = overlapping_rooms();
+    other.map = built(other.file);
+    other.textures = textures_for(other.file);
+    other.view = look_from(other.map, {-2, -2}, 1.5, 30);
+    const auto fresh = Sight(other.map, other.textures).by_stencil(other.view, kSize).frame.pixels;
+    EXPECT_EQ(draw(other), fresh);
+    EXPECT_EQ(draw(hall), before);
+}
+
+TEST(StencilRenderer, ChangesItsSize) {
+    const Hall hall;
+    Sight sight(hall.map, hall.textures);
+    const Picture first = sight.by_stencil(hall.view, kSize);
+    sight.by_stencil(hall.view, {33, 7});
+    EXPECT_EQ(sight.by_stencil(hall.view, kSize).frame.pixels, first.frame.pixels);
+}
+
+TEST(StencilRenderer, DrawsASinglePixel) {
+    const Hall hall;
+    expect_agreement(Sight(hall.map, hall.textures).compare(hall.view, {1, 1}));
+}
+
+/// A context that was lost.
+class LostContext final : public GlContext {
+public:
+    Status make_current() override { return Error{"OpenGL", "the context was lost"}; }
+    void release() override {}
+};
+
+TEST(StencilRenderer, SaysThatTheContextWasLost) {
+    const auto renderer = StencilRenderer::make(std::make_unique<LostContext>());
+    ASSERT_FALSE(renderer.ok());
+    EXPECT_EQ(renderer.error().text(), "OpenGL: the context was lost");
+}
+
+}  // namespace
+}  // namespace enfilade::test

@@ -1,0 +1,139 @@
+// Where stencil renderers flash, leak or drown: eyes on portals, portals in portals, chains without end.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hard_cases/scenes.h"
+#include "math/grid.h"
+#include "render/column/column_renderer.h"
+#include "render/stencil/agreement.h"
+#include "space/locate.h"
+#include "support/looks.h"
+#include "support/map_builder.h"
+
+namespace enfilade::test {
+namespace {
+
+constexpr PictureSize kSize{96, 60};
+
+struct Place {
+    Map map;
+    TextureSet textures;
+    Sight sight;
+    explicit Place(const MapFile& file) : map(built(file)), textures(textures_for(file)), sight(map, textures) {}
+};
+
+/// All around from a point that some sector holds, eighth by eighth.
+Agreement all_around(Place& place, Vec2 eye, double height) {
+    Agreement sum;
+    const SectorId sector = locate(place.map, eye);
+    if (!sector) return sum;  // on the outer side of an outer wall, under the tie rule
+    for (std::uint32_t eighth = 0; eighth < 8; ++eighth) {
+        View view;
+        view.sector = sector;
+        view.eye = eye;
+        view.eye_z = place.map[sector].floor.z + height;
+        view.forward = direction(Angle{eighth << 29});
+        sum += place.sight.compare(view, kSize);
+    }
+    return sum;
+}
+
+class StencilHardPlace : public testing::TestWithParam<NamedScene> {
+protected:
+    /// From places relative to every portal: `along` it from a to b, and `before` its line.
+    void expect_agreement_at_portals(double along, double before) {
+        Place place(GetParam().file());
+        Agreement sum;
+        for (const Wall& wall : place.map.walls) {
+            if (wall.kind == WallKind::solid) continue;
+            const Vec2 way = (wall.b - wall.a) * (1 / wall.length);
+            const Vec2 at = wall.a + (wall.b - wall.a) * along + right_of(way) * before;
+            sum += all_around(place, snap_to_point_grid(at), 1.25);
+        }
+        expect_agreement(sum);
+    }
+};
+
+TEST_P(StencilHardPlace, OnAPortalsLine) { expect_agreement_at_portals(0.5, 0); }
+TEST_P(StencilHardPlace, OnAPortalsEnd) { expect_agreement_at_portals(0, 0); }
+TEST_P(StencilHardPlace, OneGridStepBeforeAPortal) { expect_agreement_at_portals(0.5, kPointGrid); }
+TEST_P(StencilHardPlace, OneGridStepBehindAPortal) { expect_agreement_at_portals(0.5, -kPointGrid); }
+TEST_P(StencilHardPlace, AHairBeforeAPortal) { expect_agreement_at_portals(0.25, 0x1p-16); }
+TEST_P(StencilHardPlace, AHairBehindAPortal) { expect_agreement_at_portals(0.25, -0x1p-16); }
+
+std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Linked, StencilHardPlace, testing::ValuesIn(linked_scenes()), name_of_scene);
+INSTANTIATE_TEST_SUITE_P(Overlapping, StencilHardPlace,
+                         testing::Values(NamedScene{"OverlappingRooms", overlapping_rooms}), name_of_scene);
+
+/// A corridor that leads into itself, so that one looks along it for ever.
+MapFile corridor(int max_depth) {
+    MapFile file = map_of({box_room("hall", 0, 0, 2, 4, 0, 3)});
+    cut_pillar(file.sectors[0], 0.5, 3, 1, 3.5);
+    link(file, "hall", {2, 0}, {2, 4}, "hall", {0, 4}, {0, 0});
+    file.render.max_depth = max_depth;
+    return file;
+}
+
+TEST(StencilCorridor, ShowsSixtyFourLevels) {
+    Place place(corridor(64));
+    const View view = look_from(place.map, {1, 1.25}, 1.5, 1);
+    expect_agreement(place.sight.compare(view, {320, 200}));
+    EXPECT_EQ(place.sight.counts().deepest, 64);
+}
+
+TEST(StencilCorridor, EndsInTheRecursionColourWhereItIsCut) {
+    Place place(corridor(3));
+    const Picture picture = place.sight.by_stencil(look_from(place.map, {1, 1.25}, 1.5, 0), {96, 60});
+    const std::size_t middle = 30 * 96 + 48;
+    EXPECT_EQ(picture.facts.ids[middle], kRecursionEnd);
+    EXPECT_EQ(picture.frame.pixels[middle], 0xFFFF00FFu);
+}
+
+TEST(StencilCorridor, AsksForNoMoreLevelsThanThereAre) {
+    Place place(corridor(1024));
+    const Picture picture = place.sight.by_stencil(look_from(place.map, {1, 1.25}, 1.5, 0), {640, 400});
+    EXPECT_LE(place.sight.counts().deepest, 255);
+    EXPECT_EQ(std::count(picture.facts.ids.begin(), picture.facts.ids.end(), kNothing), 0);
+}
+
+TEST(StencilCorridor, CostsNoMoreOnceLevelsAreBelowAPixel) {
+    const auto layers = [](int max_depth) {
+        Place place(corridor(max_depth));
+        place.sight.by_stencil(look_from(place.map, {1, 1.2345}, 1.5, 20), {64, 40});
+        return place.sight.counts().layers;
+    };
+    EXPECT_EQ(layers(200), layers(1000));
+}
+
+/// Four links in view, each of them leading to four more.
+TEST(StencilCrossing, IsDrawnOnceForEachViewportAndNotFourToTheSixteenth) {
+    MapFile file = map_of({box_room("crossing", 0, 0, 8, 8, 0, 3)});
+    link(file, "crossing", {8, 0}, {8, 8}, "crossing", {0, 8}, {0, 0});
+    link(file, "crossing", {0, 0}, {8, 0}, "crossing", {8, 8}, {0, 8});
+    file.render.max_depth = 16;
+    Place place(file);
+    const View view = look_from(place.map, {4, 4}, 1.5, 40);
+    expect_agreement(place.sight.compare(view, {160, 100}));
+    EXPECT_EQ(place.sight.counts().deepest, 16);
+    ColumnRenderer column;
+    Frame frame;
+    frame.resize(160, 100);
+    column.render(frame, nullptr, place.map, place.textures, place.sight.snapshot(), view);
+    EXPECT_LE(double(place.sight.counts().layers), 1.05 * double(column.counts().viewports));
+}
+
+TEST(StencilMirrors, FacingEachOtherRepeatTheRoom) {
+    MapFile file = map_of({box_room("hall", 0, 0, 4, 6, 0, 3)});
+    wall(file, "hall", {4, 0}, {4, 6}).mirror = true;
+    wall(file, "hall", {0, 6}, {0, 0}).mirror = true;
+    file.render.max_depth = 40;
+    Place place(file);
+    expect_agreement(place.sight.compare(look_from(place.map, {1.75, 2.5}, 1.5, 5), {320, 200}));
+    EXPECT_EQ(place.sight.counts().deepest, 40);
+}
+
+}  // namespace
+}  // namespace enfilade::test
