@@ -13,7 +13,7 @@
 namespace enfilade {
 namespace {
 
-constexpr const char* kRenderers = "column (fast) or reference (slow, simply right)";
+constexpr const char* kRenderers = "column (by the CPU), stencil (by OpenGL) or reference (slow, simply right)";
 constexpr double kLatestMoment = 1e9;                     // [s], thirty years
 constexpr double kLeastStretch = 0.1, kMostStretch = 10;  // beyond them nothing can be told apart
 constexpr int kMostThreads = 256, kMostFramesBetween = 1'000'000;
@@ -52,8 +52,9 @@ CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     declare_textures(*command, request.texture_folders);
     command->footer(
         "Keys: WASD or up/down walk, mouse or left/right turn, Shift runs, C crouches, E uses, Tab shows the map\n"
-        "(+ and - zoom), F3 shows times and viewports, F11 fills the screen, F12 saves a picture, Esc opens the "
-        "menu.\nA gamepad works, too. Saving the map's file while playing loads it again in place.");
+        "(+ and - zoom), F2 changes between the column and the stencil renderer, F3 shows times and viewports, F11\n"
+        "fills the screen, F12 saves a picture, Esc opens the menu.\nA gamepad works, too. Saving the map's file while "
+        "playing loads it again in place.");
     return command;
 }
 
@@ -110,7 +111,7 @@ void declare_drawing(CLI::App& command, FlyRequest& request) {
         ->type_name("DIR|FILE.mp4|FILE.y4m");
     command.add_option("--frames", request.frames, "Only these frames, counted from 0")->type_name("A..B");
     command.add_option("--size", request.size, "Size in pixels instead of the script's")->type_name("WxH");
-    command.add_option("--renderer", request.renderer, "column or reference, instead of the script's")
+    command.add_option("--renderer", request.renderer, "column, stencil or reference, instead of the script's")
         ->type_name("NAME");
     declare_threads(command, request.threads);
     declare_textures(command, request.texture_folders);

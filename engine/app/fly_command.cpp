@@ -12,6 +12,7 @@
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/recorded_flight.h"
+#include "platform/gl_context.h"
 
 namespace enfilade {
 namespace {
@@ -54,11 +55,11 @@ Result<FlyChoices> choices_of(const FlyRequest& request) {
     return choices;
 }
 
-Result<RendererKind> renderer_of(const ScriptFile& script) {
+RendererKind renderer_of(const ScriptFile& script) {
     switch (script.renderer) {
         case RendererChoice::column: return RendererKind::column;
         case RendererChoice::reference: return RendererKind::reference;
-        case RendererChoice::stencil: return parse_renderer("stencil");
+        case RendererChoice::stencil: return RendererKind::stencil;
     }
     return RendererKind::column;
 }
@@ -69,10 +70,14 @@ Result<DrawPlan> plan_of(const FlyChoices& choices, const OpenFlight& open) {
     if (frames.last > last)
         return Error{"--frames",
                      fmt::format("the flight has the frames 0..{}; found {}..{}", last, frames.first, frames.last)};
-    const auto renderer = choices.renderer ? Result<RendererKind>(*choices.renderer) : renderer_of(open.script);
-    if (!renderer.ok()) return renderer.error();
     const PictureSize size = choices.size.value_or(PictureSize{open.script.width, open.script.height});
-    return DrawPlan{renderer.value(), size.width, size.height, frames.first, frames.last, 1};
+    return DrawPlan{choices.renderer.value_or(renderer_of(open.script)),
+                    size.width,
+                    size.height,
+                    frames.first,
+                    frames.last,
+                    1,
+                    open_gl_for_pictures};
 }
 
 Status draw_pictures_into(const std::string& folder, const FlightScene& scene, const DrawPlan& plan) {

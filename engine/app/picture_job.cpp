@@ -12,6 +12,7 @@
 #include "base/files.h"
 #include "base/parallel.h"
 #include "platform/clock.h"
+#include "platform/gl_context.h"
 
 namespace enfilade {
 namespace {
@@ -31,20 +32,19 @@ public:
         snapshot_.time_s = job.time_s;
         const bool side_by_side = job.timing.empty() && job.views.size() >= job.threads;
         desks_.resize(side_by_side ? job.threads : 1);
-        for (Desk& desk : desks_) {
-            desk.renderer = make_renderer(job.renderer, side_by_side ? 1 : job.threads);
-            desk.frame.resize(job.size.width, job.size.height);
-        }
+        threads_each_ = side_by_side ? 1 : job.threads;
     }
 
     Status run() {
-        if (!job_.timing.empty()) draw(desks_[0], 0);  // grows the renderer's memory, so that no view pays for it
+        if (Status failed = furnish_desks()) return failed;
+        if (!job_.timing.empty())  // grows the renderer's memory, so that no view pays for it
+            if (Status failed = draw(desks_[0], 0)) return failed;
         Progress progress(job_.views.size(), "pictures");
         parallel_for(job_.views.size(), desks_.size(), [&](std::size_t i, std::size_t worker) {
             if (stop_) return;
             Desk& desk = desks_[worker];
-            times_ns_[i] = draw(desk, i);
-            desk.failed = write(desk, i);
+            desk.failed = draw(desk, i);
+            if (!desk.failed) desk.failed = write(desk, i);
             if (desk.failed) stop_ = true;
             progress.step(worker);
         });
@@ -53,13 +53,24 @@ public:
     }
 
 private:
-    std::int64_t draw(Desk& desk, std::size_t i) const {
+    Status furnish_desks() {
+        for (Desk& desk : desks_) {
+            auto renderer = make_renderer(job_.renderer, threads_each_, open_gl_for_pictures);
+            if (!renderer.ok()) return renderer.error();
+            desk.renderer = std::move(renderer).value();
+            desk.frame.resize(job_.size.width, job_.size.height);
+        }
+        return {};
+    }
+
+    Status draw(Desk& desk, std::size_t i) {
         const bool want_facts = !job_.ids.empty();
         if (want_facts) reset(desk.facts, job_.size.width, job_.size.height);
         const std::int64_t before = now_ns();
-        desk.renderer->render(desk.frame, want_facts ? &desk.facts : nullptr, map_.map, map_.textures, snapshot_,
-                              job_.views[i]);
-        return now_ns() - before;
+        Status failed = desk.renderer->render(desk.frame, want_facts ? &desk.facts : nullptr, map_.map, map_.textures,
+                                              snapshot_, job_.views[i]);
+        times_ns_[i] = now_ns() - before;
+        return failed;
     }
 
     Status write(const Desk& desk, std::size_t i) const {
@@ -83,6 +94,7 @@ private:
     const PictureJob& job_;
     Snapshot snapshot_;
     std::vector<Desk> desks_;
+    std::size_t threads_each_ = 1;
     std::vector<std::int64_t> times_ns_;
     std::atomic<bool> stop_ = false;
 };

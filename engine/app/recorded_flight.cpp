@@ -91,10 +91,12 @@ std::optional<Frame> kept_picture(const std::string& script_path, int number) {
     return Frame{int(image.value().width), int(image.value().height), std::move(image.value().pixels)};
 }
 
-Frame drawn_by(RendererKind kind, const FlightScene& scene, const DrawPlan& plan, int number) {
+Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPlan& plan, int number) {
+    const auto renderer = make_renderer(kind, plan.workers, plan.open_gl);
+    if (!renderer.ok()) return renderer.error();
     Frame frame;
     frame.resize(plan.width, plan.height);
-    draw_frame(scene, number, *make_renderer(kind, plan.workers), frame);
+    if (Status failed = draw_frame(scene, number, *renderer.value(), frame)) return *failed;
     return frame;
 }
 
@@ -103,11 +105,15 @@ Status report_mismatches(const FlightScene& scene, const DrawPlan& plan, const s
     std::vector<BadFrame> shown;
     for (std::size_t i = 0; i < std::min(found.size(), kMostShown); ++i) {
         const int number = found[i].frame;
-        BadFrame bad{found[i], {}, drawn_by(plan.renderer, scene, plan, number), "as it was recorded"};
+        auto actual = drawn_by(plan.renderer, scene, plan, number);
+        if (!actual.ok()) return actual.error();
+        BadFrame bad{found[i], {}, std::move(actual).value(), "as it was recorded"};
         if (auto kept = kept_picture(script_path, number)) {
             bad.expected = std::move(*kept);
         } else {
-            bad.expected = drawn_by(RendererKind::reference, scene, plan, number);
+            auto expected = drawn_by(RendererKind::reference, scene, plan, number);
+            if (!expected.ok()) return expected.error();
+            bad.expected = std::move(expected).value();
             bad.expected_origin = "not kept; here the reference renderer's picture of now";
         }
         shown.push_back(std::move(bad));
@@ -121,24 +127,29 @@ Error differ(const std::string& where, std::size_t bad, std::size_t all, int fir
 }
 
 /// Frames of the plan of which more than `allowed` pixels are different with another renderer.
-std::vector<int> disagreements(const FlightScene& scene, const DrawPlan& plan, RendererKind other, double allowed) {
+Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan& plan, RendererKind other,
+                                       double allowed) {
     struct Desk {
         std::unique_ptr<Renderer> renderer;
         Frame frame;
     };
     std::vector<Desk> desks(plan.workers);
-    for (Desk& desk : desks) desk.renderer = make_renderer(other, 1);
+    for (Desk& desk : desks) {
+        auto renderer = make_renderer(other, 1, plan.open_gl);
+        if (!renderer.ok()) return renderer.error();
+        desk.renderer = std::move(renderer).value();
+    }
     std::vector<char> differs(count_of(plan), 0);
     Progress progress(differs.size(), "frames");
-    // Drawing cannot fail, and neither can this.
-    (void)draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
+    const Status failed = draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
         Desk& desk = desks[worker];
         desk.frame.resize(plan.width, plan.height);
-        draw_frame(scene, number, *desk.renderer, desk.frame);
+        if (Status other_failed = draw_frame(scene, number, *desk.renderer, desk.frame)) return other_failed;
         differs[std::size_t(number - plan.first)] = double(difference_of(desk.frame, frame).pixels) > allowed;
         progress.step(worker);
         return {};
     });
+    if (failed) return *failed;
     std::vector<int> numbers;
     for (std::size_t i = 0; i < differs.size(); ++i)
         if (differs[i]) numbers.push_back(plan.first + int(i));
@@ -182,14 +193,18 @@ Status check_flight(const FlightScene& scene, const DrawPlan& plan, const std::s
 
 Status compare_renderers(const FlightScene& scene, const DrawPlan& plan, RendererKind other, double tolerance,
                          const std::string& report_folder) {
-    const std::vector<int> found = disagreements(scene, plan, other, tolerance * plan.width * plan.height);
+    const auto disagreeing = disagreements(scene, plan, other, tolerance * plan.width * plan.height);
+    if (!disagreeing.ok()) return disagreeing.error();
+    const std::vector<int>& found = disagreeing.value();
     if (found.empty()) return {};
     std::vector<BadFrame> shown;
     for (std::size_t i = 0; i < std::min(found.size(), kMostShown); ++i) {
-        Frame expected = drawn_by(other, scene, plan, found[i]),
-              actual = drawn_by(plan.renderer, scene, plan, found[i]);
-        const Mismatch mismatch{found[i], hash_of(expected), hash_of(actual)};
-        shown.push_back({mismatch, std::move(expected), std::move(actual), "drawn by the other renderer"});
+        auto expected = drawn_by(other, scene, plan, found[i]), actual = drawn_by(plan.renderer, scene, plan, found[i]);
+        if (!expected.ok()) return expected.error();
+        if (!actual.ok()) return actual.error();
+        const Mismatch mismatch{found[i], hash_of(expected.value()), hash_of(actual.value())};
+        shown.push_back(
+            {mismatch, std::move(expected).value(), std::move(actual).value(), "drawn by the other renderer"});
     }
     if (Status failed = write_report(report_folder, "Two renderers", shown, found.size())) return failed;
     return differ("", found.size(), count_of(plan), found.front(), report_folder);

@@ -15,9 +15,9 @@ constexpr std::size_t kWaitingPerWorker = 4;
 
 }  // namespace
 
-void draw_frame(const FlightScene& scene, int number, Renderer& renderer, Frame& frame) {
+Status draw_frame(const FlightScene& scene, int number, Renderer& renderer, Frame& frame) {
     const FlightFrame shown = scene.flight.at(scene.map, number);
-    renderer.render(frame, nullptr, scene.map, scene.textures, shown.snapshot, shown.view);
+    return renderer.render(frame, nullptr, scene.map, scene.textures, shown.snapshot, shown.view);
 }
 
 Status draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& take) {
@@ -28,7 +28,9 @@ Status draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTa
     };
     std::vector<Desk> desks(plan.workers);
     for (Desk& desk : desks) {
-        desk.renderer = make_renderer(plan.renderer, 1);
+        auto renderer = make_renderer(plan.renderer, 1, plan.open_gl);
+        if (!renderer.ok()) return renderer.error();
+        desk.renderer = std::move(renderer).value();
         desk.frame.resize(plan.width, plan.height);
     }
     std::atomic<bool> stop = false;
@@ -37,8 +39,8 @@ Status draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTa
         if (stop) return;
         Desk& desk = desks[worker];
         const int number = plan.first + static_cast<int>(i);
-        draw_frame(scene, number, *desk.renderer, desk.frame);
-        desk.failed = take(number, desk.frame, worker);
+        desk.failed = draw_frame(scene, number, *desk.renderer, desk.frame);
+        if (!desk.failed) desk.failed = take(number, desk.frame, worker);
         if (desk.failed) stop = true;
     });
     for (Desk& desk : desks)

@@ -21,13 +21,14 @@ struct DrawPlan {
     int width = 640, height = 400;  ///< [px]
     int first = 0, last = 0;        ///< frames, both included
     std::size_t workers = 1;        ///< threads, >= 1
+    GlContextOpener open_gl;        ///< for renderers that draw by OpenGL: each worker opens one
 };
 
 /// Takes a finished frame; an error ends the drawing. The frame is valid during the call.
 using FrameTaker = std::function<Status(int number, const Frame& frame, std::size_t worker)>;
 
 /// Draws one frame.
-void draw_frame(const FlightScene& scene, int number, Renderer& renderer, Frame& frame);
+Status draw_frame(const FlightScene& scene, int number, Renderer& renderer, Frame& frame);
 
 /// Draws each frame once and hands it to `take`, in any order, from several threads, but never two at a time with the
 /// same worker. The first error in order of workers is returned.

@@ -2,6 +2,7 @@
 
 #include "render/column/strips.h"
 #include "render/reference/reference_renderer.h"
+#include "render/stencil/stencil_renderer.h"
 
 namespace enfilade {
 namespace {
@@ -10,9 +11,10 @@ class Column final : public Renderer {
 public:
     explicit Column(std::size_t threads) : strips_(threads) {}
 
-    void render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-                const View& view) override {
+    Status render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
+                  const View& view) override {
         strips_.render(frame, facts, map, textures, snapshot, view);
+        return {};
     }
 
     std::vector<ViewportShape> viewports() const override {
@@ -32,29 +34,63 @@ class Reference final : public Renderer {
 public:
     explicit Reference(std::size_t threads) : threads_(threads) {}
 
-    void render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-                const View& view) override {
+    Status render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
+                  const View& view) override {
         render_reference(frame, facts, map, textures, snapshot, view, {.workers = static_cast<int>(threads_)});
+        return {};
     }
 
 private:
     std::size_t threads_;
 };
 
+class Stencil final : public Renderer {
+public:
+    explicit Stencil(std::unique_ptr<StencilRenderer> renderer) : renderer_(std::move(renderer)) {}
+
+    Status render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
+                  const View& view) override {
+        return renderer_->render(frame, facts, map, textures, snapshot, view);
+    }
+
+private:
+    std::unique_ptr<StencilRenderer> renderer_;
+};
+
+Result<std::unique_ptr<Renderer>> make_stencil(const GlContextOpener& open_gl) {
+    auto context = open_gl();
+    if (!context.ok()) return context.error();
+    auto renderer = StencilRenderer::make(std::move(context).value());
+    if (!renderer.ok()) return renderer.error();
+    return std::unique_ptr<Renderer>(std::make_unique<Stencil>(std::move(renderer).value()));
+}
+
 }  // namespace
 
 Result<RendererKind> parse_renderer(const std::string& name) {
     if (name == "column") return RendererKind::column;
     if (name == "reference") return RendererKind::reference;
-    if (name == "stencil") return Error{"--renderer", "the stencil renderer is not there yet; use column or reference"};
-    return Error{"--renderer", "expected column or reference; found '" + name + "'"};
+    if (name == "stencil") return RendererKind::stencil;
+    return Error{"--renderer", "expected column, stencil or reference; found '" + name + "'"};
 }
 
-std::string name_of(RendererKind kind) { return kind == RendererKind::column ? "column" : "reference"; }
+std::string name_of(RendererKind kind) {
+    switch (kind) {
+        case RendererKind::column: return "column";
+        case RendererKind::stencil: return "stencil";
+        case RendererKind::reference: return "reference";
+    }
+    return "column";
+}
 
-std::unique_ptr<Renderer> make_renderer(RendererKind kind, std::size_t threads) {
-    if (kind == RendererKind::reference) return std::make_unique<Reference>(threads);
-    return std::make_unique<Column>(threads);
+Result<std::unique_ptr<Renderer>> make_renderer(RendererKind kind, std::size_t threads,
+                                                const GlContextOpener& open_gl) {
+    switch (kind) {
+        case RendererKind::column: return std::unique_ptr<Renderer>(std::make_unique<Column>(threads));
+        case RendererKind::stencil: return make_stencil(open_gl);
+        case RendererKind::reference: break;
+    }
+    return std::unique_ptr<Renderer>(std::make_unique<Reference>(threads));
 }
 
 }  // namespace enfilade

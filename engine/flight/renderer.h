@@ -8,14 +8,15 @@
 #include "map/map.h"
 #include "map/textures.h"
 #include "render/frame.h"
+#include "render/stencil/gl_context.h"
 #include "render/view.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
 
-enum class RendererKind : std::uint8_t { column, reference };
+enum class RendererKind : std::uint8_t { column, stencil, reference };
 
-/// "column" or "reference"; anything else is an error that says what there is.
+/// "column", "stencil" or "reference"; anything else is an error that says what there is.
 Result<RendererKind> parse_renderer(const std::string& name);
 
 /// The name that parse_renderer() takes.
@@ -35,14 +36,17 @@ public:
     virtual ~Renderer() = default;
 
     /// Sets every pixel of the frame, whose size is the picture's. facts: null, or reset() to the same size.
-    virtual void render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
-                        const Snapshot& snapshot, const View& view) = 0;
+    /// An error where a graphics card fails; the frame may then hold anything.
+    virtual Status render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
+                          const Snapshot& snapshot, const View& view) = 0;
 
     /// The viewports of the last picture; empty where the renderer has none. Cost: allocates.
     virtual std::vector<ViewportShape> viewports() const { return {}; }
 };
 
 /// threads: how many may draw one picture together, >= 1. The picture does not depend on it.
-std::unique_ptr<Renderer> make_renderer(RendererKind kind, std::size_t threads);
+/// open_gl: asked for an OpenGL context where the kind is drawn by one, and by no other.
+/// An error where there is no such context, or none that will do.
+Result<std::unique_ptr<Renderer>> make_renderer(RendererKind kind, std::size_t threads, const GlContextOpener& open_gl);
 
 }  // namespace enfilade

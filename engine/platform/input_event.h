@@ -33,6 +33,7 @@ enum class Key : std::uint8_t {
     escape,
     plus,
     minus,
+    f2,
     f3,
     f11,
     f12

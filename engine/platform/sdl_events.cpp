@@ -35,6 +35,7 @@ Key key_of(SDL_Scancode code) {
         case SDL_SCANCODE_KP_PLUS: return Key::plus;
         case SDL_SCANCODE_MINUS:
         case SDL_SCANCODE_KP_MINUS: return Key::minus;
+        case SDL_SCANCODE_F2: return Key::f2;
         case SDL_SCANCODE_F3: return Key::f3;
         case SDL_SCANCODE_F11: return Key::f11;
         case SDL_SCANCODE_F12: return Key::f12;

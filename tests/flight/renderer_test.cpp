@@ -9,20 +9,23 @@ namespace enfilade {
 namespace {
 
 TEST(ParseRenderer, KnowsWhatThereIs) {
-    for (const RendererKind kind : {RendererKind::column, RendererKind::reference})
+    for (const RendererKind kind : {RendererKind::column, RendererKind::stencil, RendererKind::reference})
         EXPECT_EQ(parse_renderer(name_of(kind)).value(), kind);
 }
 
-TEST(ParseRenderer, SaysThatStencilIsNotThereYet) {
-    const auto stencil = parse_renderer("stencil");
+/// For renderers that are not drawn by OpenGL: asking for a context is a mistake.
+Result<std::unique_ptr<GlContext>> no_gl() { return Error{"OpenGL", "none here"}; }
+
+TEST(MakeRenderer, SaysWhyThereIsNoContext) {
+    const auto stencil = make_renderer(RendererKind::stencil, 1, no_gl);
     ASSERT_FALSE(stencil.ok());
-    EXPECT_NE(stencil.error().what.find("not there yet"), std::string::npos);
+    EXPECT_EQ(stencil.error().text(), "OpenGL: none here");
 }
 
 TEST(ParseRenderer, RefusesOtherNamesAndTellsTheRightOnes) {
     const auto other = parse_renderer("Column");
     ASSERT_FALSE(other.ok());
-    EXPECT_NE(other.error().what.find("column or reference"), std::string::npos);
+    EXPECT_NE(other.error().what.find("column, stencil or reference"), std::string::npos);
 }
 
 class RendererInHall : public ::testing::Test {
@@ -30,8 +33,8 @@ protected:
     Frame picture(RendererKind kind, std::size_t threads) {
         Frame frame;
         frame.resize(64, 40);
-        auto renderer = make_renderer(kind, threads);
-        renderer->render(frame, nullptr, map_, textures_, at_rest(map_), view());
+        auto renderer = std::move(make_renderer(kind, threads, no_gl)).value();
+        EXPECT_FALSE(renderer->render(frame, nullptr, map_, textures_, at_rest(map_), view()));
         viewports_ = renderer->viewports();
         return frame;
     }

@@ -7,6 +7,8 @@
 #include "app/commands.h"
 #include "app/exit_codes.h"
 #include "app/play/play_loop.h"
+#include "base/parallel.h"
+#include "platform/gl_context.h"
 
 namespace enfilade {
 namespace {
@@ -60,7 +62,10 @@ int run_play(const PlayRequest& request) {
     if (!game.ok()) return fail(game.error());
     auto window = window_for(*game.value(), options.value());
     if (!window.ok()) return fail(window.error());
-    if (Status failed = PlayLoop(*game.value(), *window.value(), options.value()).run()) return fail(*failed);
+    auto renderer = make_renderer(options.value().renderer, hardware_threads(), open_gl_for_play);
+    if (!renderer.ok()) return fail(renderer.error());
+    PlayLoop loop(*game.value(), *window.value(), options.value(), std::move(renderer).value());
+    if (Status failed = loop.run()) return fail(*failed);
     return kDone;
 }
 

@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/parallel.h"
 #include "platform/clock.h"
+#include "platform/gl_context.h"
 
 namespace enfilade {
 namespace {
@@ -35,8 +36,8 @@ constexpr std::size_t kMostLines = 12;
 
 }  // namespace
 
-PlayLoop::PlayLoop(Game& game, Window& window, const PlayOptions& options)
-    : game_(game), window_(window), options_(options), renderer_(make_renderer(options.renderer, hardware_threads())) {
+PlayLoop::PlayLoop(Game& game, Window& window, const PlayOptions& options, std::unique_ptr<Renderer> renderer)
+    : game_(game), window_(window), options_(options), renderer_(std::move(renderer)) {
     settings_.fullscreen = options.fullscreen;
     if (!options_.tape.empty()) game_.record();
 }
@@ -44,7 +45,7 @@ PlayLoop::PlayLoop(Game& game, Window& window, const PlayOptions& options)
 Status PlayLoop::run() {
     started_ns_ = passed_until_ns_ = ticked_until_ns_ = looked_ns_ = now_ns();
     window_.grab_mouse(true);
-    notices_.say("Esc: menu   Tab: map   F3: times   F12: picture", 0, kWelcomeSeconds);
+    notices_.say("Esc: menu   Tab: map   F2: renderer   F3: times   F12: picture", 0, kWelcomeSeconds);
     const auto frame_time = static_cast<std::int64_t>(kSecond / window_.refresh_hz());
     std::vector<InputEvent> events;
     while (!quit_) {
@@ -78,6 +79,7 @@ void PlayLoop::handle_key(Key key) {
         case Key::tab: return game_.automap().toggle();
         case Key::plus: return game_.automap().zoom(1);
         case Key::minus: return game_.automap().zoom(-1);
+        case Key::f2: return change_renderer();
         case Key::f3: readout_open_ = !readout_open_; return;
         case Key::f11: settings_.fullscreen = !settings_.fullscreen; return apply_settings();
         case Key::f12: screenshot_wanted_ = true; return;
@@ -153,13 +155,35 @@ void PlayLoop::remember_seen(std::int64_t now) {
     for (const ViewportShape& shape : renderer_->viewports()) game_.automap().see(shape.sector);
 }
 
+void PlayLoop::change_renderer() {
+    const double now_s = seconds(now_ns() - started_ns_);
+    const auto other = options_.renderer == RendererKind::stencil ? RendererKind::column : RendererKind::stencil;
+    auto renderer = make_renderer(other, hardware_threads(), open_gl_for_play);
+    if (!renderer.ok()) return notices_.say(renderer.error().text(), now_s);
+    renderer_ = std::move(renderer).value();
+    options_.renderer = other;
+    notices_.say("Drawn by the " + name_of(other) + " renderer.", now_s);
+}
+
+/// A graphics card that fails is no reason to stop playing.
+Status PlayLoop::draw_view(const View& view, double part) {
+    const auto draw = [&] {
+        return renderer_->render(frame_, nullptr, game_.map(), game_.textures(), game_.snapshot(part), view);
+    };
+    const Status failed = draw();
+    if (!failed || options_.renderer != RendererKind::stencil) return failed;
+    change_renderer();
+    notices_.say(failed->text(), seconds(now_ns() - started_ns_));
+    return draw();
+}
+
 Status PlayLoop::show(std::int64_t now) {
     const PixelSize size = options_.size ? PixelSize{options_.size->width, options_.size->height} : window_.size();
     frame_.resize(size.width, size.height);
     const double part = static_cast<double>(now - ticked_until_ns_) / kTick;
     const View view = game_.view(part, input_.ahead(part), settings_.fov_degrees);
     const std::int64_t began = now_ns();
-    renderer_->render(frame_, nullptr, game_.map(), game_.textures(), game_.snapshot(part), view);
+    if (Status failed = draw_view(view, part)) return failed;
     const std::int64_t drawn = now_ns();
     remember_seen(now);
     draw_over(view, seconds(now - started_ns_));

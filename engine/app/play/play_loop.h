@@ -24,7 +24,7 @@ struct PlayOptions {
 /// Plays until the player quits. Fixed ticks; drawing is interpolated between them and as often as the display shows.
 class PlayLoop {
 public:
-    PlayLoop(Game& game, Window& window, const PlayOptions& options);
+    PlayLoop(Game& game, Window& window, const PlayOptions& options, std::unique_ptr<Renderer> renderer);
 
     /// Runs until the end; an error where the window fails or the tape cannot be written.
     Status run();
@@ -39,6 +39,9 @@ private:
     void apply_settings();
     void look_for_changes(std::int64_t now);
     void reload();
+    /// From the column to the stencil renderer or back; where there is no OpenGL, a notice says so.
+    void change_renderer();
+    Status draw_view(const View& view, double part);
     /// Lets as many ticks pass as time has; none while the menu is open, and the picture then stands still, too.
     void pass_time(std::int64_t now);
     /// The automap learns what is in the picture.

@@ -131,7 +131,7 @@ TEST_F(Fly, RefusesWhatMakesNoSense) {
                                                       {"--out", "f", "--frames", "5..99"},
                                                       {"--out", "f.webm"},
                                                       {"--out", "f.png"},
-                                                      {"--out", "f", "--renderer", "stencil"}};
+                                                      {"--out", "f", "--renderer", "vulkan"}};
     for (const auto& arguments : wrong) EXPECT_EQ(fly(arguments).exit_code, 2);
 }
 

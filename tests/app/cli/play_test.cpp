@@ -12,9 +12,9 @@ using test::Program;
 using ::testing::HasSubstr;
 
 /// Plays for about half a second; the signal is what closing the window is.
-Ended play_for_a_moment(const Program& program, const std::string& driver) {
-    return program.run({"play", "map.toml", "--size", "64x40", "--record", "walk.tape"},
-                       "SDL_VIDEODRIVER=" + driver + " timeout --preserve-status -s INT 0.7");
+Ended play_for_a_moment(const Program& program, const std::string& driver, const std::string& renderer = "column") {
+    return program.run({"play", "map.toml", "--size", "64x40", "--record", "walk.tape", "--renderer", renderer},
+                       "LIBGL_ALWAYS_SOFTWARE=1 SDL_VIDEODRIVER=" + driver + " timeout --preserve-status -s INT 0.7");
 }
 
 TEST(Play, RunsWithoutADisplayWhereTheDriverIsNamed) {
@@ -22,6 +22,15 @@ TEST(Play, RunsWithoutADisplayWhereTheDriverIsNamed) {
         const Program program;
         program.write("map.toml", test::kTwoRooms);
         const Ended ended = play_for_a_moment(program, driver);
+        EXPECT_EQ(ended.exit_code, 0) << driver << ": " << ended.err;
+    }
+}
+
+TEST(Play, RunsByOpenGlWhereTheDriverHasItAndWhereItHasNot) {
+    for (const char* driver : {"offscreen", "dummy"}) {
+        const Program program;
+        program.write("map.toml", test::kTwoRooms);
+        const Ended ended = play_for_a_moment(program, driver, "stencil");
         EXPECT_EQ(ended.exit_code, 0) << driver << ": " << ended.err;
     }
 }

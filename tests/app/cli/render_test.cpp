@@ -103,10 +103,17 @@ TEST_F(Render, NamesTheLineOfAViewOutsideTheMap) {
     EXPECT_FALSE(program_.exists("p"));
 }
 
+TEST_F(Render, DrawsByOpenGlWithoutADisplay) {
+    const Ended ended = render({"--renderer", "stencil", "--out", "a.png", "--ids", "ids.png"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_TRUE(program_.exists("a.png"));
+    EXPECT_TRUE(program_.exists("ids.png"));
+}
+
 TEST_F(Render, RefusesWhatDoesNotExistYet) {
-    const Ended stencil = render({"--renderer", "stencil", "--out", "a.png"});
-    EXPECT_EQ(stencil.exit_code, 2);
-    EXPECT_THAT(stencil.err, HasSubstr("not there yet"));
+    const Ended other = render({"--renderer", "vulkan", "--out", "a.png"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_THAT(other.err, HasSubstr("expected column, stencil or reference"));
     EXPECT_EQ(render({"--accuracy", "fast", "--out", "a.png"}).exit_code, 2);
 }
 
