@@ -6,6 +6,8 @@
 namespace enfilade {
 namespace {
 
+// render/stencil/shaders.cpp says both models once more, in the graphics card's language.
+
 constexpr double kClassicLevels = 32;   ///< COLORMAP's levels from full to black
 constexpr double kClassicLights = 32;   ///< steps of sector light, of two levels each; contrast moves by two
 constexpr double kClassicDepth = 40;    ///< levels won back at 1 m: 1280 map units / 32

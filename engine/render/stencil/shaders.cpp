@@ -83,9 +83,9 @@ uvec4 texel(vec2 tile) {
 }
 
 uint classic_shade(float light, float contrast, float depth) {
-    float towards = contrast < 1.0 ? -1.0 : contrast > 1.0 ? 1.0 : 0.0;
-    float number = clamp(floor(light * 15.0 + 0.5) + towards, 0.0, 15.0);
-    float level = 4.0 * (15.0 - number) - floor(40.0 / max(depth, 0.01));
+    float towards = contrast < 1.0 ? -2.0 : contrast > 1.0 ? 2.0 : 0.0;
+    float number = clamp(floor(light * 32.0) + towards, 0.0, 31.0);
+    float level = 2.0 * (30.0 - number) - min(floor(40.0 / max(depth, 0.01)), 23.0);
     return uint((32.0 - clamp(level, 0.0, 31.0)) * 8.0);
 }
 

@@ -54,6 +54,13 @@ const Texture& texture_of(const Map& map, const TextureSet& textures, SurfaceId 
     return textures[parts[(id - first_wall) % 3]->texture];
 }
 
+/// Just where classic light goes over to its next level.
+bool is_near_band(const Map& map, double depth) {
+    constexpr double kLevels = 40, kNear = 1e-4;  // levels at 1 m; what floats leave of 1 / depth
+    const double level = kLevels / depth;
+    return map.render.light == LightModel::classic && std::fabs(level - std::round(level)) < kNear * level;
+}
+
 bool is_near_edge(double texels) { return std::fabs(texels - std::round(texels)) < kTexelSlack; }
 
 /// A pixel between different surfaces, or beside one.
@@ -165,9 +172,9 @@ Agreement Sight::compare(const View& view, PictureSize size) {
         } else if (id != kRecursionEnd && difference(shown.frame.pixels[i], truth.frame.pixels[i]) > kSameColor) {
             const Texture& texture = texture_of(map_, textures_, id);
             const TexelPosition at = truth.facts.texels[i];
-            const bool near = is_near_edge(static_cast<double>(at.u) * texture.width) ||
-                              is_near_edge(static_cast<double>(at.v) * texture.height) ||
-                              is_hair_aside(view, size, i, shown);
+            const bool near =
+                is_near_band(map_, truth.facts.depths[i]) || is_near_edge(static_cast<double>(at.u) * texture.width) ||
+                is_near_edge(static_cast<double>(at.v) * texture.height) || is_hair_aside(view, size, i, shown);
             ++(near ? result.other_texel : result.wrong_color);
             is_fault |= !near;
         }

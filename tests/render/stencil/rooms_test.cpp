@@ -19,6 +19,17 @@ TEST_P(StencilRooms, LookAsInTheColumnRenderer) {
     RecordProperty("agreement", describe(agreement));
 }
 
+TEST(StencilLight, IsTheColumnRenderersInBothModels) {
+    for (const LightModel model : {LightModel::smooth, LightModel::classic}) {
+        MapFile file = stepped_rooms();
+        file.render.light = model;
+        for (std::size_t i = 0; i < file.sectors.size(); ++i) file.sectors[i].light = double(i) / 16;
+        const Map map = built(file);
+        const TextureSet textures = textures_for(file);
+        expect_agreement(Sight(map, textures).compare_poses(10, {160, 100}, 2));
+    }
+}
+
 std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Plain, StencilRooms, testing::ValuesIn(plain_scenes()), name_of_scene);
