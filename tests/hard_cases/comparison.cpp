@@ -15,11 +15,14 @@ namespace {
 
 constexpr std::size_t kThreads = 2;
 
+SurfaceId first_thing(const Map& map) { return thing_id(map, ThingId(std::size_t{0})); }
+
 std::string text_of(const Map& map, SurfaceId id) {
     if (id == kNothing) return "nothing";
     if (id == kRecursionEnd) return "the end of a chain of links";
     const auto first_wall = static_cast<SurfaceId>(1 + 2 * map.sectors.size());
     if (id < first_wall) return (id % 2 ? "the floor of '" : "the ceiling of '") + map.sectors[(id - 1) / 2].name + "'";
+    if (id >= first_thing(map)) return "thing " + std::to_string(id - first_thing(map));
     const SurfaceId wall = (id - first_wall) / 3;
     const char* const part[] = {"", "upper step of ", "lower step of "};
     char text[200];
@@ -43,8 +46,14 @@ const Texture& texture_of(const Subject& subject, SurfaceId id) {
         const Sector& sector = map.sectors[(id - 1) / 2];
         return subject.textures[(id % 2 ? sector.floor : sector.ceiling).surface.texture];
     }
+    if (id >= first_thing(map)) {
+        // All pictures of a thing at rest are of one size in any map that is drawn here.
+        const SpriteId sprite = map.things[id - first_thing(map)].sprite;
+        return subject.textures[map[sprite].frames.front().views.front()];
+    }
     const Wall& wall = map.walls[(id - first_wall) / 3];
-    const Surface* const parts[] = {&wall.texture, &wall.upper, &wall.lower};
+    const Surface* const parts[] = {wall.kind == WallKind::portal ? &wall.middle : &wall.texture, &wall.upper,
+                                    &wall.lower};
     return subject.textures[parts[(id - first_wall) % 3]->texture];
 }
 
@@ -56,6 +65,14 @@ bool is_on_edge(TexelPosition p, const Texture& texture) {
     };
     return is_near(static_cast<double>(p.u) * texture.width, texture.width) ||
            is_near(static_cast<double>(p.v) * texture.height, texture.height);
+}
+
+/// So near the depth at which classic light steps from one level to the next that rounding may choose either.
+bool is_on_light_step(const Map& map, double depth) {
+    constexpr double kStepDepth = 40;  // levels won back at 1 m: render/shade.h
+    constexpr double kNear = 1e-9;     // [levels]
+    const double level = kStepDepth / depth;
+    return map.render.light == LightModel::classic && std::fabs(level - std::round(level)) < kNear * level;
 }
 
 struct BothPictures {
@@ -72,7 +89,8 @@ void note_pixel(const Subject& subject, const BothPictures& both, std::size_t i,
     result.ambiguous += !is_sure;
     result.wrong += shown != truth && is_sure;
     if (shown == truth && shown != kRecursionEnd && both.column.pixels[i] != both.reference.pixels[i]) {
-        const bool on_edge = is_on_edge(both.reference_facts.texels[i], texture_of(subject, truth));
+        const bool on_edge = is_on_edge(both.reference_facts.texels[i], texture_of(subject, truth)) ||
+                             is_on_light_step(subject.map, both.reference_facts.depths[i]);
         ++(on_edge || !is_sure ? result.other_texel : result.wrong_color);
     }
     if (result.is_faultless() || !result.first_fault.empty()) return;

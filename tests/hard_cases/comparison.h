@@ -16,9 +16,10 @@ struct Comparison {
     std::uint64_t written_twice = 0;  ///< or more often
     std::uint64_t wrong = 0;          ///< shows another surface than the reference, which is sure of its own
     std::uint64_t ambiguous = 0;      ///< the reference is not sure
-    std::uint64_t other_texel = 0;    ///< same surface, another colour, but on a texel's edge, where rounding decides
-    std::uint64_t wrong_color = 0;    ///< same surface, another colour, and no such excuse
-    std::string first_fault;          ///< what and where the first pixel that is wrong is; empty: none
+    std::uint64_t other_texel =
+        0;  ///< same surface, another colour, but on a texel's edge or a step of light: rounding decides
+    std::uint64_t wrong_color = 0;  ///< same surface, another colour, and no such excuse
+    std::string first_fault;        ///< what and where the first pixel that is wrong is; empty: none
 
     bool is_faultless() const { return unwritten == 0 && written_twice == 0 && wrong == 0 && wrong_color == 0; }
     Comparison& operator+=(const Comparison& other);

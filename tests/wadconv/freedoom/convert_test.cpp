@@ -3,32 +3,27 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <set>
 
 #include "formats/map_toml.h"
 #include "map/build.h"
 #include "wadconv/convert.h"
+#include "wadconv/freedoom/wads.h"
 #include "wadconv/map_lumps.h"
 #include "wadconv/parts.h"
 
 namespace enfilade::wadconv {
 namespace {
 
-struct GameCase {
-    const char* file;
-    std::size_t maps;
-};
+using namespace test;
 
 /// One WAD with its maps, read once for all tests of it.
-class FreeDoom : public ::testing::TestWithParam<GameCase> {
+class FreeDoom : public ::testing::TestWithParam<FreeDoomWad> {
 protected:
     void SetUp() override {
-        const std::string path = folder() + "/" + GetParam().file;
+        if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
+        const std::string path = path_of(GetParam());
         Result<Bytes> bytes = read_file(path);
-        if (!bytes.ok() && std::getenv("ENFILADE_REQUIRE_FREEDOOM") == nullptr)
-            GTEST_SKIP() << path
-                         << " is not there; install Debian's packages freedoom and freedm to convert their maps";
         ASSERT_TRUE(bytes.ok()) << bytes.error().text();
         std::vector<Wad> wads;
         wads.push_back(Wad::read(path, std::move(bytes).value()).value());
@@ -36,12 +31,6 @@ protected:
         pictures_.emplace(Pictures::list(*pile_, {}).value());
         for (const std::string& name : map_names(*pile_))
             maps_.push_back(decode_map(find_map(*pile_, name).value()).value());
-    }
-
-    /// Where Debian's packages put the WADs, or what DOOMWADDIR says, as for other Doom engines.
-    static std::string folder() {
-        const char* chosen = std::getenv("DOOMWADDIR");
-        return chosen ? chosen : "/usr/share/games/doom";
     }
 
     std::optional<WadPile> pile_;
@@ -53,7 +42,7 @@ void print_row(const Report& r) {
     std::printf(
         "%-6s %6zu lines %5zu -> %5zu sectors %6zu walls %3zu panels %5zu things;"
         " %4zu converted %3zu repaired %3zu guessed %2zu dropped\n",
-        r.map.c_str(), r.lines, r.sectors, r.parts, r.walls, r.panels, r.placed_things, r.count(Fate::converted),
+        lower(r.map).c_str(), r.lines, r.sectors, r.parts, r.walls, r.panels, r.placed_things, r.count(Fate::converted),
         r.count(Fate::repaired), r.count(Fate::guessed), r.count(Fate::dropped));
 }
 
@@ -149,13 +138,7 @@ TEST_P(FreeDoom, DrawsEveryPicture) {
     EXPECT_TRUE(pictures_->problems().empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Wads, FreeDoom,
-                         ::testing::Values(GameCase{"freedoom1.wad", 36}, GameCase{"freedoom2.wad", 32},
-                                           GameCase{"freedm.wad", 32}),
-                         [](const auto& game) {
-                             const std::string file = game.param.file;
-                             return file.substr(0, file.find('.'));
-                         });
+INSTANTIATE_TEST_SUITE_P(Wads, FreeDoom, freedoom_wads(), name_of);
 
 }  // namespace
 }  // namespace enfilade::wadconv

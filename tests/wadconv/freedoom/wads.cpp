@@ -1,0 +1,42 @@
+#include "wadconv/freedoom/wads.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
+namespace enfilade::test {
+std::string lower(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+std::string path_of(const FreeDoomWad& wad) {
+    const char* chosen = std::getenv("DOOMWADDIR");
+    return std::string(chosen ? chosen : "/usr/share/games/doom") + "/" + wad.name + ".wad";
+}
+
+bool is_missing(const FreeDoomWad& wad) {
+    return !std::filesystem::exists(path_of(wad)) && std::getenv("ENFILADE_REQUIRE_FREEDOOM") == nullptr;
+}
+
+bool is_long_run() { return std::getenv("ENFILADE_LONG") != nullptr; }
+
+ConvertedWad::ConvertedWad(const FreeDoomWad& wad, Doors doors, std::vector<std::string> only) {
+    wadconv::RunOptions options;
+    options.wads = {path_of(wad)};
+    options.out = dir_.path();
+    options.jobs = 2;
+    options.maps = std::move(only);
+    options.convert.open_doors = doors == Doors::open;
+    const auto run = wadconv::convert_wads(options, [](std::size_t, std::size_t) {});
+    if (!run) {
+        error_ = run.error().text();
+        return;
+    }
+    for (const wadconv::Report& report : run.value().reports) maps_.push_back(lower(report.map));
+}
+
+LoadedMap ConvertedWad::load(const std::string& map) const { return load_map(dir_.path(map + ".toml"), {}, read_file); }
+
+}  // namespace enfilade::test

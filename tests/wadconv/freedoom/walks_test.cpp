@@ -1,0 +1,78 @@
+// Walks through FreeDoom: from each player's start over all that can be reached, never out of the world, never stuck.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "space/locate.h"
+#include "wadconv/freedoom/explorer.h"
+#include "wadconv/freedoom/wads.h"
+#include "world/step.h"
+
+namespace enfilade::test {
+namespace {
+
+constexpr int kTicks = 20000;
+/// Who does not move by kMinMove in so many ticks, a quarter of them spent on going in random directions, is stuck.
+constexpr int kStuckTicks = 1500;
+constexpr double kMinMove = 0.125;  ///< [m]
+
+class FreeDoomWalks : public ::testing::TestWithParam<FreeDoomWad> {};
+
+/// Notices who stays in one place.
+class StuckWatch {
+public:
+    /// True where the body has not moved for too long.
+    bool is_stuck(const Player& player) {
+        const Vec2 moved = player.place.point - anchor_;
+        if (dot(moved, moved) > kMinMove * kMinMove) {
+            anchor_ = player.place.point;
+            still_ = 0;
+        }
+        return ++still_ > kStuckTicks;
+    }
+
+private:
+    Vec2 anchor_;
+    int still_ = 0;
+};
+
+void print_row(const std::string& name, const Map& map, const Explorer& explorer) {
+    const std::vector<bool> reachable = walkable_from(map, map.player->sector);
+    const auto seen = explorer.visited_count();
+    std::printf("%-6s %5zu of %5zu sectors that steps lead to, %5zu in all: %s\n", name.c_str(), seen,
+                static_cast<std::size_t>(std::ranges::count(reachable, true)), map.sectors.size(),
+                ranges_text(explorer.visited()).c_str());
+}
+
+void walk(const std::string& name, const Map& map) {
+    std::optional<World> world = start_of(map);
+    ASSERT_TRUE(world) << name << " has no start";
+    Explorer explorer(map, 1);
+    StuckWatch watch;
+    for (int tick = 0; tick < kTicks; ++tick) {
+        step(map, *world, explorer.next(*world));
+        const Place& place = world->player.place;
+        ASSERT_TRUE(contains(map, place.sector, place.point)) << name << ", tick " << tick;
+        ASSERT_FALSE(watch.is_stuck(world->player))
+            << name << ", tick " << tick << ": in sector " << map[place.sector].name << " at " << place.point.x << ", "
+            << place.point.y;
+    }
+    print_row(name, map, explorer);
+}
+
+TEST_P(FreeDoomWalks, LeadThroughEveryMap) {
+    if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
+    const ConvertedWad wad(GetParam(), Doors::open);
+    ASSERT_EQ(wad.maps().size(), GetParam().maps) << wad.error();
+    for (const std::string& name : wad.maps()) {
+        const LoadedMap loaded = wad.load(name);
+        ASSERT_TRUE(loaded.map) << name;
+        walk(name, *loaded.map);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Wads, FreeDoomWalks, freedoom_wads(), name_of);
+
+}  // namespace
+}  // namespace enfilade::test
