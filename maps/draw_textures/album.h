@@ -16,6 +16,15 @@ public:
         save_png(paint(width, height, painter), folder_ + "/" + name + ".png", true);
     }
 
+    // A texel is there or it is not: what is seen of a thing's outline does not mix with what is behind.
+    void add_cutout(const std::string& name, int width, int height, const Painter& painter) const {
+        Picture picture = paint(width, height, painter);
+        for (Surface& texel : picture.texels) {
+            texel.alpha = texel.alpha < 0.5 ? 0 : 1;
+        }
+        save_png(picture, folder_ + "/" + name + ".png", true);
+    }
+
 private:
     std::string folder_;
 };
@@ -28,5 +37,6 @@ void draw_salon(const Album&);    // the walls and ceilings of a palace
 void draw_trim(const Album&);     // columns, steps, ledges, metal, and what one can look through
 void draw_nature(const Album&);   // rock, earth, water, leaves
 void draw_sky(const Album&);
+void draw_furniture(const Album&);  // what stands in the rooms
 
 }  // namespace draw_textures

@@ -19,6 +19,7 @@ int main(int count, char** arguments) {
         draw_textures::draw_trim(album);
         draw_textures::draw_nature(album);
         draw_textures::draw_sky(album);
+        draw_textures::draw_furniture(album);
     } catch (const std::exception& problem) {
         std::fprintf(stderr, "draw_textures: %s\n", problem.what());
         return 1;

@@ -113,7 +113,9 @@ std::unique_ptr<StencilRenderer> software_stencil(GlApi api) {
 }
 
 Sight::Sight(const Map& map, const TextureSet& textures, GlApi api)
-    : map_(map), textures_(textures), snapshot_(at_rest(map)), stencil_(software_stencil(api)) {}
+    : map_(map), textures_(textures), snapshot_(at_rest(map)), stencil_(software_stencil(api)) {
+    snapshot_.things = {};  // the stencil renderer shows rooms only, so rooms are what is compared
+}
 
 namespace {
 Picture blank(PictureSize size) {
