@@ -49,15 +49,6 @@ Result<std::vector<std::string>> choose_maps(const WadPile& pile, const std::vec
     return chosen;
 }
 
-/// Every frame of every thing that stands idle.
-std::vector<std::string> idle_frames() {
-    std::vector<std::string> frames;
-    for (const ThingType& type : thing_types())
-        for (std::string_view rest = type.frames; !rest.empty();)
-            frames.push_back(std::string(type.sprite) + take_frame(rest).letter);
-    return frames;
-}
-
 /// What keeps the converted map from loading, or nothing.
 std::string first_error(const MapFile& file, const TextureSet& sizes) {
     Findings findings;

@@ -45,9 +45,10 @@ void hang_textures(Workbench& bench, const Opening& o, WallRecord& wall) {
     if (!o.has_two_skies()) wall.upper = texture_spec(bench, o.side.upper, o.side, o.edge.line);
     wall.lower = texture_spec(bench, o.side.lower, o.side, o.edge.line);
     wall.middle = texture_spec(bench, o.side.middle, o.side, o.edge.line);
-    wall.upper_peg = flags & kUpperUnpegged ? Peg::ceiling : Peg::opening_top;
-    wall.lower_peg = flags & kLowerUnpegged ? Peg::ceiling : Peg::opening_bottom;
-    wall.middle_peg = flags & kLowerUnpegged ? Peg::opening_bottom : Peg::opening_top;
+    // Where nothing hangs the pegs stay as they are by default, so that maps stay small.
+    if (wall.upper && flags & kUpperUnpegged) wall.upper_peg = Peg::ceiling;
+    if (wall.lower && flags & kLowerUnpegged) wall.lower_peg = Peg::ceiling;
+    if (wall.middle && flags & kLowerUnpegged) wall.middle_peg = Peg::opening_bottom;
     // Between two skies Doom hangs an unpegged step from the ceiling beyond; a map unit is a texel.
     if (wall.lower && wall.lower_peg == Peg::ceiling && o.has_two_skies())
         wall.lower->offset_tx.y += o.here.ceiling - o.beyond.ceiling;

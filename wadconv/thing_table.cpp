@@ -145,6 +145,14 @@ const ThingType* find_thing_type(int number) {
     return found == kTypes.end() || found->number != number ? nullptr : &*found;
 }
 
+std::vector<std::string> idle_frames() {
+    std::vector<std::string> frames;
+    for (const ThingType& type : thing_types())
+        for (std::string_view rest = type.frames; !rest.empty();)
+            frames.push_back(std::string(type.sprite) + take_frame(rest).letter);
+    return frames;
+}
+
 IdleFrame take_frame(std::string_view& frames) {
     IdleFrame frame{0, 0, false};
     while (!frames.empty() && frames.front() == ' ') frames.remove_prefix(1);

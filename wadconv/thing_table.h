@@ -4,7 +4,9 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace enfilade::wadconv {
 
@@ -36,6 +38,9 @@ std::span<const ThingType> thing_types();
 
 /// The type of that number, or null.
 const ThingType* find_thing_type(int number);
+
+/// Every frame of every thing that stands idle, as "POSSA"; some several times.
+std::vector<std::string> idle_frames();
 
 /// Takes the first frame off a text of frames; a text that is none gives letter 0.
 IdleFrame take_frame(std::string_view& frames);

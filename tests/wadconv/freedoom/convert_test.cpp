@@ -11,6 +11,7 @@
 #include "wadconv/freedoom/wads.h"
 #include "wadconv/map_lumps.h"
 #include "wadconv/parts.h"
+#include "wadconv/thing_table.h"
 
 namespace enfilade::wadconv {
 namespace {
@@ -28,7 +29,7 @@ protected:
         std::vector<Wad> wads;
         wads.push_back(Wad::read(path, std::move(bytes).value()).value());
         pile_.emplace(std::move(wads));
-        pictures_.emplace(Pictures::list(*pile_, {}).value());
+        pictures_.emplace(Pictures::list(*pile_, idle_frames()).value());
         for (const std::string& name : map_names(*pile_))
             maps_.push_back(decode_map(find_map(*pile_, name).value()).value());
     }
