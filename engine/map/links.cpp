@@ -55,8 +55,9 @@ Rigid reflect(const Wall& w) {
     return m;
 }
 
-std::uint32_t add(Map& map, Rigid m) {
+std::uint32_t add(Map& map, const Rigid& m, const GridMap& on_grid) {
     map.links.push_back(m);
+    map.grid_links.push_back(on_grid);
     return static_cast<std::uint32_t>(map.links.size() - 1);
 }
 
@@ -118,7 +119,8 @@ void link_portal(Draft& draft, WallId id) {
     check_opening(draft, id, rise);
     // The way back is the inverse of the way there, never derived again: going and coming must cancel.
     const bool is_way_back = is_two_way(draft, id) && exit.link != Wall::kNoLink;
-    wall.link = add(draft.map, is_way_back ? inverse(draft.map.links[exit.link]) : carry(wall, exit, rise));
+    const Rigid m = is_way_back ? inverse(draft.map.links[exit.link]) : carry(wall, exit, rise);
+    wall.link = add(draft.map, m, GridMap(m, middle(wall), middle(exit)));
 }
 
 }  // namespace
@@ -126,7 +128,7 @@ void link_portal(Draft& draft, WallId id) {
 void link_walls(Draft& draft) {
     for (std::size_t i = 0; i < draft.map.walls.size(); ++i) {
         Wall& wall = draft.map.walls[i];
-        if (wall.kind == WallKind::mirror && wall.a != wall.b) wall.link = add(draft.map, reflect(wall));
+        if (wall.kind == WallKind::mirror && wall.a != wall.b) wall.link = add(draft.map, reflect(wall), {});
         if (wall.kind == WallKind::portal && wall.exit && !draft.walls[i].record->via.empty())
             link_portal(draft, WallId(i));
     }

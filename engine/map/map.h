@@ -12,6 +12,7 @@
 #include "base/id.h"
 #include "formats/map_file.h"
 #include "math/angle.h"
+#include "math/grid_map.h"
 #include "math/rigid.h"
 #include "math/vec.h"
 
@@ -116,7 +117,8 @@ struct Map {
     std::string name;
     std::vector<Sector> sectors;
     std::vector<Wall> walls;
-    std::vector<Rigid> links;  ///< what each linked portal or mirror does to what passes or is seen through it
+    std::vector<Rigid> links;         ///< what each linked portal or mirror does to what is seen through it
+    std::vector<GridMap> grid_links;  ///< portals: the same for what moves through it; index as in links
     std::vector<Thing> things;
     std::vector<Sprite> sprites;
     std::vector<ThingId> solid_things;  ///< by sector, each sector's in the order of their numbers
@@ -130,6 +132,11 @@ struct Map {
     const Sprite& operator[](SpriteId id) const { return sprites[id.index]; }
     /// The link's transform, or the identity.
     Rigid passage(const Wall& wall) const { return wall.link == Wall::kNoLink ? Rigid{} : links[wall.link]; }
+    /// Where a point on the point grid comes to lie behind the portal: on the grid, and carried back exactly by the
+    /// way back.
+    Vec2 carried(const Wall& portal, Vec2 point) const {
+        return portal.link == Wall::kNoLink ? point : grid_links[portal.link].apply(point);
+    }
 };
 
 }  // namespace enfilade

@@ -89,4 +89,14 @@ Angle angle_of(Vec2 v) {
     return {static_cast<std::uint32_t>(static_cast<std::uint64_t>(turn_of(v) * 4294967296.0 + 0.5))};
 }
 
+std::uint64_t fine_turn_of(Vec2 unit) {
+    if (unit.y < 0) return 0 - fine_turn_of({unit.x, -unit.y});
+    constexpr double kStepsPerRadian = 0x1p63 / std::numbers::pi;
+    const Angle nearest = angle_of(unit);
+    const Vec2 d = direction(nearest);
+    const double sine_of_rest = unit.y * d.x - unit.x * d.y;  // below 1e-9: as good as the angle itself
+    const auto rest = static_cast<std::int64_t>(sine_of_rest * kStepsPerRadian);
+    return (std::uint64_t{nearest.steps} << 32) + static_cast<std::uint64_t>(rest);
+}
+
 }  // namespace enfilade

@@ -51,13 +51,12 @@ std::optional<Vec2> point_behind(const Map& map, WallId id, Vec2 p) {
 }
 
 std::optional<Leg> carried_leg(const Map& map, const Leg& leg, const Wall& portal) {
-    const Rigid link = map.passage(portal);
     const Wall& exit = map[portal.exit];
-    const Vec2 from = snap_to_point_grid(link.apply(leg.from)), to = snap_to_point_grid(link.apply(leg.to));
+    const Vec2 from = map.carried(portal, leg.from), to = map.carried(portal, leg.to);
     if (comes_in_through(exit, from, to)) return Leg{portal.behind, from, to, portal.exit};
 
     const Vec2 crossing = leg.from + (leg.to - leg.from) * fraction_at(leg, portal);
-    const auto start = point_behind(map, portal.exit, link.apply(crossing));
+    const auto start = point_behind(map, portal.exit, map.passage(portal).apply(crossing));
     const auto end = put_on_side(exit, to, 1);
     if (!start || !end) return {};
     return Leg{portal.behind, *start, *end, {}};

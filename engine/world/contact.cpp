@@ -22,8 +22,8 @@ std::optional<Contact> contact_with_face(const Wall& wall, const Stretch& stretc
     const double gap = exact_cross(wall.a, wall.b, way.from) / wall.length - way.radius;
     const double fraction = std::max(0.0, gap / approach);
     if (fraction > 1) return {};
-    const Vec2 foot = way.from + way.move * fraction;
-    if (dot(foot - stretch.a, along) < 0 || dot(foot - stretch.b, along) > 0) return {};
+    const Vec2 moved = way.move * fraction;
+    if (dot(way.from - stretch.a + moved, along) < 0 || dot(way.from - stretch.b + moved, along) > 0) return {};
     return Contact{fraction, normal};
 }
 
@@ -36,7 +36,7 @@ std::optional<Contact> contact_with_end(Vec2 end, const Way& way) {
     const double beside_squared = dot(to_end, to_end) - ahead * ahead;
     const double depth_squared = std::max(0.0, way.radius * way.radius - beside_squared);
     const double fraction = std::clamp((ahead - std::sqrt(depth_squared)) / length, 0.0, 1.0);
-    const Vec2 from_end = way.from + way.move * fraction - end;
+    const Vec2 from_end = way.move * fraction - to_end;
     return Contact{fraction, from_end * (1 / std::sqrt(dot(from_end, from_end)))};
 }
 

@@ -19,6 +19,8 @@ struct Player {
     double eye_lag = 0;               ///< how far the eye is still above where it goes, after a step [m]
     double eye_z = 0;                 ///< above the map's zero [m]; below every ceiling over the body
     Angle yaw;
+    std::uint32_t yaw_rest =
+        0;  ///< what links turned it beyond whole steps of yaw, so that nothing adds up [2^-64 turn]
     std::int32_t pitch_steps = 0;  ///< up positive, within ±kMaxPitchSteps [2^-32 turn]
     bool on_ground = true;
 

@@ -59,12 +59,18 @@ void speed_up(Player& player, Vec2 wish) {
     if (is_slow && wish == Vec2{}) player.velocity = {};
 }
 
+void turn_by(Player& player, std::uint64_t fine_turn) {
+    const std::uint64_t yaw = (std::uint64_t{player.yaw.steps} << 32 | player.yaw_rest) + fine_turn;
+    player.yaw.steps = static_cast<std::uint32_t>(yaw >> 32);
+    player.yaw_rest = static_cast<std::uint32_t>(yaw);
+}
+
 /// Everything the player has is carried into the space where the walk ended.
 void arrive(Player& player, const Walk& walk) {
     player.place = walk.end;
     player.velocity = walk.velocity;
     player.feet_z += walk.passage.rise;
-    player.yaw = player.yaw + angle_of({walk.passage.c, walk.passage.s});
+    turn_by(player, fine_turn_of({walk.passage.c, walk.passage.s}));
 }
 
 /// Up a step at once, down a step at once, deeper under gravity; the eye follows.

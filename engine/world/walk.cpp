@@ -88,7 +88,7 @@ private:
     /// False where the way is over: all of it gone, or no part of it possible.
     bool go_to_next_touch() {
         const Vec2 from = body_.place.point;
-        const Vec2 target = round_outward(from + move_, normals_.sum());
+        const Vec2 target = from + round_outward(move_, normals_.sum());
         if (target == from) return false;
         const double way = length(target - from);
         const auto touch = nearer_of(first_contact(map_, within(way), target, body_.radius),
@@ -99,7 +99,7 @@ private:
         // Nearer than a grid step is touching already.
         Rigid turned;
         const bool moves = touch->fraction * way >= kPointGrid &&
-                           advance(round_outward(from + (target - from) * touch->fraction, touch->normal), &turned);
+                           advance(from + round_outward((target - from) * touch->fraction, touch->normal), &turned);
         const Vec2 normal = turned.turn(touch->normal);
         if (moves) normals_.clear();
         normals_.add(normal);
@@ -141,7 +141,7 @@ private:
         if (advance(target, &turned)) return false;
         for (double part : kPartsOfWay) {
             const Vec2 from = body_.place.point;
-            if (!advance(round_outward(from + (target - from) * part, normals_.sum()), &turned)) continue;
+            if (!advance(from + round_outward((target - from) * part, normals_.sum()), &turned)) continue;
             move_ = move_ * (1 - part);
             return true;
         }
@@ -153,7 +153,7 @@ private:
     bool advance(Vec2 target, Rigid* turned) {
         Vec2 off;
         for (double steps : kStepsOff) {
-            const Vec2 p = round_outward(target + off * (steps * kPointGrid), off);
+            const Vec2 p = target + round_outward(off * (steps * kPointGrid), off);
             if (p == body_.place.point) return false;
             const Trace way = trace(map_, body_.place, p, [this](WallId w, const Rigid& r) { return may_pass(w, r); });
             if (way.stopped) return false;

@@ -22,6 +22,7 @@ void each_value(const World& a, const World& b, Visit visit) {
     visit("player.eye_lag", p.eye_lag, q.eye_lag);
     visit("player.eye_z", p.eye_z, q.eye_z);
     visit("player.yaw", p.yaw.steps, q.yaw.steps);
+    visit("player.yaw_rest", p.yaw_rest, q.yaw_rest);
     visit("player.pitch", p.pitch_steps, q.pitch_steps);
     visit("player.on_ground", p.on_ground, q.on_ground);
 }
