@@ -10,7 +10,7 @@ namespace enfilade::test {
 namespace {
 
 constexpr int kPoses = 100;                              ///< of each kind and map
-constexpr PictureSize kSmall{40, 25}, kLarge{320, 200};  ///< in CI, and where there is time
+constexpr PictureSize kSmall{40, 25}, kLarge{160, 100};  ///< in CI, and where there is time
 
 class FreeDoomViews : public ::testing::TestWithParam<FreeDoomWad> {};
 
