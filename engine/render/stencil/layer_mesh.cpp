@@ -25,9 +25,7 @@ public:
             if (exit.layer == Exit::kCut) add_opening(exit, true);
         out_.surfaces = {begin, mesh_.index_count()};
         for (const Exit& exit : layer_.exits) out_.exits.push_back(added([&] { add_opening(exit, false); }));
-        for (const WallOnScreen& place : panes_) add_pane(place);
-        std::stable_sort(out_.panes.begin(), out_.panes.end(),
-                         [](const Pane& a, const Pane& b) { return a.nearest < b.nearest; });
+        for (auto pane = layer_.panes.rbegin(); pane != layer_.panes.rend(); ++pane) add(*pane);
     }
 
 private:
@@ -75,7 +73,6 @@ private:
         if (wall.kind == WallKind::solid)
             return add_strip(place, room.floor, room.ceiling, wall_look(scene_, seen, wall.texture, WallPart::middle));
         add_steps(seen, wall);
-        if (wall.middle.texture) panes_.push_back(place);
     }
 
     void add_steps(const SeenWall& seen, const Wall& wall) {
@@ -104,19 +101,24 @@ private:
         const double hung = peg_height(seen.parts, surface.peg) + (stands ? surface.tile_m.y : 0);
         const double top = hung - surface.offset_tiles.y * surface.tile_m.y, bottom = top - surface.tile_m.y;
         const Heights opening = seen.parts.opening;
-        const Look look = wall_look(scene_, seen, surface, WallPart::middle, hung);
-        const Range range =
-            added([&] { add_strip(place, std::max(bottom, opening.floor), std::min(top, opening.ceiling), look); });
-        const auto inverse_at = [&](double px) { return place.inverse_depth(scene_.screen.slope_at(px)); };
-        if (!range.is_empty())
-            out_.panes.push_back({range, std::max(inverse_at(place.begin_px), inverse_at(place.end_px))});
+        const Look look = pane_look(scene_, seen, top);
+        add_strip(place, std::max(bottom, opening.floor), std::min(top, opening.ceiling), look);
+    }
+
+    void add(const Pane& pane) {
+        const Range range = added([&] {
+            if (const auto* thing = std::get_if<ThingOnScreen>(&pane))
+                add_strip(thing->place, thing->floor, thing->ceiling, thing_look(scene_, *thing));
+            else if (WallOnScreen place = std::get<WallOnScreen>(pane); fit_to_layer(place))
+                add_pane(place);
+        });
+        if (!range.is_empty()) out_.panes.push_back(range);
     }
 
     Mesh& mesh_;
     const Scene& scene_;
     const Layer& layer_;
     LayerRanges& out_;
-    std::vector<WallOnScreen> panes_;
 };
 
 }  // namespace

@@ -6,17 +6,11 @@
 
 namespace enfilade::stencil {
 
-/// A picture with holes in a portal. Panes of a layer are drawn after everything behind them.
-struct Pane {
-    Range range;
-    double nearest = 0;  ///< largest inverse depth [1/m]
-};
-
 /// Where one layer's polygons are in the mesh.
 struct LayerRanges {
     Range surfaces;            ///< what hides everything behind it
     std::vector<Range> exits;  ///< by Layer::exits: the portal's opening
-    std::vector<Pane> panes;   ///< farthest first
+    std::vector<Range> panes;  ///< farthest first
 };
 
 /// Adds the polygons of all layers to the mesh. Cost: the walls of the layers' sectors.

@@ -146,17 +146,16 @@ void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRa
     glUseProgram(surfaces_.program.id());
     set_normal(surfaces_.normal, job, layer.eye);
     glDepthFunc(GL_GEQUAL);
+    glDepthMask(GL_FALSE);
     if (job.with_facts) {
         job.target.write_facts();
-        glDepthMask(GL_FALSE);
         glUniform1ui(surfaces_.least_alpha, kSolidAlpha);
-        for (const Pane& pane : ranges.panes) draw(pane.range);
+        for (const Range& pane : ranges.panes) draw(pane);
     }
     job.target.write_color();
-    glDepthMask(GL_TRUE);
     glUniform1ui(surfaces_.least_alpha, 1);
     glEnable(GL_BLEND);
-    for (const Pane& pane : ranges.panes) draw(pane.range);
+    for (const Range& pane : ranges.panes) draw(pane);
     glDisable(GL_BLEND);
 }
 

@@ -11,7 +11,7 @@
 namespace enfilade::stencil {
 
 /// How a polygon's pixels are painted; numbers known to the shader.
-enum class Paint : std::uint32_t { wall, flat, sky, color };
+enum class Paint : std::uint32_t { wall, flat, sky, color, picture };
 
 /// What a polygon shows. `t` is a pixel's column counted from from_px.
 struct Look {

@@ -23,7 +23,8 @@ constexpr double kTie = 1e-9;
 /// Past a plain doorway nothing is transformed; a sector seen through one chain of them.
 struct Visit {
     SectorId sector;
-    WallId entry;  ///< none for the eye's own sector
+    WallId entry;          ///< none for the eye's own sector
+    WallOnScreen doorway;  ///< the portal looked through, from its other side; where there is an entry
     Window window;
 };
 
@@ -35,8 +36,9 @@ int first_at(double px, int least, int most) {
 
 class Planner {
 public:
-    Planner(const Map& map, const MapFacts& facts, const Snapshot& snapshot, const Screen& screen)
-        : map_(map), facts_(facts), snapshot_(snapshot), screen_(screen) {}
+    Planner(const Map& map, const MapFacts& facts, const TextureSet& textures, const Snapshot& snapshot,
+            const Screen& screen)
+        : map_(map), facts_(facts), textures_(textures), snapshot_(snapshot), screen_(screen) {}
 
     Plan plan(const View& view) {
         start(view);
@@ -51,8 +53,8 @@ public:
 private:
     void start(const View& view) {
         Window all{0, std::vector<OpenRows>(static_cast<std::size_t>(screen_.width), OpenRows{0, screen_.height})};
-        plan_.layers.push_back({eye_of(view), {}, 0, 0, 0, box_around(all), {}, {}});
-        first_visits_.push_back({view.sector, {}, std::move(all)});
+        plan_.layers.push_back({eye_of(view), {}, 0, 0, 0, box_around(all), {}, {}, {}});
+        first_visits_.push_back({view.sector, {}, {}, std::move(all)});
     }
 
     /// Finds the layer's sectors and, in exit_windows_, its exits.
@@ -71,6 +73,7 @@ private:
         note_sector(layer, visit);
         find_walls(layer, visit);
         find_nearest(visit);
+        note_things(layer, visit);
         for (const WallOnScreen& wall : walls_)
             if (map_[wall.wall].kind != WallKind::solid) look_through(layer, visit, wall);
     }
@@ -112,6 +115,53 @@ private:
         }
     }
 
+    /// The things of the visit's sector, the nearest first; of those equally deep the first of them.
+    void note_things(Layer& layer, const Visit& visit) {
+        const auto presences = snapshot_.things.in(visit.sector);
+        if (presences.empty()) return;
+        const SectorSnapshot& room = snapshot_[visit.sector];
+        things_.clear();
+        for (const Presence& presence : presences)
+            if (const auto thing = on_screen(map_, textures_, snapshot_, presence, layer.eye, screen_,
+                                             room.floor_z - layer.eye.z, room.ceiling_z - layer.eye.z))
+                things_.push_back(*thing);
+        std::stable_sort(things_.begin(), things_.end(), [](const ThingOnScreen& a, const ThingOnScreen& b) {
+            return depth_steps(a.depth) < depth_steps(b.depth);
+        });
+        for (ThingOnScreen& thing : things_)
+            note_runs(
+                thing.place, visit.window, [&](int x) { return is_met(visit, x, thing.depth); },
+                [&] { layer.panes.push_back(thing); });
+    }
+
+    /// Narrows `place` to one run of the window's columns that are shown after another, and notes each.
+    template <class IsShown, class Note>
+    static void note_runs(WallOnScreen& place, const Window& window, IsShown is_shown, Note note) {
+        const double begin_px = place.begin_px, end_px = place.end_px;
+        const int first = std::max(static_cast<int>(std::floor(begin_px)), window.begin);
+        const int last = std::min(static_cast<int>(std::ceil(end_px)), window.end());
+        for (int x = first, begin = first; x <= last; ++x) {
+            if (x < last && is_shown(x)) continue;
+            place.begin_px = std::max(static_cast<double>(begin), begin_px);
+            place.end_px = std::min(static_cast<double>(x), end_px);
+            if (begin < x) note();
+            begin = x + 1;
+        }
+    }
+
+    /// The picture that hangs in a portal, where one looks through.
+    static void note_pane(Layer& layer, WallOnScreen portal, const Window& beyond) {
+        note_runs(
+            portal, beyond, [&](int x) { return !beyond.at(x).is_closed(); }, [&] { layer.panes.push_back(portal); });
+    }
+
+    bool is_met(const Visit& visit, int x, double depth) const {
+        const double slope = screen_.slope_at(x + 0.5);
+        const double entry = visit.entry ? 1 / visit.doorway.inverse_depth(slope) : 0;
+        return !visit.window.at(x).is_closed() &&
+               is_met_between(depth, entry, 1 / nearest_[static_cast<std::size_t>(x - visit.window.begin)]);
+    }
+
     void look_through(Layer& layer, const Visit& visit, const WallOnScreen& wall) {
         const Wall& portal = map_[wall.wall];
         const Heights opening = parts_of(map_, snapshot_, portal, layer.eye.z).opening;
@@ -119,9 +169,10 @@ private:
         Window beyond;
         const double nearest = open_columns(visit, wall, opening, beyond);
         if (beyond.rows.empty()) return;
+        if (portal.middle.texture) note_pane(layer, wall, beyond);
         if (leads_out(portal)) return note_exit(wall, nearest, beyond);
         if (plan_.visits + visits_.size() < kMostVisits)
-            visits_.push_back({portal.behind, portal.exit, std::move(beyond)});
+            visits_.push_back({portal.behind, portal.exit, wall, std::move(beyond)});
     }
 
     /// A portal behind which a new layer begins.
@@ -199,14 +250,16 @@ private:
                     parent.level + 1,
                     box_around(seen.window),
                     {},
+                    {},
                     {}};
         plan_.deepest = std::max(plan_.deepest, child.level);
         plan_.layers.push_back(std::move(child));
-        first_visits_.push_back({portal.behind, portal.exit, std::move(seen.window)});
+        first_visits_.push_back({portal.behind, portal.exit, seen.exit.wall, std::move(seen.window)});
     }
 
     const Map& map_;
     const MapFacts& facts_;
+    const TextureSet& textures_;
     const Snapshot& snapshot_;
     const Screen& screen_;
     Plan plan_;
@@ -214,6 +267,7 @@ private:
     // The layer and the visit being looked into.
     std::vector<Visit> visits_;
     std::vector<WallOnScreen> walls_;
+    std::vector<ThingOnScreen> things_;
     std::vector<double> nearest_;
     std::vector<ExitWindow> exit_windows_;
 };
@@ -262,9 +316,9 @@ WallParts parts_of(const Map& map, const Snapshot& snapshot, const Wall& wall, d
     return parts;
 }
 
-Plan make_plan(const Map& map, const MapFacts& facts, const Snapshot& snapshot, const Screen& screen,
-               const View& view) {
-    return Planner(map, facts, snapshot, screen).plan(view);
+Plan make_plan(const Map& map, const MapFacts& facts, const TextureSet& textures, const Snapshot& snapshot,
+               const Screen& screen, const View& view) {
+    return Planner(map, facts, textures, snapshot, screen).plan(view);
 }
 
 }  // namespace enfilade::stencil

@@ -5,9 +5,11 @@
 // whatever lies behind a link, a mirror or a doorway into an overlapping room is a layer of its own.
 #pragma once
 #include <cstdint>
+#include <variant>
 #include <vector>
 
-#include "render/stencil/wall_on_screen.h"
+#include "map/textures.h"
+#include "render/stencil/thing_on_screen.h"
 #include "world/snapshot.h"
 
 namespace enfilade::stencil {
@@ -66,6 +68,9 @@ struct Exit {
     std::size_t layer = kCut;  ///< what is seen through it; kCut: a limit is reached, the recursion colour shows
 };
 
+/// A picture with holes, in the columns where one chain of portals shows it: a thing, or what hangs in a portal.
+using Pane = std::variant<ThingOnScreen, WallOnScreen>;
+
 struct Layer {
     Eye eye;
     WallId entry;  ///< the wall of this space through which one looks in; none for the first layer
@@ -74,6 +79,7 @@ struct Layer {
     Box box;        ///< no pixel of the layer is outside
     std::vector<SeenSector> sectors;
     std::vector<Exit> exits;  ///< nearest first
+    std::vector<Pane> panes;  ///< along every ray the nearer before the farther
 };
 
 /// The stencil buffer holds 8 bits, so this is the deepest level there can be.
@@ -94,6 +100,7 @@ struct Plan {
 
 /// Follows the view through all doorways, links and mirrors as long as a pixel may be open. A little more than what is
 /// seen may be in the plan, never less. Cost: for each sector looked into its walls, and the columns it is seen in.
-Plan make_plan(const Map& map, const MapFacts& facts, const Snapshot& snapshot, const Screen& screen, const View& view);
+Plan make_plan(const Map& map, const MapFacts& facts, const TextureSet& textures, const Snapshot& snapshot,
+               const Screen& screen, const View& view);
 
 }  // namespace enfilade::stencil

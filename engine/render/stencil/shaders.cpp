@@ -67,7 +67,8 @@ uniform int is_classic;
 uniform uint least_alpha;
 uniform usampler2D texels;
 
-const uint kWall = 0u, kFlat = 1u, kSky = 2u;
+const uint kWall = 0u, kFlat = 1u, kSky = 2u, kPicture = 4u;
+const float kBelowOne = 0.99999994;
 const uint kInfinity = 0x7F800000u;
 
 float part(float x) {
@@ -107,9 +108,10 @@ void main() {
     uint shade = 256u;
     vec2 tile = vec2(0.0);
     uvec4 color;
-    if (paint == kWall) {
-        float along = clamp((a.x + a.y * column()) / max(span(column()), 1e-30), 0.0, 1.0);
-        tile = vec2(part(along * a.z - a.w), part(b.x - climb * met * b.y));
+    if (paint == kWall || paint == kPicture) {
+        float along = clamp((a.x + a.y * column()) / max(span(column()), 1e-30), 0.0, kBelowOne);
+        float v = b.x - climb * met * b.y;
+        tile = vec2(part(along * a.z - a.w), part(paint == kWall ? v : max(v, 0.0)));  // nothing is above a picture
         shade = shade_at(depth);
         color = texel(tile);
     } else if (paint == kFlat) {

@@ -85,7 +85,7 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
     if (Status failed = objects->store.hold(textures)) return failed;
     if (Status failed = objects->target.prepare(frame.width, frame.height, with_facts)) return failed;
     const Screen screen(Projection(view, frame.width, frame.height));
-    const Plan plan = make_plan(map, facts, snapshot, screen, view);
+    const Plan plan = make_plan(map, facts, textures, snapshot, screen, view);
     const Scene scene{map, textures, snapshot, objects->store, screen};
     mesh.clear();
     const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);

@@ -7,6 +7,9 @@
 namespace enfilade::stencil {
 namespace {
 
+/// What hangs in a portal is before the portal's own depth by more than the roundings of both [1].
+constexpr float kBeforePortal = 1 - 0x1p-20f;
+
 float f(double x) { return static_cast<float>(x); }
 
 /// A function that is linear in the slope, as value at look.from_px and change per column.
@@ -27,9 +30,20 @@ void set_picture(Look& look, const Scene& scene, TextureId texture, SurfaceId id
     look.height = picture.height;
 }
 
-void set_light(Look& look, const Scene& scene, SectorId sector, double contrast) {
-    look.light = f(std::clamp(scene.snapshot[sector].light, 0.0, 1.0));
+void set_light(Look& look, double light, double contrast) {
+    look.light = f(std::clamp(light, 0.0, 1.0));
     look.contrast = f(contrast);
+}
+
+/// Where along the wall from its a, in tiles: e_L / span, or -e_R / span where a is the right end.
+void set_along(Look& look, const Scene& scene, const WallOnScreen& place, double tiles, double offset) {
+    const Vec2 a_v = place.swapped ? place.right_v : place.left_v;
+    const double sign = place.swapped ? -1 : 1;
+    const Linear along = linear(scene.screen, look, sign * a_v.y, sign * a_v.x);
+    look.a[0] = f(along.at_start);
+    look.a[1] = f(along.per_px);
+    look.a[2] = f(tiles);
+    look.a[3] = f(offset);
 }
 
 /// The ray's direction in the plane, its components divided by those of `unit`.
@@ -68,27 +82,36 @@ Look plain_look(const Scene& scene, const WallOnScreen& place) {
     return look;
 }
 
-Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& surface, WallPart part, double peg) {
+Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& surface, WallPart part) {
     const Wall& w = scene.map[wall.place.wall];
     Look look = plain_look(scene, wall.place);
     set_picture(look, scene, surface.texture, wall_id(scene.map, wall.place.wall, part), Paint::wall);
-    set_light(look, scene, w.sector, w.contrast);
-    // Where along the wall from its a: e_L / span, or -e_R / span where a is the right end.
-    const Vec2 a_v = wall.place.swapped ? wall.place.right_v : wall.place.left_v;
-    const double sign = wall.place.swapped ? -1 : 1;
-    const Linear along = linear(scene.screen, look, sign * a_v.y, sign * a_v.x);
-    look.a[0] = f(along.at_start);
-    look.a[1] = f(along.per_px);
-    look.a[2] = f(w.length / surface.tile_m.x);
-    look.a[3] = f(surface.offset_tiles.x);
-    const double v = peg / surface.tile_m.y - surface.offset_tiles.y;
-    look.b[0] = f(part == WallPart::middle && w.kind == WallKind::portal ? v : fraction(v));
+    set_light(look, scene.snapshot[w.sector].light, w.contrast);
+    set_along(look, scene, wall.place, w.length / surface.tile_m.x, surface.offset_tiles.x);
+    look.b[0] = f(fraction(peg_height(wall.parts, surface.peg) / surface.tile_m.y - surface.offset_tiles.y));
     look.b[1] = f(1 / surface.tile_m.y);
     return look;
 }
 
-Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& surface, WallPart part) {
-    return wall_look(scene, wall, surface, part, peg_height(wall.parts, surface.peg));
+Look pane_look(const Scene& scene, const SeenWall& wall, double top) {
+    const Surface& surface = scene.map[wall.place.wall].middle;
+    Look look = wall_look(scene, wall, surface, WallPart::middle);
+    set_picture(look, scene, surface.texture, wall_id(scene.map, wall.place.wall, WallPart::middle), Paint::picture);
+    look.cross *= kBeforePortal;
+    look.nearest *= kBeforePortal;
+    look.b[0] = f(top / surface.tile_m.y);
+    return look;
+}
+
+Look thing_look(const Scene& scene, const ThingOnScreen& thing) {
+    Look look = plain_look(scene, thing.place);
+    set_picture(look, scene, thing.texture, thing.id, Paint::picture);
+    set_light(look, thing.light, 1);
+    set_along(look, scene, thing.place, 1, 0);
+    look.farthest = f(thing.place.cross / (thing.place.right_v.x - thing.place.left_v.x));
+    look.b[0] = f(thing.top / thing.height);
+    look.b[1] = f(1 / thing.height);
+    return look;
 }
 
 Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, double height, SurfaceId id) {
@@ -96,7 +119,7 @@ Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, doubl
     if (flat.sky) return sky_look(scene, wall, surface, id);
     Look look = plain_look(scene, wall.place);
     set_picture(look, scene, surface.texture, id, Paint::flat);
-    set_light(look, scene, scene.map[wall.place.wall].sector, 1);
+    set_light(look, scene.snapshot[scene.map[wall.place.wall].sector].light, 1);
     set_direction(look, scene, wall.eye, surface.tile_m);
     const Vec2 from_origin = wall.eye.place - flat.origin;
     look.b[0] = f(fraction(from_origin.x / surface.tile_m.x - surface.offset_tiles.x));

@@ -23,10 +23,11 @@ struct SeenWall {
     WallParts parts;
 };
 
-/// A wall, a step, or a picture with holes. peg: height above the eye that the picture hangs from [m].
-Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& surface, WallPart part, double peg);
-/// The same, hanging from the surface's own peg.
+/// A wall or a step.
 Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& surface, WallPart part);
+
+/// A picture with holes in a portal, shown once from top to bottom. top: above the eye [m].
+Look pane_look(const Scene& scene, const SeenWall& wall, double top);
 
 /// A floor or ceiling, or the sky: above and below a wall everything up to the picture's edge shows it, because there
 /// a ray has left the room's heights before it reached the wall. height: of the flat above the eye [m].
@@ -37,6 +38,9 @@ Look end_look(const Scene& scene, const SeenWall& wall);
 
 /// Only where it is: for masks.
 Look plain_look(const Scene& scene, const WallOnScreen& place);
+
+/// A thing.
+Look thing_look(const Scene& scene, const ThingOnScreen& thing);
 
 /// Height above the eye that a surface hangs from [m].
 double peg_height(const WallParts& parts, Peg peg);

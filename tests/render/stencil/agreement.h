@@ -49,20 +49,22 @@ public:
     Agreement compare(const View& view, PictureSize size);
     /// `count` random poses and as many where things coincide.
     Agreement compare_poses(int count, PictureSize size, std::uint64_t seed);
+    Agreement compare_random_poses(int count, PictureSize size, std::uint64_t seed);
 
     Snapshot& snapshot() { return snapshot_; }
     StencilCounts counts() const { return stencil_->counts(); }
 
 private:
-    bool is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const Picture& shown) const;
+    bool is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const Picture& shown);
 
     const Map& map_;
     const TextureSet& textures_;
     Snapshot snapshot_;
     std::unique_ptr<StencilRenderer> stencil_;
+    int asked_aside_ = 0;  ///< in this picture
 };
 
-/// At most one pixel in a thousand shows another surface, only at edges; colours are right.
-void expect_agreement(const Agreement& agreement);
+/// At most one pixel in a thousand shows another surface, only at edges; colours are right but for a share of all.
+void expect_agreement(const Agreement& agreement, double wrong_share = 5e-5);
 
 }  // namespace enfilade::test
