@@ -18,8 +18,8 @@ void* counted_or_throw(std::size_t size) {
 }
 }  // namespace
 
-// All of them that can meet: a sanitizer's own `new` beside our `delete` would be a mismatch (std::stable_sort takes its
-// buffer from the nothrow one).
+// All of them that can meet: a sanitizer's own `new` beside our `delete` would be a mismatch (std::stable_sort takes
+// its buffer from the nothrow one).
 void* operator new(std::size_t size) { return counted_or_throw(size); }
 void* operator new[](std::size_t size) { return counted_or_throw(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted(size); }
