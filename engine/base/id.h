@@ -26,5 +26,6 @@ using WallId = Id<struct WallTag>;
 using TextureId = Id<struct TextureTag>;
 using ThingId = Id<struct ThingTag>;
 using SpriteId = Id<struct SpriteTag>;
+using PanelId = Id<struct PanelTag>;
 
 }  // namespace enfilade

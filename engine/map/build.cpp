@@ -30,6 +30,7 @@ std::optional<Map> build_map(const MapFile& file, const TextureSet& textures, Fi
     place_walls(draft);
     check_sectors(draft);
     check_loops(draft);
+    place_panels(draft);
     resolve_portals(draft);
     link_walls(draft);
     lay_surfaces(draft);

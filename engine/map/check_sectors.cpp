@@ -6,8 +6,6 @@
 #include "formats/quoted.h"
 #include "map/draft.h"
 #include "map/names.h"
-#include "map/say.h"
-#include "math/grid.h"
 
 namespace enfilade {
 namespace {
@@ -18,19 +16,6 @@ void check_heights(Draft& draft, const SectorRecord& sector) {
                 "the ceiling of sector " + quoted(sector.name) + " at " + number_text(sector.ceiling.z) +
                     " m is below its floor at " + number_text(sector.floor.z) +
                     " m; raise it, or make them equal for a closed door");
-}
-
-void check_panels(Draft& draft, const SectorRecord& sector) {
-    for (const PanelRecord& panel : sector.panels) {
-        if (snap_to_vertex_grid(panel.a) == snap_to_vertex_grid(panel.b))
-            draft.error(panel.place, "zero-length",
-                        "both ends of this panel of sector " + quoted(sector.name) + " are at " +
-                            point_text(snap_to_vertex_grid(panel.a)) + " on the grid of 1/1024 m; move them apart");
-        if (panel.top < panel.bottom)
-            draft.error(panel.place, "panel-upside-down",
-                        "the top of this panel of sector " + quoted(sector.name) + " at " + number_text(panel.top) +
-                            " m is below its bottom at " + number_text(panel.bottom) + " m; swap them");
-    }
 }
 
 std::string line_text(TextPlace place) {
@@ -62,10 +47,7 @@ void check_wall_names(Draft& draft) {
 }  // namespace
 
 void check_sectors(Draft& draft) {
-    for (const SectorDraft& sector : draft.sectors) {
-        check_heights(draft, *sector.record);
-        check_panels(draft, *sector.record);
-    }
+    for (const SectorDraft& sector : draft.sectors) check_heights(draft, *sector.record);
     check_sector_names(draft);
     check_wall_names(draft);
 }

@@ -64,6 +64,8 @@ void place_walls(Draft& draft);
 void check_sectors(Draft& draft);
 /// No two edges of a sector cross, and every edge has its sector on its right (check_loops.cpp).
 void check_loops(Draft& draft);
+/// Panels, on the grid and inside their sectors (place_panels.cpp).
+void place_panels(Draft& draft);
 /// Which sector each portal leads into and which wall it comes out of (resolve_portals.cpp).
 void resolve_portals(Draft& draft);
 /// What linked portals and mirrors do to whatever passes (links.cpp).

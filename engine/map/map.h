@@ -52,6 +52,19 @@ struct Wall {
     static constexpr std::uint32_t kNoLink = 0xFFFFFFFFu;
 };
 
+/// A wall without thickness that stands free inside a sector and is seen from both sides; from b's side as from a's, so
+/// that its picture is mirrored from behind. It may touch walls and other panels, and lie along them, but crosses none.
+/// Bodies pass it.
+struct Panel {
+    Vec2 a;         ///< on the vertex grid
+    Vec2 b;         ///< on the vertex grid, not a
+    double length;  ///< |b - a| [m]
+    SectorId sector;
+    double bottom = 0, top = 0;  ///< absolute; what is below the floor or above the ceiling is hidden [m]
+    double contrast = 1;         ///< as a wall's
+    Surface surface;             ///< hangs from `top`, whatever its peg; no texture: nothing to be seen
+};
+
 struct Flat {
     double z = 0;  ///< at rest [m]
     Surface surface;
@@ -68,6 +81,8 @@ struct Sector {
     Vec2 min, max;                  ///< bounding box
     std::uint32_t first_solid = 0;  ///< its solid things are [first_solid, first_solid + solid_count) of
     std::uint32_t solid_count = 0;  ///< Map::solid_things
+    std::uint32_t first_panel = 0;  ///< its panels are [first_panel, first_panel + panel_count) of Map::panels
+    std::uint32_t panel_count = 0;
 };
 
 /// One picture of an animation, from each direction.
@@ -119,6 +134,7 @@ struct Map {
     std::vector<Wall> walls;
     std::vector<Rigid> links;         ///< what each linked portal or mirror does to what is seen through it
     std::vector<GridMap> grid_links;  ///< portals: the same for what moves through it; index as in links
+    std::vector<Panel> panels;        ///< by sector, each sector's in the order of the file
     std::vector<Thing> things;
     std::vector<Sprite> sprites;
     std::vector<ThingId> solid_things;  ///< by sector, each sector's in the order of their numbers
@@ -128,6 +144,7 @@ struct Map {
 
     const Sector& operator[](SectorId id) const { return sectors[id.index]; }
     const Wall& operator[](WallId id) const { return walls[id.index]; }
+    const Panel& operator[](PanelId id) const { return panels[id.index]; }
     const Thing& operator[](ThingId id) const { return things[id.index]; }
     const Sprite& operator[](SpriteId id) const { return sprites[id.index]; }
     /// The link's transform, or the identity.

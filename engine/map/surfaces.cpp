@@ -66,6 +66,14 @@ void lay_wall(Draft& draft, WallId id) {
     wall.middle = lay.single(record.middle, record.middle_peg);
 }
 
+/// sector's i-th panel.
+void lay_panel(Draft& draft, const SectorDraft& sector, std::size_t i, Panel& panel) {
+    const PanelRecord& record = sector.record->panels[i];
+    const Lay lay{draft.textures, record.size, draft.file.size};
+    if (panel.a != panel.b) panel.contrast = contrast_of(draft.file.render.light, panel.b - panel.a);
+    panel.surface = lay.surface(record.texture, Peg::ceiling);
+}
+
 void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record, Flat& flat) {
     // A sky's two numbers are wraps and a tangent, which texels per metre say nothing about.
     const Lay lay = record.parallax ? Lay{draft.textures, {}, {}} : Lay{draft.textures, record.size, draft.file.size};
@@ -81,6 +89,9 @@ void lay_surfaces(Draft& draft) {
     for (std::size_t i = 0; i < draft.map.walls.size(); ++i) lay_wall(draft, WallId(i));
     for (std::size_t i = 0; i < draft.map.sectors.size(); ++i) {
         const SectorDraft& sector = draft.sectors[i];
+        const Sector& laid = draft.map.sectors[i];
+        for (std::size_t p = 0; p < laid.panel_count; ++p)
+            lay_panel(draft, sector, p, draft.map.panels[laid.first_panel + p]);
         lay_flat(draft, sector, sector.record->floor, draft.map.sectors[i].floor);
         lay_flat(draft, sector, sector.record->ceiling, draft.map.sectors[i].ceiling);
     }

@@ -27,4 +27,8 @@ inline SurfaceId thing_id(const Map& map, ThingId thing) {
     return static_cast<SurfaceId>(1 + 2 * map.sectors.size() + 3 * map.walls.size() + thing.index);
 }
 
+inline SurfaceId panel_id(const Map& map, PanelId panel) {
+    return static_cast<SurfaceId>(1 + 2 * map.sectors.size() + 3 * map.walls.size() + map.things.size() + panel.index);
+}
+
 }  // namespace enfilade
