@@ -1,19 +1,12 @@
 #include "render/column/nearest_walls.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace enfilade::column {
 namespace {
 
-/// Inverse depths closer than this part of each other are not trusted to tell which wall is nearer: rounding leaves
-/// them good to about 2^-50, and such ties (walls that share a vertex) are rare enough to be settled exactly.
-constexpr double kTrusted = 0x1p-40;
-
 bool is_nearer_at(const Map& map, const ProjectedWall& a, double a_inverse, const ProjectedWall& b, double b_inverse) {
-    const double difference = a_inverse - b_inverse;
-    if (std::fabs(difference) > kTrusted * b_inverse) return difference > 0;  // false for two infinities: no number
-    return is_nearer(map[a.wall], map[b.wall]);
+    return are_telling(a_inverse, b_inverse) ? a_inverse > b_inverse : is_nearer(map[a.wall], map[b.wall]);
 }
 
 }  // namespace

@@ -51,17 +51,15 @@ void set_columns(ProjectedWall& w, const Pose& pose, const Screen& screen) {
     w.end = std::min(left_ahead ? screen.width : left, right_ahead ? right : screen.width);
 }
 
-ProjectedWall ends_of(const Map& map, WallId id, const Pose& pose) {
-    const Wall& wall = map[id];
+ProjectedWall ends_of(const Segment& wall, const Pose& pose) {
     ProjectedWall w;
-    w.wall = id;
     w.swapped = pose.flip < 0;
     w.left_v = to_view(w.swapped ? wall.b : wall.a, pose);
     w.right_v = to_view(w.swapped ? wall.a : wall.b, pose);
     return w;
 }
 
-void set_depths(ProjectedWall& w, const Wall& wall, const Pose& pose) {
+void set_depths(ProjectedWall& w, const Segment& wall, const Pose& pose) {
     w.cross = std::max(exact_cross(wall.a, wall.b, pose.eye), 0.0);
     w.inverse_cross = 1 / w.cross;
     w.nearest = std::max(std::min(w.left_v.y, w.right_v.y), 0.0);
@@ -74,7 +72,7 @@ struct Sides {
     int high;
 };
 
-Sides sides_of(const Wall& segment, const Wall& line) {
+Sides sides_of(const Segment& segment, const Segment& line) {
     const int a = corner(line.a, line.b, segment.a), b = corner(line.a, line.b, segment.b);
     return {std::min(a, b), std::max(a, b)};
 }
@@ -93,12 +91,18 @@ void project(const Map& map, SectorId sector, const Pose& pose, const Screen& sc
     const Sector& s = map[sector];
     for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
         if (side_of_line(map.walls[i].a, map.walls[i].b, pose.eye) < 0) continue;
-        ProjectedWall w = ends_of(map, WallId(i), pose);
-        set_columns(w, pose, screen);
+        ProjectedWall w = project(map.walls[i], pose, screen);
         if (w.begin >= w.end) continue;
-        set_depths(w, map.walls[i], pose);
+        w.wall = WallId(i);
         out.push_back(w);
     }
+}
+
+ProjectedWall project(const Segment& facing, const Pose& pose, const Screen& screen) {
+    ProjectedWall w = ends_of(facing, pose);
+    set_columns(w, pose, screen);
+    if (w.begin < w.end) set_depths(w, facing, pose);
+    return w;
 }
 
 ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, int column,
@@ -109,7 +113,8 @@ ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, co
     for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
         const Wall& wall = map.walls[i];
         if (side_of_line(wall.a, wall.b, pose.eye) < 0) continue;
-        const ProjectedWall w = ends_of(map, WallId(i), pose);
+        ProjectedWall w = ends_of(wall, pose);
+        w.wall = WallId(i);
         const double slope = screen.slopes[column];
         const bool is_before = entry && (entry == w.wall || !is_beyond(wall, map[entry]));
         const double missed = std::max({-edge(w.left_v, slope), edge(w.right_v, slope), 0.0}) +
@@ -125,12 +130,12 @@ ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, co
     return best;
 }
 
-bool is_nearer(const Wall& a, const Wall& b) {
+bool is_nearer(const Segment& a, const Segment& b) {
     if (sides_of(b, a).high <= 0) return true;
     return sides_of(a, b).low >= 0;
 }
 
-bool is_beyond(const Wall& wall, const Wall& entry) {
+bool is_beyond(const Segment& wall, const Segment& entry) {
     const Sides sides = sides_of(wall, entry);
     if (sides.high <= 0) return false;
     return sides.low >= 0 || sides_of(entry, wall).low >= 0;

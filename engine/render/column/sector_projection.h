@@ -1,5 +1,6 @@
 // Where the walls of one sector stand on the screen, seen from one pose.
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include "map/map.h"
@@ -8,12 +9,20 @@
 
 namespace enfilade::column {
 
+/// A directed edge, as which walls and panels are compared.
+struct Segment {
+    Vec2 a, b;  ///< on the vertex grid
+
+    Segment(Vec2 start, Vec2 end) : a(start), b(end) {}
+    Segment(const Wall& wall) : a(wall.a), b(wall.b) {}  // NOLINT(google-explicit-constructor): a wall is one
+};
+
 /// A wall that faces the eye, as columns see it. With e_V(s) = s V.z - V.x, a function of the vertex V alone, the
 /// wall from left end L to right end R covers column slope s where e_L(s) > 0 > e_R(s): neighbours share a vertex, so
 /// they meet without gap or overlap, and nothing has to be clipped at a near plane. On which side 0 counts is a
 /// property of the ray alone (the tie rule, math/predicates.h).
 struct ProjectedWall {
-    WallId wall;
+    WallId wall;             ///< none: a panel
     int begin = 0, end = 0;  ///< columns covered, within the screen
     Vec2 left_v, right_v;    ///< L and R in view space: x right, y stands for depth
     double cross = 0;        ///< cross(L, R) = 2 x area of eye, L, R [m^2]; 0 where the eye is on the wall's line
@@ -50,12 +59,23 @@ void project(const Map& map, SectorId sector, const Pose& pose, const Screen& sc
 ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, int column,
                            WallId entry);
 
-/// For two walls of one sector that both face the eye and cover a common column: true where a is the nearer one.
-/// Exact: walls of a sector never cross, so one of them lies wholly on one side of the other's line.
-bool is_nearer(const Wall& a, const Wall& b);
+/// A single edge, which faces the eye: without its number. Covers no column (begin >= end) where it is not seen.
+ProjectedWall project(const Segment& facing, const Pose& pose, const Screen& screen);
+
+/// For two walls or panels of one sector that both face the eye and cover a common column: true where a is the nearer
+/// one, or both lie on one line. Exact: they never cross, so one of them lies wholly on one side of the other's line.
+bool is_nearer(const Segment& a, const Segment& b);
+
+/// Whether two inverse depths in one column differ enough to tell which wall is nearer. Rounding leaves them good to
+/// about 2^-50 of their size; closer ties (walls that share a vertex) are rare enough to be settled exactly. Two
+/// infinities do not tell.
+inline bool are_telling(double inverse_depth, double other) {
+    constexpr double kTrusted = 0x1p-40;
+    return std::fabs(inverse_depth - other) > kTrusted * other;
+}
 
 /// True where `wall`, which faces the eye and shares a column with `entry`, lies beyond `entry`, the wall of the same
 /// sector the look came in through. What lies in the entry's own plane belongs to the room before. Exact.
-bool is_beyond(const Wall& wall, const Wall& entry);
+bool is_beyond(const Segment& wall, const Segment& entry);
 
 }  // namespace enfilade::column

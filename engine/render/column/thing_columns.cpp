@@ -20,11 +20,6 @@ int first_column_from(const Screen& screen, double x_v, double depth) {
     return x;
 }
 
-/// The part of the picture between the room's floor and ceiling.
-RelativeHeights within(const RelativeHeights& room, double bottom, double top) {
-    return {std::max(bottom, room.floor), std::min(top, room.ceiling)};
-}
-
 }  // namespace
 
 bool ThingColumns::is_nearer(const Board& a, const Board& b) {
@@ -32,17 +27,14 @@ bool ThingColumns::is_nearer(const Board& a, const Board& b) {
     return a_steps != b_steps ? a_steps < b_steps : a.painter < b.painter;
 }
 
-void ThingColumns::note(const ThingsView& view, MaskedColumns& masked) {
-    const auto things = view.scene.snapshot.things.in(view.viewport.sector);
-    if (things.empty()) return;
+bool ThingColumns::gather(const RoomView& view, MaskedColumns& masked) {
     boards_.clear();
-    for (const Presence& presence : things) add(view, presence, masked);
-    // All of a picture has one depth, so the order is the same in all columns; of equals the first is the nearer one.
-    std::sort(boards_.begin(), boards_.end(), is_nearer);
-    for (const Board& board : boards_) note_board(view, board, masked);
+    for (const Presence& presence : view.scene.snapshot.things.in(view.viewport.sector)) add(view, presence, masked);
+    std::sort(boards_.begin(), boards_.end(), is_nearer);  // of equals the first is the nearer one
+    return !boards_.empty();
 }
 
-void ThingColumns::add(const ThingsView& view, const Presence& presence, MaskedColumns& masked) {
+void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedColumns& masked) {
     const Scene& scene = view.scene;
     const Vec2 to_it = presence.position - view.pose.eye;
     Board board;
@@ -66,17 +58,21 @@ void ThingColumns::add(const ThingsView& view, const Presence& presence, MaskedC
     boards_.push_back(board);
 }
 
-void ThingColumns::note_board(const ThingsView& view, const Board& board, MaskedColumns& masked) const {
-    for (int x = board.begin; x < board.end; ++x) {
-        const OpenRows open = view.viewport.rows_at(x);
-        if (open.is_closed()) continue;
-        const double entry = 1 / view.viewport.boundary_at(x), exit = 1 / view.nearest.inverse_depth_at(x);
-        if (!is_met_between(board.depth, entry, exit)) continue;
-        const double from_left = (view.scene.screen.slopes[x] * board.depth - board.left_v) / board.width;
-        const WallHit hit{board.depth, std::clamp(board.mirrored ? 1 - from_left : from_left, 0.0, kBelowOne)};
-        const RowSplit rows = split_rows(view.scene.screen, open, board.depth, board.rows, nullptr);
-        masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, hit);
-    }
+void ThingColumns::note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked) const {
+    const Board& board = boards_[i];
+    const OpenRows open = view.viewport.rows_at(x);
+    if (x < board.begin || x >= board.end || open.is_closed()) return;
+    const double entry = 1 / view.viewport.boundary_at(x), exit = 1 / view.nearest.inverse_depth_at(x);
+    if (!is_met_between(board.depth, entry, exit)) return;
+    const double from_left = (view.scene.screen.slopes[x] * board.depth - board.left_v) / board.width;
+    const WallHit hit{board.depth, std::clamp(board.mirrored ? 1 - from_left : from_left, 0.0, kBelowOne)};
+    const RowSplit rows = split_rows(view.scene.screen, open, board.depth, board.rows, nullptr);
+    masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, hit);
+}
+
+void ThingColumns::note_all(const RoomView& view, MaskedColumns& masked) const {
+    for (std::size_t i = 0; i < boards_.size(); ++i)
+        for (int x = boards_[i].begin; x < boards_[i].end; ++x) note(view, i, x, masked);
 }
 
 }  // namespace enfilade::column

@@ -1,30 +1,31 @@
 // Which columns and rows of a viewport show things, and in which order.
 #pragma once
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 #include "render/column/masked_columns.h"
-#include "render/column/nearest_walls.h"
-#include "render/column/pose.h"
+#include "render/column/room_view.h"
 #include "render/sprite.h"
 
 namespace enfilade::column {
 
-/// What the search needs to know of the viewport that is drawn.
-struct ThingsView {
-    const Scene& scene;
-    const Viewport& viewport;
-    const Pose& pose;
-    const RelativeHeights& here;
-    const NearestWalls& nearest;
-};
-
-/// Notes the things of one viewport at a time. A viewport without things costs one look at an empty list.
+/// The things of one viewport at a time.
 class ThingColumns {
 public:
-    /// Notes every column of every thing's picture, of each column the nearest first. To be called before the
-    /// viewport's masked walls are noted: they stand at the end of the room, behind all its things.
-    void note(const ThingsView& view, MaskedColumns& masked);
+    /// Finds the things that are somewhere on the screen and puts them in order, the nearest first. False: there are
+    /// none.
+    bool gather(const RoomView& view, MaskedColumns& masked);
+
+    std::size_t count() const { return boards_.size(); }
+
+    /// Of the i-th of them. All of a picture has one depth, so the order is the same in all columns [m].
+    double depth(std::size_t i) const { return boards_[i].depth; }
+
+    /// Notes what column x shows of the i-th of them, if it does.
+    void note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked) const;
+
+    /// Notes every column of all of them.
+    void note_all(const RoomView& view, MaskedColumns& masked) const;
 
 private:
     /// A picture that is somewhere on the screen.
@@ -39,8 +40,7 @@ private:
     };
 
     static bool is_nearer(const Board& a, const Board& b);
-    void add(const ThingsView& view, const Presence& presence, MaskedColumns& masked);
-    void note_board(const ThingsView& view, const Board& board, MaskedColumns& masked) const;
+    void add(const RoomView& view, const Presence& presence, MaskedColumns& masked);
 
     std::vector<Board> boards_;
 };

@@ -40,7 +40,7 @@ void ViewportDrawer::start_viewport(const Scene& scene, FrameState& state, Viewp
     floor_.start(scene, pose_, sector.floor, FlatSide::floor, here_.floor, now.light, floor_id(viewport.sector));
     ceiling_.start(scene, pose_, sector.ceiling, FlatSide::ceiling, here_.ceiling, now.light,
                    ceiling_id(viewport.sector));
-    things_.note({scene, viewport, pose_, here_, nearest_}, state.masked);
+    furniture_.note({scene, viewport, pose_, here_, nearest_}, state.masked);
     openings_.assign(nearest_.count(), {});
     wall_index_ = NearestWalls::kNoWall;
 }

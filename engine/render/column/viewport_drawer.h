@@ -6,8 +6,8 @@
 #include "render/column/masked_columns.h"
 #include "render/column/nearest_walls.h"
 #include "render/column/projection_cache.h"
+#include "render/column/room_columns.h"
 #include "render/column/row_split.h"
-#include "render/column/thing_columns.h"
 #include "render/column/viewport.h"
 #include "render/column/wall_painter.h"
 
@@ -45,7 +45,7 @@ private:
     RelativeHeights here_;
     NearestWalls nearest_;
     FlatPainter floor_, ceiling_;
-    ThingColumns things_;
+    RoomColumns furniture_;
 
     /// A portal wall of the viewport, and where what is seen through it is gathered.
     struct Opening {

@@ -6,12 +6,24 @@ namespace enfilade::column {
 
 void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& surface, double peg, double light,
                         SurfaceId id) {
-    texture_ = &scene.textures[surface.texture];
+    hang(scene, surface, wall.length, peg);
     id_ = id;
-    model_ = scene.map.render.light;
     light_ = light;
     contrast_ = wall.contrast;
-    u_per_along_ = wall.length / surface.tile_m.x;
+}
+
+void WallPainter::start_panel(const Scene& scene, const Panel& panel, double top, double light, SurfaceId id) {
+    hang(scene, panel.surface, panel.length, top);
+    id_ = id;
+    light_ = light;
+    contrast_ = panel.contrast;
+}
+
+/// length: of the wall [m].
+void WallPainter::hang(const Scene& scene, const Surface& surface, double length, double peg) {
+    texture_ = &scene.textures[surface.texture];
+    model_ = scene.map.render.light;
+    u_per_along_ = length / surface.tile_m.x;
     u_offset_ = surface.offset_tiles.x;
     v_per_m_ = 1 / surface.tile_m.y;
     v_at_peg_ = peg * v_per_m_ - surface.offset_tiles.y;

@@ -16,6 +16,9 @@ public:
     void start(const Scene& scene, const Wall& wall, const Surface& surface, double peg_height, double light,
                SurfaceId id);
 
+    /// The same for a panel. top: above the eye [m].
+    void start_panel(const Scene& scene, const Panel& panel, double top, double light, SurfaceId id);
+
     /// The same for a thing's picture, which is shown once: a hit is `along` it from its left edge.
     /// top: above the eye [m]. height: [m].
     void start_picture(const Scene& scene, const Texture& texture, double top, double height, double light,
@@ -32,6 +35,7 @@ private:
     struct ColumnTexels {
         double u, v_at_row_0, v_per_row;  ///< [tiles]
     };
+    void hang(const Scene& scene, const Surface& surface, double length, double peg);
     ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
     WallRun run_of(const ColumnTexels& at, const WallHit& hit) const;
 

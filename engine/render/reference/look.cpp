@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/reference/pane.h"
-#include "render/reference/things_met.h"
+#include "render/reference/room_panes.h"
 #include "render/shade.h"
 
 namespace enfilade {
@@ -183,8 +183,8 @@ Seen look(const Scene& scene, RayPath& path, double slope, double climb) {
     for (std::size_t i = 0;; ++i) {
         const Arrival at = arrive(scene, path[i], slope, climb);
         ambiguous |= is_ambiguous(at);
-        if (!scene.snapshot.things.in(at.hit.sector).empty())
-            ambiguous |= add_things_met(scene, {at.hit, slope, climb, entry_depth}, panes);
+        if (!scene.snapshot.things.in(at.hit.sector).empty() || !at.hit.panels.empty())
+            ambiguous |= add_room_panes(scene, {at.hit, slope, climb, entry_depth}, panes);
         entry_depth = at.hit.depth;
         if (const std::optional<Seen> end = end_of_ray(at)) {
             Seen seen = through_panes(panes, *end);

@@ -1,4 +1,4 @@
-// Pictures with holes that a ray goes through: fences and things.
+// Pictures with holes that a ray goes through: fences, panels and things.
 #pragma once
 #include <vector>
 
@@ -13,6 +13,20 @@ struct Pane {
     Seen seen;
     std::uint32_t alpha = 0;  ///< 0: the ray goes through a hole, or past the picture
     bool ambiguous = false;
+};
+
+/// A pane at some depth [m].
+struct MetPane {
+    double depth = 0;
+    Pane pane;
+};
+
+/// The stretch of a ray in one room: from where it comes in to the wall it meets.
+struct RoomRay {
+    const RayHit& hit;
+    double slope;
+    double climb;
+    double entry_depth;  ///< 0 in the eye's own room [m]
 };
 
 /// The texel at a position within the tile, in [0, 1).

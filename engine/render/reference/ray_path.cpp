@@ -14,22 +14,13 @@ constexpr double kNormalSteps = 0x1p55;
 /// What offset() counts in, as metres.
 constexpr double kOffsetUnit = 0x1p-87;
 
-/// Where wall w lies as seen from the line of another: 1 on its right, -1 on its left (touching allowed), 0 on both
-/// sides or all on the line. Walls of a sector never cross: where this is 0 one way round, it is not the other,
-/// unless both are on one line.
-int side_of_wall(const Wall& line, const Wall& w) {
-    const int a = corner(line.a, line.b, w.a), b = corner(line.a, line.b, w.b);
-    if (a * b < 0) return 0;
-    return (a + b > 0) - (a + b < 0);
-}
+bool faces(const Edge& edge, Vec2 eye) { return side_of_line(edge.a, edge.b, eye) > 0; }
 
-/// Both face the eye and cover the ray: is `wall` met before `other`?
-bool is_in_front(const Wall& wall, const Wall& other) {
-    const int side = side_of_wall(wall, other);
-    return side != 0 ? side < 0 : side_of_wall(other, wall) > 0;
+/// The panel seen from the side on which the eye is.
+Edge turned_to(const Panel& panel, Vec2 eye) {
+    const Edge edge(panel.a, panel.b);
+    return faces(edge, eye) ? edge : Edge(panel.b, panel.a);
 }
-
-bool faces(const Wall& wall, Vec2 eye) { return side_of_line(wall.a, wall.b, eye) > 0; }
 
 /// Nearer to each other than anybody should rely on. Two walls that both pass through the eye are at depth 0 exactly.
 bool are_close(double depth, double other) {
@@ -94,26 +85,26 @@ int RayPath::side(Vec2 vertex, Vec2 eye) const {
     return o != 0 ? (o > 0 ? 1 : -1) : side_of_tie_;
 }
 
-/// For a wall that faces the eye: does the ray, ahead of the eye, run between its ends? Facing, its a is the left end,
+/// For an edge that faces the eye: does the ray, ahead of the eye, run between its ends? Facing, its a is the left end,
 /// in a mirror the right one; behind the eye left and right change places, which is why nothing else need be asked.
-bool RayPath::covers(const Wall& wall, const EyeSpace& space) const {
+bool RayPath::covers(const Edge& edge, const EyeSpace& space) const {
     const bool mirrored = space.flip < 0;
-    const Vec2 left = mirrored ? wall.b : wall.a, right = mirrored ? wall.a : wall.b;
+    const Vec2 left = mirrored ? edge.b : edge.a, right = mirrored ? edge.a : edge.b;
     return side(left, space.eye) > 0 && side(right, space.eye) < 0;
 }
 
-/// For a wall that faces the eye and covers the ray.
-double RayPath::depth_of(const Wall& wall, const EyeSpace& space) const {
-    const Int128 across = offset(wall.a, space.eye) - offset(wall.b, space.eye);
-    return exact_cross(wall.a, wall.b, space.eye) / (static_cast<double>(across) * kOffsetUnit * space.flip);
+/// For an edge that faces the eye and covers the ray.
+double RayPath::depth_of(const Edge& edge, const EyeSpace& space) const {
+    const Int128 across = offset(edge.a, space.eye) - offset(edge.b, space.eye);
+    return exact_cross(edge.a, edge.b, space.eye) / (static_cast<double>(across) * kOffsetUnit * space.flip);
 }
 
-/// Of two walls of a sector, the entry being met from behind and `wall` from the front: is `wall` met later?
-bool RayPath::is_beyond_entry(const Wall& wall) const {
+/// Of two edges of a sector, the entry being met from behind and `edge` from the front: is `edge` met later?
+bool RayPath::is_beyond_entry(const Edge& edge) const {
     if (entry_.is_none()) return true;
     const Wall& entry = map_[entry_];
-    const int side = side_of_wall(entry, wall);
-    return side != 0 ? side > 0 : side_of_wall(wall, entry) > 0;
+    const int side = side_of_edge(entry, edge);
+    return side != 0 ? side > 0 : side_of_edge(edge, entry) > 0;
 }
 
 WallId RayPath::nearest_covering(const EyeSpace& space, SectorId sector) const {
@@ -149,7 +140,7 @@ WallId RayPath::least_missed(const EyeSpace& space, SectorId sector) const {
 }
 
 RayHit RayPath::next_hit(const EyeSpace& space, SectorId sector) const {
-    RayHit hit{space, sector, nearest_covering(space, sector), 0, 0, false};
+    RayHit hit{space, sector, nearest_covering(space, sector), 0, 0, false, {}};
     const bool is_lost = hit.wall.is_none();
     if (is_lost) hit.wall = least_missed(space, sector);
     const Wall& wall = map_[hit.wall];
@@ -162,7 +153,21 @@ RayHit RayPath::next_hit(const EyeSpace& space, SectorId sector) const {
         hit.depth = depth_of(wall, space);
     }
     hit.ambiguous = is_lost || is_ambiguous(hit);
+    if (map_[sector].panel_count != 0) add_panels(hit);
     return hit;
+}
+
+/// An end of the edge, between the entry and the hit, is within kAmbiguous of the ray.
+bool RayPath::ends_near_ray(const Edge& edge, const RayHit& hit) const {
+    const EyeSpace& space = hit.space;
+    const double normal_length = std::sqrt(1 + slope_ * slope_);
+    const auto ahead = [&](Vec2 vertex) { return dot(space.forward, vertex - space.eye); };
+    const auto is_near_ray = [&](Vec2 vertex) {
+        const double beside = static_cast<double>(offset(vertex, space.eye)) * kOffsetUnit / normal_length;
+        return std::fabs(beside) < kAmbiguous && ahead(vertex) > entry_depth_ - kAmbiguous && vertex != space.eye;
+    };
+    return (is_near_ray(edge.a) || is_near_ray(edge.b)) &&
+           std::min(ahead(edge.a), ahead(edge.b)) < hit.depth + kAmbiguous;
 }
 
 /// Could the ray, moved by kAmbiguous, meet another wall of the sector first? Then the end of a wall that faces the eye
@@ -171,28 +176,53 @@ RayHit RayPath::next_hit(const EyeSpace& space, SectorId sector) const {
 /// renderer.
 bool RayPath::is_ambiguous(const RayHit& hit) const {
     const EyeSpace& space = hit.space;
-    const double normal_length = std::sqrt(1 + slope_ * slope_);
-    const auto ahead = [&](Vec2 vertex) { return dot(space.forward, vertex - space.eye); };
-    const auto is_near_ray = [&](Vec2 vertex) {
-        const double beside = static_cast<double>(offset(vertex, space.eye)) * kOffsetUnit / normal_length;
-        return std::fabs(beside) < kAmbiguous && ahead(vertex) > entry_depth_ - kAmbiguous && vertex != space.eye;
-    };
-    const auto starts_before_hit = [&](const Wall& wall) {
-        return std::min(ahead(wall.a), ahead(wall.b)) < hit.depth + kAmbiguous;
-    };
     const Wall* entry = entry_.is_none() ? nullptr : &map_[entry_];
     if (entry && are_close(entry_depth_, hit.depth)) return true;
     const Sector& s = map_[hit.sector];
     for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
         const Wall& wall = map_.walls[i];
         if (!faces(wall, space.eye)) continue;
-        if ((is_near_ray(wall.a) || is_near_ray(wall.b)) && starts_before_hit(wall)) return true;
+        if (ends_near_ray(wall, hit)) return true;
         const bool is_back_of_entry = entry && ((wall.a == entry->b && wall.b == entry->a) || i == entry_.index);
         if (WallId(i) == hit.wall || is_back_of_entry || !covers(wall, space)) continue;
         const double depth = depth_of(wall, space);
         if (are_close(depth, hit.depth) || (entry && are_close(depth, entry_depth_))) return true;
     }
     return false;
+}
+
+/// The panels of the sector between the entry and the hit, by the order of the ray; where panels, or a panel and the
+/// wall behind it, are on one line, the panel with the lower number and the panel is the first.
+void RayPath::add_panels(RayHit& hit) const {
+    const Sector& s = map_[hit.sector];
+    const Wall& behind = map_[hit.wall];
+    for (std::uint32_t i = s.first_panel; i < s.first_panel + s.panel_count; ++i) {
+        const Panel& panel = map_.panels[i];
+        if (!panel.surface.texture) continue;
+        const Edge edge = turned_to(panel, hit.space.eye);
+        hit.ambiguous |= ends_near_ray(edge, hit);
+        if (!covers(edge, hit.space)) continue;
+        PanelHit met{PanelId(i), 0, depth_of(edge, hit.space)};
+        hit.ambiguous |= !are_on_one_line(edge, behind) && are_close(met.depth, hit.depth);
+        hit.ambiguous |= entry_ && !are_on_one_line(edge, map_[entry_]) && are_close(met.depth, entry_depth_);
+        const bool is_beyond = entry_.is_none() || are_on_one_line(edge, map_[entry_]) || is_beyond_entry(edge);
+        if (!is_beyond || is_in_front(behind, edge)) continue;
+        const auto a = static_cast<double>(offset(panel.a, hit.space.eye));
+        const auto b = static_cast<double>(offset(panel.b, hit.space.eye));
+        met.along = a != b ? std::clamp(a / (a - b), 0.0, 1.0) : 0.0;
+        hit.panels.push_back(met);
+    }
+    put_in_order(hit);
+}
+
+void RayPath::put_in_order(RayHit& hit) const {
+    const auto is_before = [&](const PanelHit& p, const PanelHit& q) {
+        const Edge e = turned_to(map_[p.panel], hit.space.eye), f = turned_to(map_[q.panel], hit.space.eye);
+        return are_on_one_line(e, f) ? p.panel < q.panel : is_in_front(e, f);
+    };
+    std::sort(hit.panels.begin(), hit.panels.end(), is_before);
+    double depth = 0;
+    for (PanelHit& met : hit.panels) depth = met.depth = std::max(depth, met.depth);
 }
 
 }  // namespace enfilade

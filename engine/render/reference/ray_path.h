@@ -5,6 +5,7 @@
 
 #include "map/map.h"
 #include "math/predicates.h"
+#include "render/reference/edge.h"
 #include "render/view.h"
 
 namespace enfilade {
@@ -21,14 +22,22 @@ struct EyeSpace {
     Vec2 direction(double slope) const { return forward + right_of(forward) * (flip * slope); }
 };
 
+/// One panel met by a ray, and where.
+struct PanelHit {
+    PanelId panel;
+    double along = 0;  ///< 0 at the panel's a, 1 at its b [1]
+    double depth = 0;  ///< along `forward`; 0 where the eye is on the panel's line [m]
+};
+
 /// One wall met by a ray, and where.
 struct RayHit {
     EyeSpace space;
-    SectorId sector;         ///< the one the ray was in
-    WallId wall;             ///< of that sector
-    double along = 0;        ///< 0 at the wall's a, 1 at its b [1]
-    double depth = 0;        ///< along `forward`; 0 where the eye is on the wall's line [m]
-    bool ambiguous = false;  ///< a vertex or another wall was within kAmbiguous of changing the answer
+    SectorId sector;               ///< the one the ray was in
+    WallId wall;                   ///< of that sector
+    double along = 0;              ///< 0 at the wall's a, 1 at its b [1]
+    double depth = 0;              ///< along `forward`; 0 where the eye is on the wall's line [m]
+    bool ambiguous = false;        ///< a vertex, another wall or a panel was within kAmbiguous of changing the answer
+    std::vector<PanelHit> panels;  ///< with a picture, met on the way through the sector; depths never fall
 };
 
 /// A decision that a shift of this much would have changed is called ambiguous [m]. Far above the rounding of any
@@ -57,12 +66,15 @@ private:
     WallId nearest_covering(const EyeSpace& space, SectorId sector) const;
     WallId least_missed(const EyeSpace& space, SectorId sector) const;
     bool is_ambiguous(const RayHit& hit) const;
-    bool is_beyond_entry(const Wall& wall) const;
+    bool ends_near_ray(const Edge& edge, const RayHit& hit) const;
+    bool is_beyond_entry(const Edge& edge) const;
+    void add_panels(RayHit& hit) const;
+    void put_in_order(RayHit& hit) const;
 
     Int128 offset(Vec2 vertex, Vec2 eye) const;
     int side(Vec2 vertex, Vec2 eye) const;
-    bool covers(const Wall& wall, const EyeSpace& space) const;
-    double depth_of(const Wall& wall, const EyeSpace& space) const;
+    bool covers(const Edge& edge, const EyeSpace& space) const;
+    double depth_of(const Edge& edge, const EyeSpace& space) const;
 
     const Map& map_;
     double slope_;

@@ -96,24 +96,15 @@ bool meet(const Scene& scene, const RoomRay& ray, const Presence& presence, std:
 /// Of pictures at the same depth the one of the thing with the lower number is the nearer.
 bool is_nearer(const Meeting& a, const Meeting& b) { return depth_steps(a.depth) < depth_steps(b.depth); }
 
-/// Would a shift change the order?
-bool is_order_close(const Meeting& a, const Meeting& b) {
-    return depth_steps(a.depth + kAmbiguous) > depth_steps(b.depth - kAmbiguous) &&
-           depth_steps(a.depth) != depth_steps(b.depth);
-}
-
 }  // namespace
 
-bool add_things_met(const Scene& scene, const RoomRay& ray, std::vector<Pane>& panes) {
+bool find_things_met(const Scene& scene, const RoomRay& ray, std::vector<MetPane>& met) {
     bool ambiguous = false;
-    std::vector<Meeting> met;
+    std::vector<Meeting> meetings;
     for (const Presence& presence : scene.snapshot.things.in(ray.hit.sector))
-        ambiguous |= meet(scene, ray, presence, met);
-    std::stable_sort(met.begin(), met.end(), is_nearer);
-    for (std::size_t i = 0; i < met.size(); ++i) {
-        ambiguous |= met[i].pane.ambiguous || (i > 0 && is_order_close(met[i - 1], met[i]));
-        panes.push_back(met[i].pane);
-    }
+        ambiguous |= meet(scene, ray, presence, meetings);
+    std::stable_sort(meetings.begin(), meetings.end(), is_nearer);
+    for (const Meeting& meeting : meetings) met.push_back({meeting.depth, meeting.pane});
     return ambiguous;
 }
 

@@ -1,0 +1,58 @@
+#include "render/reference/panels_met.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enfilade {
+namespace {
+
+/// Is the ray at `height` above the eye, or higher, where it meets the panel? A panel through the eye is met an instant
+/// after the start, as a wall is.
+bool reaches(const RoomRay& ray, const PanelHit& at, double height) {
+    if (at.depth == 0 && height == 0) return ray.climb >= 0;
+    return ray.climb * at.depth >= height;
+}
+
+/// A level ray, or a panel through the eye, is compared with a height without any rounding.
+bool is_close_to(const RoomRay& ray, const PanelHit& at, double height) {
+    if (ray.climb == 0 || at.depth == 0) return false;
+    return std::fabs(ray.climb * at.depth - height) < kAmbiguous;
+}
+
+Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
+    const Panel& panel = scene.map[at.panel];
+    const Surface& surface = panel.surface;
+    const Texture& texture = scene.textures[surface.texture];
+    const double top = panel.top - ray.hit.space.eye_z;
+    const double u = fraction(at.along * panel.length / surface.tile_m.x - surface.offset_tiles.x);
+    const double v = fraction((top - ray.climb * at.depth) / surface.tile_m.y - surface.offset_tiles.y);
+    const std::uint32_t color = texel(texture, u, v);
+    const double light = scene.snapshot[panel.sector].light;
+    const Shade shade = shade_at(scene.map.render.light, light, panel.contrast, at.depth);
+    Pane pane;
+    pane.seen.id = panel_id(scene.map, at.panel);
+    pane.seen.depth = at.depth;
+    pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
+    pane.alpha = color >> 24;
+    pane.seen.color = (color & 0xFF000000u) | (shaded(color, shade) & 0x00FFFFFFu);
+    pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, surface.tile_m);
+    return pane;
+}
+
+}  // namespace
+
+bool find_panels_met(const Scene& scene, const RoomRay& ray, std::vector<MetPane>& met) {
+    bool ambiguous = false;
+    const SectorSnapshot& room = scene.snapshot[ray.hit.sector];
+    const double eye_z = ray.hit.space.eye_z;
+    for (const PanelHit& at : ray.hit.panels) {
+        const Panel& panel = scene.map[at.panel];
+        const double top = std::min(panel.top, room.ceiling_z) - eye_z;
+        const double bottom = std::max(panel.bottom, room.floor_z) - eye_z;
+        ambiguous |= is_close_to(ray, at, top) || is_close_to(ray, at, bottom);
+        if (reaches(ray, at, bottom) && !reaches(ray, at, top)) met.push_back({at.depth, pane_of(scene, ray, at)});
+    }
+    return ambiguous;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,258 @@
+// Panels drawn by the column renderer, against the reference: free, along walls, across each other's ends, before and
+// behind things, through doorways, links and mirrors, with the eye in their plane and on their ends.
+#include <gtest/gtest.h>
+
+#include "math/grid.h"
+#include "render/column/agreement.h"
+#include "render/column/column_renderer.h"
+#include "render/column/strips.h"
+#include "space/locate.h"
+#include "support/count_allocations.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+PanelRecord panel(Vec2 a, Vec2 b, double bottom = 0.25, double top = 1.75) {
+    PanelRecord record;
+    record.a = a;
+    record.b = b;
+    record.bottom = bottom;
+    record.top = top;
+    record.texture = spec("lattice");
+    record.texture.offset_tx = {3.3, 1.7};  // rims not on the lattice of the eyes
+    return record;
+}
+
+/// As many panels as find a place among the rooms' walls and each other; half of them on a lattice of half metres, so
+/// that they touch walls, corners and each other.
+void scatter_panels(MapFile& file, int tries, std::uint64_t seed) {
+    const Map rooms = built(file);
+    Random random(seed);
+    for (int i = 0; i < tries; ++i) {
+        const std::size_t home = random.below(file.sectors.size());
+        const Sector& sector = rooms.sectors[home];
+        const bool on_lattice = random.below(2) == 0;
+        const auto place = [&] {
+            const Vec2 p{random.uniform(sector.min.x, sector.max.x), random.uniform(sector.min.y, sector.max.y)};
+            return on_lattice ? Vec2{double(int(p.x * 2)) / 2, double(int(p.y * 2)) / 2} : snap_to_vertex_grid(p);
+        };
+        const double bottom = random.uniform(sector.floor.z - 1, sector.ceiling.z);
+        file.sectors[home].panels.push_back(panel(place(), place(), bottom, bottom + random.uniform(0.5, 3)));
+        if (has_errors(findings_of(file))) file.sectors[home].panels.pop_back();
+    }
+    EXPECT_GE(built(file).panels.size(), std::size_t(tries) / 4);
+}
+
+/// Things that nothing but their place tells apart, anywhere or on a lattice.
+void scatter_things(MapFile& file, int count, std::uint64_t seed) {
+    const Map rooms = built(file);
+    Random random(seed);
+    while (count > 0) {
+        const SectorId home(random.below(rooms.sectors.size()));
+        const Sector& sector = rooms[home];
+        Vec2 p{random.uniform(sector.min.x, sector.max.x), random.uniform(sector.min.y, sector.max.y)};
+        if (random.below(2) == 0) p = {double(int(p.x * 2)) / 2, double(int(p.y * 2)) / 2};
+        if (!contains(rooms, home, snap_to_point_grid(p))) continue;
+        ThingRecord thing;
+        thing.position = p;
+        thing.sector = sector.name;
+        thing.frames = {{"lattice", 0, {31.3, 60}}};
+        thing.size = 40;
+        file.things.push_back(thing);
+        --count;
+    }
+}
+
+World world_of(const MapFile& file) {
+    World world(file);
+    world.textures.textures[world.textures.find("lattice").index] = lattice();
+    return world;
+}
+
+/// The palace with panels and things in its rooms and pictures in all its doorways.
+MapFile furnished_palace(int things) {
+    MapFile file = palace();
+    scatter_panels(file, 150, 1);
+    scatter_things(file, things, 2);
+    int count = 0;
+    for (SectorRecord& s : file.sectors)
+        for (WallRecord& w : s.loops[0].walls)
+            if (!w.next.empty()) {
+                w.middle = spec("lattice");
+                w.middle->offset_tx = {5.3 * count, 7.1 * (count++ % 9) - 20};
+            }
+    return file;
+}
+
+MapFile linked_rooms() {
+    MapFile file = map_of({box_room("a", 0, 0, 5, 5, 0, 3), box_room("b", 20, 0, 26, 5, 1, 4),
+                           room("c", {{40, 0}, {44, 3}, {41, 7}, {37, 4}}, -1, 2)});
+    link(file, "a", {5, 0}, {5, 5}, "c", {44, 3}, {41, 7});
+    link(file, "a", {0, 5}, {0, 0}, "b", {26, 0}, {26, 5});
+    wall(file, "a", {0, 0}, {5, 0}).mirror = true;
+    wall(file, "b", {26, 5}, {20, 5}).mirror = true;
+    file.render.max_depth = 4;
+    return file;
+}
+
+/// One room with a pillar and a handful of panels: joined at ends, along walls and on each other.
+MapFile panelled_hall() {
+    MapFile file = map_of({box_room("hall", 0, 0, 8, 8, 0, 3)});
+    cut_pillar(sector(file, "hall"), 3, 3, 4, 5);
+    sector(file, "hall").panels = {panel({1, 1}, {6, 2}), panel({6, 2}, {6, 6}),       panel({1, 1}, {1, 6}, 0, 3),
+                                   panel({4, 4}, {6, 4}), panel({0, 2}, {0, 6}),       panel({3, 5}, {3, 8}),
+                                   panel({1, 2}, {1, 4}), panel({5, 7}, {8, 8}, -1, 4)};
+    return file;
+}
+
+TEST(PanelColumns, AgreeWithTheReferenceInAPalace) {
+    MapFile file = palace();
+    scatter_panels(file, 150, 1);
+    expect_agreement(world_of(file), 21, 100);
+}
+
+TEST(PanelColumns, AgreeWithTheReferenceAmongThingsAndFences) {
+    expect_agreement(world_of(furnished_palace(50)), 22, 100);
+}
+
+TEST(PanelColumns, AgreeWithTheReferenceThroughLinksAndInMirrors) {
+    MapFile file = linked_rooms();
+    scatter_panels(file, 60, 3);
+    scatter_things(file, 12, 4);
+    expect_agreement(world_of(file), 23, 100);
+}
+
+TEST(PanelColumns, AgreeWithTheReferenceInClassicLight) {
+    MapFile file = furnished_palace(20);
+    file.render.light = LightModel::classic;
+    expect_agreement(world_of(file), 24, 40);
+}
+
+/// Draws the view and fails where the renderers differ. Marked pixels are not compared: at most a part of them may be.
+void expect_same(const World& world, const View& view, double most_marked = 0.5) {
+    Comparison sum;
+    compare(world, view, 97, 61, sum);
+    EXPECT_EQ(sum.not_once, 0u);
+    EXPECT_EQ(sum.wrong_ids, 0u);
+    EXPECT_EQ(sum.wrong_colors, 0u);
+    EXPECT_LE(static_cast<double>(sum.ambiguous), most_marked * static_cast<double>(sum.pixels));
+}
+
+View view_from(const Map& map, Vec2 eye, double yaw_degrees, double eye_z) {
+    View view;
+    view.eye = snap_to_point_grid(eye);
+    view.sector = locate(map, view.eye);
+    view.eye_z = eye_z;
+    view.forward = direction(Angle::from_degrees(yaw_degrees));
+    return view;
+}
+
+TEST(PanelColumns, AgreeWhereTheEyeIsInAPanelsPlane) {
+    const World world = world_of(panelled_hall());
+    for (const Panel& panel : world.map.panels)
+        for (const double along : {-0.25, 0.25, 0.5, 1.25})
+            for (double yaw = 0; yaw < 360; yaw += 22.5) {
+                const Vec2 eye = snap_to_point_grid(panel.a + (panel.b - panel.a) * along);
+                if (!locate(world.map, eye)) continue;
+                SCOPED_TRACE(testing::Message() << eye.x << ", " << eye.y << " yaw " << yaw);
+                expect_same(world, view_from(world.map, eye, yaw, 1));
+            }
+}
+
+TEST(PanelColumns, AgreeWhereTheEyeIsOnAPanelsEnd) {
+    const World world = world_of(panelled_hall());
+    for (const Panel& panel : world.map.panels)
+        for (const Vec2 end : {panel.a, panel.b})
+            for (double yaw = 0; yaw < 360; yaw += 22.5) {
+                if (!locate(world.map, end)) continue;
+                SCOPED_TRACE(testing::Message() << end.x << ", " << end.y << " yaw " << yaw);
+                expect_same(world, view_from(world.map, end, yaw, 0.9));
+            }
+}
+
+/// What the pixel shows.
+SurfaceId seen_at(const World& world, const View& view, int x, int y) {
+    Frame frame;
+    FrameFacts facts;
+    frame.resize(64, 64);
+    reset(facts, 64, 64);
+    ColumnRenderer().render(frame, &facts, world.map, world.textures, world.snapshot, view);
+    return facts.ids[static_cast<std::size_t>(y * 64 + x)];
+}
+
+/// A room with an opaque panel across its middle, and a thing.
+MapFile room_with(PanelRecord record, Vec2 thing_place) {
+    MapFile file = map_of({box_room("room", 0, 0, 8, 8, 0, 4)});
+    record.texture = spec("cloth");
+    file.sectors[0].panels = {record};
+    ThingRecord thing;
+    thing.position = thing_place;
+    thing.frames = {{"figure", 0, {32, 64}}};
+    file.things = {thing};
+    return file;
+}
+
+TEST(PanelColumns, ShowAPanelFromBothSides) {
+    const World world(room_with(panel({4, 1}, {4, 7}), {1, 7}));
+    const SurfaceId id = panel_id(world.map, PanelId(0u));
+    EXPECT_EQ(seen_at(world, view_from(world.map, {1, 4}, 0, 1), 32, 32), id);
+    EXPECT_EQ(seen_at(world, view_from(world.map, {7, 4}, 180, 1), 32, 32), id);
+}
+
+TEST(PanelColumns, ShowWhatIsAboveAndBelowAPanel) {
+    const World world(room_with(panel({4, 1}, {4, 7}, 0.5, 1.5), {1, 7}));
+    const View view = view_from(world.map, {2, 4}, 0, 1);  // 32 px focal length, 2 m away: 8 rows up and down
+    const SurfaceId id = panel_id(world.map, PanelId(0u));
+    EXPECT_NE(seen_at(world, view, 32, 23), id);
+    EXPECT_EQ(seen_at(world, view, 32, 24), id);
+    EXPECT_EQ(seen_at(world, view, 32, 39), id);
+    EXPECT_NE(seen_at(world, view, 32, 40), id);
+}
+
+// The thing's picture is parallel to the picture plane, the panel slants through it.
+TEST(PanelColumns, ShowAPanelBeforeAThingInOneColumnAndBehindItInAnother) {
+    const World world(room_with(panel({3, 1}, {5, 7}), {4, 4}));
+    const View view = view_from(world.map, {1, 4}, 0, 1);
+    EXPECT_EQ(seen_at(world, view, 28, 32), panel_id(world.map, PanelId(0u)));
+    EXPECT_EQ(seen_at(world, view, 36, 32), thing_id(world.map, ThingId(0u)));
+}
+
+TEST(PanelColumns, ShowAThingThatStandsInAPanelsPlaneBeforeIt) {
+    const World world(room_with(panel({4, 1}, {4, 7}), {4, 4}));
+    EXPECT_EQ(seen_at(world, view_from(world.map, {1, 4}, 0, 1), 32, 32), thing_id(world.map, ThingId(0u)));
+    EXPECT_EQ(seen_at(world, view_from(world.map, {7, 4}, 180, 1), 32, 32), thing_id(world.map, ThingId(0u)));
+}
+
+TEST(PanelColumns, DrawStripsThatEqualTheWholePicture) {
+    const World world = world_of(furnished_palace(30));
+    Random random(5);
+    for (int trial = 0; trial < 20; ++trial) {
+        const View view = random_view(world.map, random);
+        Frame whole, parts;
+        whole.resize(131, 90);
+        parts.resize(131, 90);
+        ColumnRenderer().render(whole, nullptr, world.map, world.textures, world.snapshot, view);
+        ColumnStrips(4).render(parts, nullptr, world.map, world.textures, world.snapshot, view);
+        ASSERT_EQ(whole.pixels, parts.pixels) << "trial " << trial;
+    }
+}
+
+TEST(PanelColumns, AllocateNothingOnceTheViewHasBeenDrawn) {
+    const World world = world_of(furnished_palace(30));
+    Random random(7);
+    ColumnRenderer renderer;
+    Frame frame;
+    frame.resize(320, 200);
+    for (int trial = 0; trial < 20; ++trial) {
+        const View view = random_view(world.map, random);
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        const std::size_t before = allocations();
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        EXPECT_EQ(allocations(), before) << "trial " << trial;
+    }
+}
+
+}  // namespace
+}  // namespace enfilade
