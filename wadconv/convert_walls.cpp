@@ -59,6 +59,7 @@ void convert_portal(Workbench& bench, const Edge& edge, WallRecord& wall) {
     wall.next = part_name(bench.parts.parts[bench.parts.part_of_edge[edge.opposite]]);
     hang_textures(bench, opening, wall);
     open_bare_steps(bench, opening, wall);
+    wall.blocks = (bench.doom.lines[edge.line].flags & kBlocking) != 0;
     ++bench.report.portals;
     if (opening.edge.sector == bench.parts.edges[edge.opposite].sector && !edge.is_left)
         bench.report.note(Kind::self_portal, edge.line);
@@ -75,9 +76,10 @@ void convert_solid(Workbench& bench, const Edge& edge, WallRecord& wall) {
         bench.report.note(Kind::missing_middle, edge.line);
 }
 
-/// Flags of a line that say no more than that it is solid, or that it is not.
+/// Flags of a line that say no more than what the wall says itself: whether it is solid, or blocks.
 bool is_plain(const Linedef& line, bool is_open) {
-    return line.special == 0 && line.tag == 0 && line.flags == (is_open ? kTwoSided : kBlocking);
+    return line.special == 0 && line.tag == 0 &&
+           (is_open ? (line.flags & ~kBlocking) == kTwoSided : line.flags == kBlocking);
 }
 
 /// `keeper`: by line, the edge that keeps the line's record.

@@ -42,6 +42,7 @@ struct WallRecord {
     std::string via;             ///< name of the wall of `next` it is linked to; empty: plain adjacency
     std::optional<double> rise;  ///< height added when passing the link [m]; absent: floor on floor
     bool mirror = false;
+    bool blocks = false;  ///< portal: nobody passes, though one looks through; given on one side it counts for both
     std::optional<DoomRecord> doom;
     TextPlace place, next_place, via_place;
     bool operator==(const WallRecord&) const = default;

@@ -28,6 +28,7 @@ constexpr std::array kWallKeys{
     reference<&WallRecord::via, &WallRecord::via_place>("via", kNew),
     key<&WallRecord::rise>("rise", kNew, Need::optional, kHeights),
     key<&WallRecord::mirror>("mirror", kNew),
+    key<&WallRecord::blocks>("blocks", kNew),
     key<&WallRecord::upper>("upper", kBoth),
     key<&WallRecord::lower>("lower", kBoth),
     key<&WallRecord::middle>("middle", kNew),

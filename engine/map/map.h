@@ -43,6 +43,7 @@ struct Wall {
     WallKind kind = WallKind::solid;
     SectorId behind;               ///< portal: the sector it leads into; else none
     WallId exit;                   ///< portal: the wall of `behind` one comes out of; equals -edge for plain adjacency
+    bool blocks = false;           ///< portal: looks pass, bodies do not
     std::uint32_t link = kNoLink;  ///< index into Map::links, or kNoLink where nothing is transformed
     /// Light by direction, so that corners can be seen. Smooth light: a factor, from 0.8 along x to 1 along y. Classic
     /// light: 0.8 exactly along x (one step darker), 1.2 exactly along y (one step brighter), else 1.

@@ -127,11 +127,20 @@ private:
     TwinIndex twins_;
 };
 
+/// What blocks one way blocks the way back.
+void block(Draft& draft, WallId id) {
+    Wall& wall = draft.map.walls[id.index];
+    if (wall.kind != WallKind::portal || !draft.walls[id.index].record->blocks) return;
+    wall.blocks = true;
+    if (wall.exit && draft.map[wall.exit].exit == id) draft.map.walls[wall.exit.index].blocks = true;
+}
+
 }  // namespace
 
 void resolve_portals(Draft& draft) {
     Resolver resolver(draft);
     for (std::size_t i = 0; i < draft.map.walls.size(); ++i) resolver.resolve(WallId(i));
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) block(draft, WallId(i));
 }
 
 }  // namespace enfilade

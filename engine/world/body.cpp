@@ -38,6 +38,7 @@ Clearance clearance(const Map& map, const Body& body, const std::vector<ReachedS
 
 bool can_pass(const Map& map, const Body& body, WallId portal, const Rigid& passage) {
     const Wall& wall = map[portal];
+    if (wall.blocks) return false;
     const double rise = passage.rise, rise_behind = rise + map.passage(wall).rise;
     const Heights here = heights_of(map, wall.sector), behind = heights_of(map, wall.behind);
     const double floor_z = behind.floor_z - rise_behind;

@@ -85,6 +85,7 @@ private:
         wall.via = maybe_text();
         wall.rise = maybe(-9, 9);
         wall.mirror = flip();
+        wall.blocks = flip();
         wall.doom = doom();
         return wall;
     }

@@ -288,8 +288,18 @@ TEST(ConvertWalls, KeepNoRecordOfPlainLines) {
 
 TEST(ConvertWalls, KeepFlagsThatSayMore) {
     Doorway d;
+    constexpr std::uint16_t kSecret = 0x20;
+    d.line().flags = kTwoSided | kBlocking | kSecret;
+    EXPECT_EQ(front(Converted(d.level)).doom->flags, kTwoSided | kBlocking | kSecret);
+}
+
+TEST(ConvertWalls, BlockWhereTheLineDoes) {
+    Doorway d;
+    EXPECT_FALSE(front(Converted(d.level)).blocks);
     d.line().flags = kTwoSided | kBlocking;
-    EXPECT_EQ(front(Converted(d.level)).doom->flags, kTwoSided | kBlocking);
+    EXPECT_TRUE(front(Converted(d.level)).blocks);
+    EXPECT_TRUE(back(Converted(d.level)).blocks);
+    EXPECT_FALSE(front(Converted(d.level)).doom);  // the wall itself says all that the line does
 }
 
 TEST(ConvertWalls, MakeUnmarkedLinesSolid) {

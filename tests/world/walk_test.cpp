@@ -185,6 +185,24 @@ MapFile room_with_pillar_behind_link() {
     return file;
 }
 
+/// Two rooms with a fence between them that one of them names.
+MapFile fenced_rooms(bool named_by_first) {
+    MapFile file = map_of({box_room("first", 0, 0, 4, 4), box_room("second", 4, 0, 8, 4)});
+    join(file, "first", "second", {4, 0}, {4, 4});
+    WallRecord& fence = named_by_first ? wall(file, "first", {4, 0}, {4, 4}) : wall(file, "second", {4, 4}, {4, 0});
+    fence.blocks = true;
+    place_player(file, "first", {2, 2}, kEyeOnFloor);
+    return file;
+}
+
+TEST(Walk, StopsABodysRadiusFromAFenceWhicheverSideNamesIt) {
+    for (const bool named_by_first : {true, false}) {
+        Game game(fenced_rooms(named_by_first));
+        game.hold(kForward, 200);
+        EXPECT_EQ(game.point(), (Vec2{4 - kBodyRadius, 2}));
+    }
+}
+
 TEST(Walk, CollidesBehindALinkWithTheHalfThatIsThere) {
     // Near and far lie at other places of the number line, so sums are rounded otherwise: a grid step now and then.
     const double bound = 64 * kPointGrid;

@@ -25,7 +25,8 @@ double opening(const Map& map, const Wall& portal) {
 }
 
 bool is_walkable(const Map& map, const Wall& wall) {
-    return wall.kind == WallKind::portal && is_at_most(map[wall.behind].floor.z - map[wall.sector].floor.z, kMaxStep) &&
+    return wall.kind == WallKind::portal && !wall.blocks &&
+           is_at_most(map[wall.behind].floor.z - map[wall.sector].floor.z, kMaxStep) &&
            is_at_most(kCrouchedHeight, opening(map, wall)) && is_at_most(kCrouchedHeight, headroom(map[wall.behind]));
 }
 
