@@ -1,0 +1,103 @@
+// Portal equivalence: a map that is cut along its portals, whose pieces are moved away and linked, looks as before.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "hard_cases/cut_apart.h"
+#include "hard_cases/poses.h"
+#include "map/load.h"
+#include "render/column/column_renderer.h"
+#include "render/reference/reference_renderer.h"
+
+namespace enfilade::test {
+namespace {
+
+constexpr PictureSize kSize{200, 125};
+constexpr int kPoses = 40, kCuts = 3;
+
+/// A view drawn in one map, by one renderer.
+struct Picture {
+    Picture(const Map& map, const TextureSet& textures, const View& view, bool by_columns) {
+        frame.resize(kSize.width, kSize.height);
+        reset(facts, kSize.width, kSize.height);
+        const Snapshot snapshot = at_rest(map);
+        if (by_columns)
+            ColumnRenderer().render(frame, &facts, map, textures, snapshot, view);
+        else
+            render_reference(frame, &facts, map, textures, snapshot, view);
+    }
+    Frame frame;
+    FrameFacts facts;
+};
+
+/// Pictures on flats and skies do not turn with a room: one colour for each instead.
+void make_flats_plain(Map& map, TextureSet& textures) {
+    const auto make_plain = [&](Surface& surface) {
+        if (!surface.texture) return;
+        Texture plain;
+        plain.pixels = {0xFF000000u | surface.texture.index * 0x9E3779u};
+        textures.textures.push_back(plain);
+        surface.texture = TextureId(textures.textures.size() - 1);
+    };
+    for (Sector& sector : map.sectors) {
+        make_plain(sector.floor.surface);
+        make_plain(sector.ceiling.surface);
+    }
+}
+
+class Equivalence : public testing::TestWithParam<const char*> {
+protected:
+    void SetUp() override {
+        LoadedMap loaded = load_map(std::string(ENFILADE_SOURCE_DIR "/maps/") + GetParam() + ".toml", {}, read_file);
+        ASSERT_TRUE(loaded.map);
+        map_ = std::move(*loaded.map);
+        textures_ = std::move(loaded.textures);
+    }
+
+    /// How many pixels of the two pictures of each view differ, in millionths.
+    double differing(const Map& map, Move move, bool by_columns) const {
+        Random random(1);
+        std::uint64_t pixels = 0, other = 0, linked = 0;
+        for (int i = 0; i < kCuts; ++i) {
+            const CutMap cut = cut_apart(map, move, random);
+            linked += cut.map.links.size() - map.links.size();
+            for (int pose = 0; pose < kPoses; ++pose) {
+                const View view = random_pose(map, random);
+                const Picture before(map, textures_, view, by_columns),
+                    after(cut.map, textures_, moved(view, cut), by_columns);
+                for (std::size_t p = 0; p < before.frame.pixels.size(); ++p, ++pixels)
+                    other +=
+                        before.frame.pixels[p] != after.frame.pixels[p] || before.facts.ids[p] != after.facts.ids[p];
+            }
+        }
+        EXPECT_GT(linked, 0u);
+        const double share = 1e6 * static_cast<double>(other) / static_cast<double>(pixels);
+        std::printf("  %s: %.2f per million of %llu pixels differ\n", by_columns ? "column" : "reference", share,
+                    static_cast<unsigned long long>(pixels));
+        return share;
+    }
+
+    Map map_;
+    TextureSet textures_;
+};
+
+TEST_P(Equivalence, IsExactForShifts) {
+    for (const bool by_columns : {true, false}) EXPECT_EQ(differing(map_, Move::shift, by_columns), 0);
+}
+
+TEST_P(Equivalence, IsExactForQuarterTurns) {
+    make_flats_plain(map_, textures_);
+    for (const bool by_columns : {true, false}) EXPECT_EQ(differing(map_, Move::quarter_turns, by_columns), 0);
+}
+
+TEST_P(Equivalence, IsCloseForOtherAngles) {
+    make_flats_plain(map_, textures_);
+    const Map turnable = on_turnable_grid(map_);
+    for (const bool by_columns : {true, false}) EXPECT_LE(differing(turnable, Move::other_angles, by_columns), 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Maps, Equivalence, testing::Values("enfilade", "rooms", "cave", "pillar_hall"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace
+}  // namespace enfilade::test
