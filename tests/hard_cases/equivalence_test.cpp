@@ -13,7 +13,7 @@ namespace enfilade::test {
 namespace {
 
 constexpr PictureSize kSize{200, 125};
-constexpr int kPoses = 40, kCuts = 3;
+constexpr int kPoses = 25, kCuts = 3;
 
 /// A view drawn in one map, by one renderer.
 struct Picture {
@@ -97,7 +97,7 @@ TEST_P(Equivalence, IsCloseForOtherAngles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Maps, Equivalence, testing::Values("enfilade", "rooms", "cave", "pillar_hall"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& map) { return std::string(map.param); });
 
 }  // namespace
 }  // namespace enfilade::test
