@@ -124,6 +124,15 @@ TEST(PanelColumns, AgreeWithTheReferenceThroughLinksAndInMirrors) {
     expect_agreement(world_of(file), 23, 100);
 }
 
+// A ray that leaves the room and comes back must not meet the panels of the first arm again: glass would be darker.
+TEST(PanelColumns, AgreeWithTheReferenceInARoomThatSeesItself) {
+    MapFile file = map_of({room("horseshoe", {{0, 0}, {9, 0}, {9, 6}, {6, 6}, {6, 3}, {3, 3}, {3, 6}, {0, 6}}),
+                           box_room("between", 3, 3, 6, 6, 0.25, 1.75)});
+    join_all(file);
+    scatter_panels(file, 80, 5);
+    expect_agreement(world_of(file), 25, 100);
+}
+
 TEST(PanelColumns, AgreeWithTheReferenceInClassicLight) {
     MapFile file = furnished_palace(20);
     file.render.light = LightModel::classic;
