@@ -17,11 +17,14 @@ constexpr std::size_t kThreads = 2;
 
 SurfaceId first_thing(const Map& map) { return thing_id(map, ThingId(std::size_t{0})); }
 
+SurfaceId first_panel(const Map& map) { return panel_id(map, PanelId(std::size_t{0})); }
+
 std::string text_of(const Map& map, SurfaceId id) {
     if (id == kNothing) return "nothing";
     if (id == kRecursionEnd) return "the end of a chain of links";
     const auto first_wall = static_cast<SurfaceId>(1 + 2 * map.sectors.size());
     if (id < first_wall) return (id % 2 ? "the floor of '" : "the ceiling of '") + map.sectors[(id - 1) / 2].name + "'";
+    if (id >= first_panel(map)) return "panel " + std::to_string(id - first_panel(map));
     if (id >= first_thing(map)) return "thing " + std::to_string(id - first_thing(map));
     const SurfaceId wall = (id - first_wall) / 3;
     const char* const part[] = {"", "upper step of ", "lower step of "};
@@ -46,6 +49,7 @@ const Texture& texture_of(const Subject& subject, SurfaceId id) {
         const Sector& sector = map.sectors[(id - 1) / 2];
         return subject.textures[(id % 2 ? sector.floor : sector.ceiling).surface.texture];
     }
+    if (id >= first_panel(map)) return subject.textures[map.panels[id - first_panel(map)].surface.texture];
     if (id >= first_thing(map)) {
         // All pictures of a thing at rest are of one size in any map that is drawn here.
         const SpriteId sprite = map.things[id - first_thing(map)].sprite;
