@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/parallel.h"
 #include "formats/quoted.h"
 #include "formats/reading.h"
 #include "formats/table_text.h"
@@ -114,6 +115,28 @@ void add_key_infos(std::vector<KeyInfo>& all, const std::string& prefix) {
 /// How many members of an array are tables: room for others would only be taken in vain.
 std::size_t tables_in(TomlNode array);
 
+/// Fewer tables than this are not worth a thread of their own.
+inline constexpr std::size_t kLeastTablesPerThread = 1024;
+
+template <class Field>
+void read_field(Reading& reading, const NamedValue& value, Range range, Field& field);
+
+/// Reads an array that has nothing but tables, on several threads if there are many. What is found comes in the order
+/// of the text, as if one had read them all.
+template <class Record>
+void read_tables(Reading& reading, const NamedValue& value, Range range, std::vector<Record>& records) {
+    const std::size_t count = value.node.size(), parts = count / kLeastTablesPerThread + 1;
+    std::vector<Findings> found(parts);
+    records.resize(count);
+    parallel_for(parts, hardware_threads(), [&](std::size_t part, std::size_t) {
+        Reading own{found[part], reading.dialect};
+        for (std::size_t i = part * count / parts; i < (part + 1) * count / parts && !own.is_full(); ++i)
+            read_field(own, {value.name, value.node.at(i)}, range, records[i]);
+    });
+    for (const Findings& findings : found)
+        for (const Finding& finding : findings) reading.error(finding.place, finding.code, finding.sentence);
+}
+
 template <class Field>
 void read_field(Reading& reading, const NamedValue& value, Range range, Field& field) {
     if constexpr (Plain<Field>) {
@@ -122,7 +145,10 @@ void read_field(Reading& reading, const NamedValue& value, Range range, Field& f
         read_field(reading, value, range, field.emplace());
     } else if constexpr (is_vector<Field>) {
         if (!expect(reading, value, TomlKind::array)) return;
-        field.reserve(tables_in(value.node));
+        const std::size_t tables = tables_in(value.node);
+        if (tables == value.node.size() && tables >= kLeastTablesPerThread)
+            return read_tables(reading, value, range, field);
+        field.reserve(tables);
         for (std::size_t i = 0; i < value.node.size() && !reading.is_full(); ++i)
             read_field(reading, {value.name, value.node.at(i)}, range, field.emplace_back());
     } else if (expect(reading, value, TomlKind::table)) {

@@ -24,7 +24,7 @@ inline constexpr std::size_t kMaxDottedKeys = std::size_t{1} << 16;
 inline constexpr std::size_t kMaxDottedHeaders = std::size_t{1} << 18;
 
 /// Parts of a text that are not worth a thread of their own are not cut off [bytes].
-inline constexpr std::size_t kLeastTomlPart = std::size_t{1} << 20;
+inline constexpr std::size_t kLeastTomlPart = std::size_t{1} << 18;
 
 /// What one look over a text tells.
 struct TomlScan {

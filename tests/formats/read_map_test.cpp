@@ -325,5 +325,30 @@ TEST(ReadMap, RefusesTextsThatAreTooLarge) {
     EXPECT_THAT(codes_and_places(read_map(std::string(kMaxMapBytes + 1, '\n')).findings), ElementsAre("too-large 0:0"));
 }
 
+/// So many sectors that several threads read them; each has a name of its own, and every thousandth a light too bright.
+std::string many_sectors(int count) {
+    std::string text = "format = 1\n";
+    for (int i = 0; i < count; ++i)
+        text.append("[[sectors]]\nname = 's")
+            .append(std::to_string(i))
+            .append("'\nloops = [{ v = [0, 0, 1, 0, 0, 1], walls = [{}, {}, {}] }]\nlight = ")
+            .append(i % 1000 == 999 ? "2\n" : "1\n");
+    return text;
+}
+
+TEST(ReadMap, KeepsTheOrderOfThousandsOfSectors) {
+    const MapFile map = read_map(many_sectors(5000)).map;
+    ASSERT_EQ(map.sectors.size(), 5000u);
+    for (std::size_t i = 0; i < 5000; ++i) ASSERT_EQ(map.sectors[i].name, "s" + std::to_string(i));
+}
+
+TEST(ReadMap, FindsWhatIsWrongInAnyOfThousandsOfSectors) {
+    Findings findings = read_map(many_sectors(5000)).findings;
+    std::erase_if(findings, [](const Finding& finding) { return finding.code != "out-of-range"; });
+    EXPECT_THAT(codes_and_places(findings),
+                ElementsAre("out-of-range 4001:9", "out-of-range 8001:9", "out-of-range 12001:9",
+                            "out-of-range 16001:9", "out-of-range 20001:9"));
+}
+
 }  // namespace
 }  // namespace enfilade
