@@ -38,5 +38,7 @@ void draw_trim(const Album&);     // columns, steps, ledges, metal, and what one
 void draw_nature(const Album&);   // rock, earth, water, leaves
 void draw_sky(const Album&);
 void draw_furniture(const Album&);  // what stands in the rooms
+void draw_signs(const Album&);      // what is written over doors
+void draw_far_lands(const Album&);  // sand, snow, red stone, night
 
 }  // namespace draw_textures

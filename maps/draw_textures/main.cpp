@@ -20,6 +20,8 @@ int main(int count, char** arguments) {
         draw_textures::draw_nature(album);
         draw_textures::draw_sky(album);
         draw_textures::draw_furniture(album);
+        draw_textures::draw_signs(album);
+        draw_textures::draw_far_lands(album);
     } catch (const std::exception& problem) {
         std::fprintf(stderr, "draw_textures: %s\n", problem.what());
         return 1;
