@@ -1,7 +1,9 @@
 #include "hard_cases/comparison.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
 #include <sstream>
 #include <vector>
@@ -79,6 +81,20 @@ bool is_on_light_step(const Map& map, double depth) {
     return map.render.light == LightModel::classic && std::fabs(level - std::round(level)) < kNear * level;
 }
 
+/// Whether two colours differ by no more than what shines through the texel. What lies behind may show either of two
+/// texels, of which the facts of the pixel say nothing.
+bool is_what_shines_through(TexelPosition p, const Texture& texture, std::uint32_t a, std::uint32_t b) {
+    const auto texel = [](float tile, std::uint32_t size) {
+        return std::min(static_cast<std::uint32_t>(static_cast<double>(tile) * size), size - 1);
+    };
+    const int alpha = static_cast<int>(texture.at(texel(p.u, texture.width), texel(p.v, texture.height)) >> 24);
+    for (const int shift : {0, 8, 16}) {
+        const int difference = std::abs(static_cast<int>(a >> shift & 0xFF) - static_cast<int>(b >> shift & 0xFF));
+        if (difference > 255 - alpha + 1) return false;  // each is rounded
+    }
+    return alpha < 255;
+}
+
 struct BothPictures {
     Frame column, reference;
     FrameFacts column_facts, reference_facts;
@@ -93,8 +109,11 @@ void note_pixel(const Subject& subject, const BothPictures& both, std::size_t i,
     result.ambiguous += !is_sure;
     result.wrong += shown != truth && is_sure;
     if (shown == truth && shown != kRecursionEnd && both.column.pixels[i] != both.reference.pixels[i]) {
-        const bool on_edge = is_on_edge(both.reference_facts.texels[i], texture_of(subject, truth)) ||
-                             is_on_light_step(subject.map, both.reference_facts.depths[i]);
+        const TexelPosition texel = both.reference_facts.texels[i];
+        const Texture& texture = texture_of(subject, truth);
+        const bool on_edge = is_on_edge(texel, texture) ||
+                             is_on_light_step(subject.map, both.reference_facts.depths[i]) ||
+                             is_what_shines_through(texel, texture, both.column.pixels[i], both.reference.pixels[i]);
         ++(on_edge || !is_sure ? result.other_texel : result.wrong_color);
     }
     if (result.is_faultless() || !result.first_fault.empty()) return;
