@@ -1,0 +1,201 @@
+// Walking through every link of the maps: no frame on the way shows what lies behind the doorway on paper.
+//
+// What would flash is seen in two ways. The last frame before the doorway and the first behind it show the same
+// surfaces, because the eye has hardly moved; and every frame is what the reference sees, whose rays know no paper.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "hard_cases/comparison.h"
+#include "hard_cases/linked_maps.h"
+#include "math/grid.h"
+#include "render/column/column_renderer.h"
+#include "space/locate.h"
+#include "space/trace.h"
+
+namespace enfilade::test {
+namespace {
+
+constexpr PictureSize kSize{64, 40};
+constexpr double kEyeHeight = 1.55;  ///< of one who stands [m]
+constexpr double kApproach = 0.125;  ///< where a walk starts, before the doorway: within every threshold [m]
+constexpr double kStep = 0x1p-16;    ///< a 65th of a millimetre [m]
+constexpr int kSlivers = 8;          ///< surfaces thinner than a pixel that a step may show or hide, of 2560 [px]
+constexpr int kSteps = 6;            ///< before the doorway, and as many behind it
+constexpr int kTwelfth = 12;         ///< of the 144 links of the cells, which are alike, this part is walked
+
+/// Through which part of the doorway, which way across it, and where one looks meanwhile.
+struct Way {
+    const char* name;
+    double part;   ///< of the wall, from its start
+    double slant;  ///< metres to the side per metre ahead
+    Vec2 look;     ///< ahead and to the right of the way straight through; length 1
+};
+
+constexpr Way kWays[] = {{"forward", 0.5, 0, {1, 0}},
+                         {"backward", 0.375, 0, {-1, 0}},
+                         {"sideways", 0.625, 0, {0, 1}},
+                         {"diagonally", 0.25, 1, {0.6, -0.8}}};
+
+struct Shot {
+    Place place;
+    View view;
+};
+
+/// Walks through one link of a map and looks.
+class Walker {
+public:
+    Walker(const LoadedMap& loaded, WallId door, const Way& way) : loaded_(loaded), map_(*loaded.map), way_(way) {
+        const Wall& wall = map_[door];
+        const Vec2 along = (wall.b - wall.a) * (1 / wall.length);
+        ahead_ = {along.y, -along.x};  // out of the room, which is on the wall's right
+        right_ = right_of(ahead_);
+        middle_ = wall.a + (wall.b - wall.a) * way.part;
+        sector_ = wall.sector;
+    }
+
+    /// The view after a walk to `distance` metres behind the doorway. More than kApproach - |slant| away at most.
+    std::optional<View> at(double distance) const {
+        const Place from{sector_, on_way(-kApproach)};
+        if (!contains(map_, from.sector, from.point)) return std::nullopt;
+        const Trace walked = trace(map_, from, on_way(distance));
+        if (walked.stopped) return std::nullopt;
+        View view;
+        view.sector = walked.end.sector;
+        view.eye = walked.end.point;
+        view.eye_z = walked.passage.apply_height(eye_height());
+        view.forward = walked.passage.turn(ahead_ * way_.look.x + right_ * way_.look.y);
+        return view;
+    }
+
+    std::vector<SurfaceId> surfaces(const View& view) const {
+        Frame frame;
+        frame.resize(kSize.width, kSize.height);
+        FrameFacts facts;
+        reset(facts, kSize.width, kSize.height);
+        ColumnRenderer().render(frame, &facts, map_, loaded_.textures, at_rest(map_), view);
+        return facts.ids;
+    }
+
+    Comparison against_reference(const std::string& name, const View& view) const {
+        return compare({name, map_, loaded_.textures}, at_rest(map_), view, kSize);
+    }
+
+private:
+    /// As of one who stands; in a window, half way up.
+    double eye_height() const {
+        const Sector& sector = map_[sector_];
+        return std::min(sector.floor.z + kEyeHeight, (sector.floor.z + sector.ceiling.z) / 2);
+    }
+
+    Vec2 on_way(double distance) const {
+        return snap_to_point_grid(middle_ + (ahead_ + right_ * way_.slant) * distance);
+    }
+
+    const LoadedMap& loaded_;
+    const Map& map_;
+    const Way& way_;
+    Vec2 ahead_, right_, middle_;
+    SectorId sector_;
+};
+
+/// Whether the pixels around i show the surface. Edges move by less than a pixel in a step.
+bool is_around(const std::vector<SurfaceId>& ids, int x, int y, SurfaceId id) {
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, kSize.height - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, kSize.width - 1); ++u)
+            if (ids[static_cast<std::size_t>(v * kSize.width + u)] == id) return true;
+    return false;
+}
+
+/// Pixels of `after` that show what was nowhere near them before.
+int flashes(const std::vector<SurfaceId>& before, const std::vector<SurfaceId>& after) {
+    int count = 0;
+    for (int y = 0; y < kSize.height; ++y)
+        for (int x = 0; x < kSize.width; ++x)
+            count += !is_around(before, x, y, after[static_cast<std::size_t>(y * kSize.width + x)]);
+    return count;
+}
+
+class LinkedMap : public testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override {
+        loaded_ = load_linked_map(GetParam());
+        std::vector<WallId> links = links_of(*loaded_.map);
+        ASSERT_FALSE(links.empty());
+        const std::size_t stride = links.size() > 100 ? kTwelfth : 1;
+        for (std::size_t i = 0; i < links.size(); i += stride) doors_.push_back(links[i]);
+    }
+
+    /// Behind a one-way link there is something else to see when one looks back: there only the look ahead is steady.
+    bool is_steady(WallId door, const Way& way) const {
+        const Map& map = *loaded_.map;
+        return map[map[door].exit].exit == door || way.look.x == 1;
+    }
+
+    std::string say(WallId door, const Way& way) const {
+        const Map& map = *loaded_.map;
+        return std::string(way.name) + " out of '" + map[map[door].sector].name + "'";
+    }
+
+    LoadedMap loaded_;
+    std::vector<WallId> doors_;
+};
+
+TEST_P(LinkedMap, ShowsTheSameSurfacesJustBeforeADoorwayAndJustBehindIt) {
+    int walks = 0;
+    for (const WallId door : doors_) {
+        for (const Way& way : kWays) {
+            if (!is_steady(door, way)) continue;
+            const Walker walker(loaded_, door, way);
+            std::vector<SurfaceId> before;
+            for (int step = -kSteps; step <= kSteps; ++step) {
+                const auto view = walker.at(step * kStep);
+                ASSERT_TRUE(view) << say(door, way);
+                std::vector<SurfaceId> ids = walker.surfaces(*view);
+                if (step > -kSteps) {
+                    EXPECT_LE(flashes(before, ids), kSlivers) << say(door, way) << ", step " << step;
+                }
+                before = std::move(ids);
+            }
+            ++walks;
+        }
+    }
+    RecordProperty("walks", walks);
+}
+
+TEST_P(LinkedMap, ShowsWhatTheReferenceSeesBeforeOnAndBehindEveryDoorway) {
+    Comparison sum;
+    for (const WallId door : doors_)
+        for (const Way& way : kWays)
+            for (const double distance : {-kStep, 0.0, kStep, kApproach / 2})
+                if (const auto view = Walker(loaded_, door, way).at(distance))
+                    sum += Walker(loaded_, door, way).against_reference("maps/" + GetParam() + ".toml", *view);
+    EXPECT_TRUE(sum.is_faultless()) << describe(sum);
+    EXPECT_GT(sum.pixels, 0u);
+}
+
+/// From well before the doorway to well behind it at once: the walk goes on in the room behind the link, at the place
+/// that the link's own transform says.
+TEST_P(LinkedMap, IsCrossedInOneGreatStride) {
+    const Map& map = *loaded_.map;
+    for (const WallId door : doors_) {
+        const Wall& wall = map[door];
+        const Vec2 along = (wall.b - wall.a) * (1 / wall.length), ahead{along.y, -along.x};
+        const Vec2 middle = (wall.a + wall.b) * 0.5;
+        const Place from{wall.sector, snap_to_point_grid(middle - ahead * kApproach)};
+        const Vec2 to = snap_to_point_grid(middle + ahead);
+        const Trace stride = trace(map, from, to);
+        if (stride.stopped) continue;  // something stands right behind this one
+        ASSERT_FALSE(stride.crossings.empty());
+        EXPECT_EQ(stride.crossings.front().portal, door);
+        EXPECT_TRUE(contains(map, stride.end.sector, stride.end.point));
+        const Vec2 off = stride.end.point - stride.passage.apply(to);
+        EXPECT_LE(dot(off, off), 16 * kPointGrid * kPointGrid);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Maps, LinkedMap, testing::ValuesIn(kLinkedMaps));
+
+}  // namespace
+}  // namespace enfilade::test
