@@ -36,7 +36,7 @@ bool is_missing(const FreeDoomWad& wad);
 /// Said where is_missing.
 inline constexpr const char* kMissing = "not installed; Debian's packages freedoom and freedm hold the WADs";
 
-/// True where ENFILADE_LONG is set: more poses, larger pictures.
+/// True where ENFILADE_LONG is set: more poses, larger pictures, longer walks.
 bool is_long_run();
 
 enum class Doors : std::uint8_t { as_they_are, open };

@@ -12,7 +12,7 @@
 namespace enfilade::test {
 namespace {
 
-constexpr int kTicks = 20000;
+constexpr int kTicks = 4000, kTicksOfALongRun = 20000;
 /// Who does not move by kMinMove in so many ticks, a quarter of them spent on going in random directions, is stuck.
 constexpr int kStuckTicks = 1500;
 constexpr double kMinMove = 0.125;  ///< [m]
@@ -50,7 +50,8 @@ void walk(const std::string& name, const Map& map) {
     ASSERT_TRUE(world) << name << " has no start";
     Explorer explorer(map, 1);
     StuckWatch watch;
-    for (int tick = 0; tick < kTicks; ++tick) {
+    const int ticks = is_long_run() ? kTicksOfALongRun : kTicks;
+    for (int tick = 0; tick < ticks; ++tick) {
         step(map, *world, explorer.next(*world));
         const Place& place = world->player.place;
         ASSERT_TRUE(contains(map, place.sector, place.point)) << name << ", tick " << tick;
