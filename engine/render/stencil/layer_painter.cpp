@@ -114,6 +114,7 @@ void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& 
     use_layer(layer);
     glUseProgram(masks_.program.id());
     set_normal(masks_.normal, job, layer.eye);
+    glUniform1i(masks_.is_far, 0);  // the level above is at its own reset
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     // Mark: what of the portal is not hidden rises by one level.
     glDepthMask(GL_FALSE);

@@ -109,6 +109,18 @@ TEST(StencilCorridor, CostsNoMoreOnceLevelsAreBelowAPixel) {
 }
 
 /// Four links in view, each of them leading to four more.
+/// Two pillars whose faces are doors into each other, and the room goes on behind them: at every level something has
+/// been drawn where the next door is to be marked.
+TEST(StencilDoors, ThatFaceEachOtherBeforeAFarWallRepeatTheRoom) {
+    MapFile file = map_of({box_room("hall", 0, 0, 12, 6, 0, 3)});
+    cut_pillar(file.sectors[0], 2, 2, 3, 4);
+    cut_pillar(file.sectors[0], 6, 2, 7, 4);
+    link(file, "hall", {3, 4}, {3, 2}, "hall", {6, 2}, {6, 4});
+    Place place(file);
+    expect_agreement(place.sight.compare(look_from(place.map, {4.25, 2.75}, 1.5, 0), {320, 200}));
+    EXPECT_GT(place.sight.counts().deepest, 20);
+}
+
 TEST(StencilCrossing, IsDrawnOnceForEachViewportAndNotFourToTheSixteenth) {
     MapFile file = map_of({box_room("crossing", 0, 0, 8, 8, 0, 3)});
     link(file, "crossing", {8, 0}, {8, 8}, "crossing", {0, 8}, {0, 0});
