@@ -55,16 +55,23 @@ public:
     StencilCounts counts() const { return stencil_->counts(); }
 
 private:
+    /// What a picture shows, and of which surface.
+    struct Aside {
+        std::vector<std::uint32_t> pixels;
+        std::vector<SurfaceId> ids;
+    };
     bool is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const Picture& shown);
+    const Aside& aside(std::size_t number, const View& view, PictureSize size);
 
     const Map& map_;
     const TextureSet& textures_;
     Snapshot snapshot_;
     std::unique_ptr<StencilRenderer> stencil_;
-    int asked_aside_ = 0;  ///< in this picture
+    std::vector<Aside> asides_;  ///< of the view that is being compared, as many as were asked for
 };
 
-/// At most one pixel in a thousand shows another surface, only at edges; colours are right but for a share of all.
-void expect_agreement(const Agreement& agreement, double wrong_share = 5e-5);
+/// At most one pixel in a thousand shows another surface, only at edges but for a share of all; colours are right but
+/// for a share of all.
+void expect_agreement(const Agreement& agreement, double wrong_share = 5e-5, double elsewhere_share = 0);
 
 }  // namespace enfilade::test
