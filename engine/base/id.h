@@ -27,5 +27,6 @@ using TextureId = Id<struct TextureTag>;
 using ThingId = Id<struct ThingTag>;
 using SpriteId = Id<struct SpriteTag>;
 using PanelId = Id<struct PanelTag>;
+using TriggerId = Id<struct TriggerTag>;
 
 }  // namespace enfilade

@@ -172,6 +172,7 @@ std::string field_text(const Field& field, const Field& defaults) {
     } else if constexpr (is_optional<Field>) {
         return field_text(*field, defaults ? *defaults : typename Field::value_type{});
     } else if constexpr (is_vector<Field>) {
+        if (field.size() == 1) return "[" + field_text(field.front(), {}) + "]";
         std::string lines = "[\n";
         for (const auto& record : field) lines += "  " + field_text(record, {}) + ",\n";
         return lines + "]";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/finding.h"
+#include "formats/effect_records.h"
 #include "math/vec.h"
 
 namespace enfilade {
@@ -43,6 +44,8 @@ struct WallRecord {
     std::optional<double> rise;  ///< height added when passing the link [m]; absent: floor on floor
     bool mirror = false;
     bool blocks = false;  ///< portal: nobody passes, though one looks through; given on one side it counts for both
+    Vec2 scroll;          ///< how fast its pictures move along it and up [m/s]
+    std::vector<TriggerRecord> triggers;
     std::optional<DoomRecord> doom;
     TextPlace place, next_place, via_place;
     bool operator==(const WallRecord&) const = default;
@@ -64,6 +67,8 @@ struct FlatRecord {
     std::optional<double> size;  ///< texels per metre
     bool is_relative = false;    ///< texture origin at the first vertex of the first loop, not at the world's origin
     bool parallax = false;       ///< drawn as sky
+    Vec2 scroll;                 ///< how fast the picture moves along x and y [m/s]
+    bool carries = false;        ///< floor: whoever stands on it moves with the picture
     TextPlace place;
     bool operator==(const FlatRecord&) const = default;
 };
@@ -83,9 +88,14 @@ struct SectorRecord {
     std::string name;
     double light = 1;
     FlatRecord floor;
-    FlatRecord ceiling{2, {}, {}, false, false, {}};
+    FlatRecord ceiling{2, {}, {}, false, false, {}, false, {}};
     std::vector<LoopRecord> loops;
     std::vector<PanelRecord> panels;
+    std::vector<std::string> tags;  ///< what triggers may call it besides its name; others may have the same
+    std::vector<TriggerRecord> triggers;
+    std::optional<LightEffectRecord> light_effect;
+    int damage = 0;       ///< what a second on its floor costs [points of health]
+    bool secret = false;  ///< counted, and told, when it is found
     std::optional<DoomRecord> doom;
     TextPlace place;
     bool operator==(const SectorRecord&) const = default;
@@ -110,8 +120,11 @@ struct ThingRecord {
     bool solid = false, hanging = false;
     int rotations = 1;  ///< 1 or 8
     std::vector<SpriteFrameRecord> frames;
-    double size = 32;                ///< texels per metre
-    std::optional<double> light;     ///< its own light instead of the sector's
+    double size = 32;             ///< texels per metre
+    std::optional<double> light;  ///< its own light instead of the sector's
+    std::vector<TriggerRecord> triggers;
+    std::string gives_key;           ///< picked up by touch: the key of this name; empty: none
+    int gives_health = 0;            ///< picked up by touch [points]
     std::optional<DoomRecord> doom;  ///< special: type number; tag: 0; flags: the thing's
     TextPlace place;
     bool operator==(const ThingRecord&) const = default;
@@ -146,6 +159,8 @@ struct MapFile {
     std::vector<SectorRecord> sectors;
     std::optional<PlayerRecord> player;
     std::vector<ThingRecord> things;
+    std::vector<AnimationRecord> animations;
+    std::vector<SwitchRecord> switches;
     bool operator==(const MapFile&) const = default;
 };
 

@@ -10,6 +10,11 @@ namespace {
 /// Widest line of vertices [characters].
 constexpr std::size_t kLineWidth = 100;
 
+void add_trigger_infos(std::vector<KeyInfo>& all, const std::string& prefix) {
+    add_key_infos<TriggerRecord>(all, prefix);
+    add_key_infos<LightEffectRecord>(all, prefix + "effect.");
+}
+
 }  // namespace
 
 std::size_t tables_in(TomlNode array) {
@@ -68,17 +73,23 @@ std::vector<KeyInfo> map_keys() {
     add_key_infos<MapFile>(all, "");
     add_key_infos<RenderRecord>(all, "render.");
     add_key_infos<PlayerRecord>(all, "player.");
+    add_key_infos<AnimationRecord>(all, "animations.");
+    add_key_infos<SwitchRecord>(all, "switches.");
     add_key_infos<SectorRecord>(all, "sectors.");
     add_key_infos<FlatRecord>(all, "sectors.floor.");
     add_key_infos<FlatRecord>(all, "sectors.ceiling.");
+    add_trigger_infos(all, "sectors.triggers.");
+    add_key_infos<LightEffectRecord>(all, "sectors.light_effect.");
     add_key_infos<DoomRecord>(all, "sectors.doom.");
     add_key_infos<LoopRecord>(all, "sectors.loops.");
     add_key_infos<WallRecord>(all, "sectors.loops.walls.");
+    add_trigger_infos(all, "sectors.loops.walls.triggers.");
     add_key_infos<DoomRecord>(all, "sectors.loops.walls.doom.");
     add_key_infos<PanelRecord>(all, "sectors.panels.");
     add_key_infos<DoomRecord>(all, "sectors.panels.doom.");
     add_key_infos<ThingRecord>(all, "things.");
     add_key_infos<SpriteFrameRecord>(all, "things.frames.");
+    add_trigger_infos(all, "things.triggers.");
     add_key_infos<DoomRecord>(all, "things.doom.");
     return all;
 }

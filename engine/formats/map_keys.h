@@ -31,6 +31,9 @@ inline constexpr Range kPitches{-89, 89};
 
 inline constexpr Range kLight{0, 1};
 
+/// Speeds of pictures that move [m/s]: faster ones only flicker.
+inline constexpr Range kScrollSpeeds{-1024, 1024};
+
 /// The member of that name, or null.
 const TomlEntry* find_entry(std::span<const TomlEntry> entries, std::string_view key);
 
@@ -67,6 +70,14 @@ template <>
 const KeyList<RenderRecord>& keys_of();
 template <>
 const KeyList<MapFile>& keys_of();
+template <>
+const KeyList<TriggerRecord>& keys_of();
+template <>
+const KeyList<LightEffectRecord>& keys_of();
+template <>
+const KeyList<AnimationRecord>& keys_of();
+template <>
+const KeyList<SwitchRecord>& keys_of();
 
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, WallRecord&);
@@ -84,6 +95,11 @@ template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, PlayerRecord&);
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, MapFile&);
+
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, TriggerRecord&);
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, AnimationRecord&);
 
 /// Every key of a map file, in the order of the lists.
 std::vector<KeyInfo> map_keys();

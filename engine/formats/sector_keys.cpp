@@ -15,6 +15,8 @@ constexpr std::array kFlatKeys{
     key<&FlatRecord::size>("size", kNew, Need::optional, kTexelsPerMetre),
     key<&FlatRecord::is_relative>("isRelative", kBoth),
     key<&FlatRecord::parallax>("parallax", kBoth),
+    key<&FlatRecord::scroll>("scroll", kNew, Need::optional, kScrollSpeeds),
+    key<&FlatRecord::carries>("carries", kNew),
 };
 
 /// "v = [x0, y0, x1, y1]".
@@ -49,6 +51,11 @@ constexpr std::array kSectorKeys{
     key<&SectorRecord::light>("light", kBoth, Need::optional, kLight),
     key<&SectorRecord::floor>("floor", kBoth),
     key<&SectorRecord::ceiling>("ceiling", kBoth),
+    key<&SectorRecord::tags>("tags", kNew),
+    key<&SectorRecord::triggers>("triggers", kNew),
+    key<&SectorRecord::light_effect>("light_effect", kNew),
+    key<&SectorRecord::damage>("damage", kNew, Need::optional, {0, 1000}),
+    key<&SectorRecord::secret>("secret", kNew),
     key<&SectorRecord::doom>("doom", kNew),
     header_key<&SectorRecord::loops>("loops", kBoth, Need::required),
     header_key<&SectorRecord::panels>("panels", kNew),

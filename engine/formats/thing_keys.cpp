@@ -39,6 +39,9 @@ constexpr std::array kThingKeys{
     key<&ThingRecord::size>("size", kNew, Need::optional, kTexelsPerMetre),
     key<&ThingRecord::light>("light", kNew, Need::optional, kLight),
     key<&ThingRecord::frames>("frames", kNew),
+    key<&ThingRecord::triggers>("triggers", kNew),
+    key<&ThingRecord::gives_key>("gives_key", kNew),
+    key<&ThingRecord::gives_health>("gives_health", kNew, Need::optional, {0, 1000}),
     key<&ThingRecord::doom>("doom", kNew),
 };
 

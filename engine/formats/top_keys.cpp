@@ -87,6 +87,8 @@ constexpr std::array kMapKeys{
     header_key<&MapFile::player>("player", kBoth),
     header_key<&MapFile::sectors>("sectors", kBoth, Need::required),
     header_key<&MapFile::things>("things", kNew),
+    header_key<&MapFile::animations>("animations", kNew),
+    header_key<&MapFile::switches>("switches", kNew),
 };
 
 /// Where the file gives the player no eye height: standing on the floor.

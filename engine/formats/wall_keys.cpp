@@ -37,6 +37,8 @@ constexpr std::array kWallKeys{
     key<&WallRecord::lower_peg>("lower_peg", kNew),
     key<&WallRecord::middle_peg>("middle_peg", kNew),
     key<&WallRecord::size>("size", kNew, Need::optional, kTexelsPerMetre),
+    key<&WallRecord::scroll>("scroll", kNew, Need::optional, kScrollSpeeds),
+    key<&WallRecord::triggers>("triggers", kNew),
     key<&WallRecord::doom>("doom", kNew),
     header_key<&WallRecord::upper>("up", kBoth),
     header_key<&WallRecord::lower>("down", kBoth),

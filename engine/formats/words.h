@@ -15,12 +15,26 @@ inline constexpr std::array<std::string_view, 2> kLightModelWords{"smooth", "cla
 inline constexpr std::array<std::string_view, 2> kEaseWords{"smooth", "linear"};
 inline constexpr std::array<std::string_view, 2> kPressWords{"none", "use"};
 inline constexpr std::array<std::string_view, 3> kRendererWords{"column", "stencil", "reference"};
+inline constexpr std::array<std::string_view, 5> kOccasionWords{"use", "cross", "enter", "touch", "start"};
+inline constexpr std::array<std::string_view, 14> kDeedWords{
+    "door",  "open",   "close", "close_then_open", "lift",     "shuttle", "floor", "ceiling",
+    "crush", "stairs", "stop",  "light",           "teleport", "exit"};
+inline constexpr std::array<std::string_view, 9> kLevelWords{
+    "here",           "lowest_floor",    "highest_floor", "next_floor_up", "next_floor_down",
+    "lowest_ceiling", "highest_ceiling", "floor",         "ceiling"};
+inline constexpr std::array<std::string_view, 3> kLightLevelWords{"given", "brightest", "darkest"};
+inline constexpr std::array<std::string_view, 4> kLightKindWords{"flicker", "strobe", "glow", "fire"};
 
 constexpr const auto& words_of(Peg) { return kPegWords; }
 constexpr const auto& words_of(LightModel) { return kLightModelWords; }
 constexpr const auto& words_of(Ease) { return kEaseWords; }
 constexpr const auto& words_of(Press) { return kPressWords; }
 constexpr const auto& words_of(RendererChoice) { return kRendererWords; }
+constexpr const auto& words_of(Occasion) { return kOccasionWords; }
+constexpr const auto& words_of(Deed) { return kDeedWords; }
+constexpr const auto& words_of(Level) { return kLevelWords; }
+constexpr const auto& words_of(LightLevel) { return kLightLevelWords; }
+constexpr const auto& words_of(LightKind) { return kLightKindWords; }
 
 /// A type whose values are words in files.
 template <class T>

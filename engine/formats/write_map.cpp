@@ -25,6 +25,8 @@ std::string write_map(const MapFile& map) {
     if (!record_text(map.render, RenderRecord{}, TableText::Style::lines).empty())
         add_under(text, "[render]", map.render);
     if (map.player) add_under(text, "[player]", *map.player);
+    for (const AnimationRecord& animation : map.animations) add_under(text, "[[animations]]", animation);
+    for (const SwitchRecord& faces : map.switches) add_under(text, "[[switches]]", faces);
     for (const SectorRecord& sector : map.sectors) add_sector(text, sector);
     for (const ThingRecord& thing : map.things) add_under(text, "[[things]]", thing);
     return text;

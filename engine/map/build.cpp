@@ -24,7 +24,7 @@ void Draft::warning(TextPlace place, std::string_view code, std::string sentence
 }
 
 std::optional<Map> build_map(const MapFile& file, const TextureSet& textures, Findings& findings) {
-    Draft draft{file, textures, findings, {}, {}, {}, {}, !has_errors(findings)};
+    Draft draft{file, textures, findings, {}, {}, {}, {}, {}, !has_errors(findings)};
     draft.map.name = file.name;
     draft.map.render = file.render;
     place_walls(draft);
@@ -36,6 +36,8 @@ std::optional<Map> build_map(const MapFile& file, const TextureSet& textures, Fi
     lay_surfaces(draft);
     check_textures(draft);
     place_inhabitants(draft);
+    place_triggers(draft);
+    note_picture_changes(draft);
     if (has_errors(findings)) return std::nullopt;
     return std::move(draft.map);
 }

@@ -40,7 +40,8 @@ struct Draft {
     Map map;
     std::vector<SectorDraft> sectors;  ///< indexed by SectorId
     std::vector<Loop> loops;
-    std::vector<WallDraft> walls;  ///< indexed by WallId
+    std::vector<WallDraft> walls;              ///< indexed by WallId
+    std::vector<const ThingRecord*> things{};  ///< indexed by ThingId
 
     bool was_sound = true;  ///< the reader found no error
 
@@ -76,5 +77,9 @@ void lay_surfaces(Draft& draft);
 void check_textures(Draft& draft);
 /// The player and the things (inhabitants.cpp).
 void place_inhabitants(Draft& draft);
+/// Triggers find what they are about (place_triggers.cpp).
+void place_triggers(Draft& draft);
+/// Animations and switches (picture_changes.cpp).
+void note_picture_changes(Draft& draft);
 
 }  // namespace enfilade

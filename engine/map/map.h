@@ -11,6 +11,7 @@
 
 #include "base/id.h"
 #include "formats/map_file.h"
+#include "map/effects.h"
 #include "math/angle.h"
 #include "math/grid_map.h"
 #include "math/rigid.h"
@@ -50,6 +51,8 @@ struct Wall {
     double contrast = 1;
     Surface texture;               ///< solid
     Surface upper, lower, middle;  ///< portal
+    Vec2 scroll;                   ///< how fast its pictures move along it and up [m/s]
+    TriggerRange triggers;         ///< use, cross and start
     static constexpr std::uint32_t kNoLink = 0xFFFFFFFFu;
 };
 
@@ -70,7 +73,9 @@ struct Flat {
     double z = 0;  ///< at rest [m]
     Surface surface;
     Vec2 origin;  ///< of the texture, in the plane
+    Vec2 scroll;  ///< how fast the picture moves [m/s]
     bool sky = false;
+    bool carries = false;  ///< floor: moves who stands on it with the picture
 };
 
 struct Sector {
@@ -84,6 +89,12 @@ struct Sector {
     std::uint32_t solid_count = 0;  ///< Map::solid_things
     std::uint32_t first_panel = 0;  ///< its panels are [first_panel, first_panel + panel_count) of Map::panels
     std::uint32_t panel_count = 0;
+    std::uint32_t first_touchable = 0;  ///< the things in it that do something when touched are
+    std::uint32_t touchable_count = 0;  ///< [first_touchable, first_touchable + touchable_count) of Map::touchables
+    TriggerRange triggers;              ///< use, enter and start
+    std::optional<LightEffectRecord> light_effect;
+    int damage = 0;  ///< of a second on its floor [points of health]
+    bool secret = false;
 };
 
 /// One picture of an animation, from each direction.
@@ -113,12 +124,18 @@ struct Thing {
     Vec2 position;           ///< on the point grid
     Angle yaw;
     Footing footing = Footing::floor;
-    double z = 0;                 ///< of its foot, at rest [m]
-    double radius = 0;            ///< of its body, on the point grid [m]
-    double height = 0;            ///< of its body [m]
-    bool solid = false;           ///< bodies do not pass
-    std::optional<double> light;  ///< its own, 0..1, instead of the sector's
-    SpriteId sprite;              ///< none: nothing to be seen
+    double z = 0;                               ///< of its foot, at rest [m]
+    double radius = 0;                          ///< of its body, on the point grid [m]
+    double height = 0;                          ///< of its body [m]
+    bool solid = false;                         ///< bodies do not pass
+    std::optional<double> light;                ///< its own, 0..1, instead of the sector's
+    SpriteId sprite;                            ///< none: nothing to be seen
+    TriggerRange triggers;                      ///< touch and start
+    std::uint32_t gives_key = Trigger::kNoKey;  ///< index into Map::keys
+    int gives_health = 0;                       ///< [points]
+
+    /// Taken by whoever touches it.
+    bool is_pickup() const { return gives_key != Trigger::kNoKey || gives_health > 0; }
 };
 
 /// Where the player starts.
@@ -140,6 +157,11 @@ struct Map {
     std::vector<Sprite> sprites;
     std::vector<ThingId> solid_things;  ///< by sector, each sector's in the order of their numbers
     double widest_solid_m = 0;          ///< largest radius among them; 0: there are none
+    std::vector<ThingId> touchables;    ///< by sector, each sector's in the order of their numbers
+    std::vector<Trigger> triggers;      ///< first those of sectors, then of walls, then of things
+    std::vector<TriggerId> at_start;    ///< those that the start of the map sets off
+    std::vector<std::string> keys;      ///< names of the keys that triggers ask for or things give
+    PictureChanges pictures;
     std::optional<PlayerStart> player;
     RenderRecord render;
 
@@ -148,6 +170,7 @@ struct Map {
     const Panel& operator[](PanelId id) const { return panels[id.index]; }
     const Thing& operator[](ThingId id) const { return things[id.index]; }
     const Sprite& operator[](SpriteId id) const { return sprites[id.index]; }
+    const Trigger& operator[](TriggerId id) const { return triggers[id.index]; }
     /// The link's transform, or the identity.
     Rigid passage(const Wall& wall) const { return wall.link == Wall::kNoLink ? Rigid{} : links[wall.link]; }
     /// Where a point on the point grid comes to lie behind the portal: on the grid, and carried back exactly by the

@@ -94,6 +94,9 @@ void add_sector(Draft& draft, const SectorRecord& record) {
     Sector sector;
     sector.name = record.name;
     sector.light = record.light;
+    sector.light_effect = record.light_effect;
+    sector.damage = record.damage;
+    sector.secret = record.secret;
     sector.floor.z = record.floor.z;
     sector.ceiling.z = record.ceiling.z;
     sector.first_wall = static_cast<std::uint32_t>(draft.map.walls.size());

@@ -56,6 +56,7 @@ void lay_wall(Draft& draft, WallId id) {
     Wall& wall = draft.map.walls[id.index];
     const WallRecord& record = *draft.walls[id.index].record;
     const Lay lay{draft.textures, record.size, draft.file.size};
+    wall.scroll = record.scroll;
     if (wall.a != wall.b) wall.contrast = contrast_of(draft.file.render.light, wall.b - wall.a);
     if (wall.kind != WallKind::portal) {
         wall.texture = lay.surface(record.texture, record.texture_peg);
@@ -79,6 +80,8 @@ void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record,
     const Lay lay = record.parallax ? Lay{draft.textures, {}, {}} : Lay{draft.textures, record.size, draft.file.size};
     flat.surface = lay.surface(record.texture, Peg::ceiling);
     flat.sky = record.parallax;
+    flat.scroll = record.scroll;
+    flat.carries = record.carries;
     if (record.is_relative && sector.loop_count > 0)
         flat.origin = draft.map.walls[draft.loops[sector.first_loop].first_wall].a;
 }

@@ -41,16 +41,32 @@ void note(Names& names, const ThingRecord& thing, const SpriteFrameRecord& frame
         note(names, TextureSpec{sprite_picture_name(thing, frame, view), {}, {}, thing.place});
 }
 
+void note(Names& names, const std::vector<TriggerRecord>& triggers) {
+    for (const TriggerRecord& trigger : triggers) note(names, TextureSpec{trigger.texture, {}, {}, trigger.place});
+}
+
+void note_changes(Names& names, const MapFile& file) {
+    for (const AnimationRecord& animation : file.animations)
+        for (const std::string& frame : animation.frames) note(names, TextureSpec{frame, {}, {}, animation.place});
+    for (const SwitchRecord& faces : file.switches)
+        for (const std::string& face : {faces.off, faces.on}) note(names, TextureSpec{face, {}, {}, faces.place});
+}
+
 Names names_used(const MapFile& file) {
     Names names;
+    note_changes(names, file);
     for (const SectorRecord& sector : file.sectors) {
         note(names, sector.floor.texture);
         note(names, sector.ceiling.texture);
+        note(names, sector.triggers);
         for (const LoopRecord& loop : sector.loops)
-            for (const WallRecord& wall : loop.walls)
+            for (const WallRecord& wall : loop.walls) {
                 for (const auto* spec : {&wall.texture, &wall.upper, &wall.lower, &wall.middle}) note(names, *spec);
+                note(names, wall.triggers);
+            }
         for (const PanelRecord& panel : sector.panels) note(names, panel.texture);
     }
+    for (const ThingRecord& thing : file.things) note(names, thing.triggers);
     for (const ThingRecord& thing : file.things)
         for (const SpriteFrameRecord& frame : thing.frames) note(names, thing, frame);
     return names;

@@ -84,9 +84,11 @@ void add_thing(Draft& draft, const ThingRecord& record, SectorId sector, SpriteS
     const Sector& home = draft.map[sector];
     thing.z = record.z ? *record.z : record.hanging ? home.ceiling.z - record.height : home.floor.z;
     thing.sprite = sprites.sprite_of(record);
+    thing.gives_health = record.gives_health;
     check_frames(draft, record);
     if (thing.footing == Footing::fixed) check_height(draft, thing, record.place);
     draft.map.things.push_back(std::move(thing));
+    draft.things.push_back(&record);
 }
 
 void list_solid_things(Map& map) {

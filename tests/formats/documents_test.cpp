@@ -121,7 +121,7 @@ std::vector<std::string> manual_keys(std::string_view section, const std::string
     std::vector<std::string> keys;
     bool inside = false;
     for (LineReader lines(text); const auto line = lines.next();) {
-        if (line->text.starts_with('#')) inside = line->text == "### " + std::string(section);
+        if (line->text.starts_with("##")) inside = line->text == "### " + std::string(section);
         if (!inside || !line->text.starts_with("| `")) continue;
         const std::string_view row = line->text.substr(3);
         const std::string_view before_meaning = row.substr(0, row.rfind(" | "));
@@ -155,18 +155,20 @@ TEST_P(MapManual, HasTheReadersKeys) {
     EXPECT_THAT(manual_keys(title, prefix), testing::ElementsAreArray(reader_keys(map_keys(), prefix, true)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Sections, MapManual,
-                         testing::Values(Section{"The map", ""}, Section{"The picture", "render."},
-                                         Section{"The player", "player."}, Section{"A sector", "sectors."},
-                                         Section{"A floor or ceiling", "sectors.floor."},
-                                         Section{"A floor or ceiling", "sectors.ceiling."},
-                                         Section{"A loop", "sectors.loops."}, Section{"A wall", "sectors.loops.walls."},
-                                         Section{"A panel", "sectors.panels."}, Section{"A thing", "things."},
-                                         Section{"A sprite's frame", "things.frames."},
-                                         Section{"Left-overs of Doom", "sectors.doom."},
-                                         Section{"Left-overs of Doom", "sectors.loops.walls.doom."},
-                                         Section{"Left-overs of Doom", "sectors.panels.doom."},
-                                         Section{"Left-overs of Doom", "things.doom."}));
+INSTANTIATE_TEST_SUITE_P(
+    Sections, MapManual,
+    testing::Values(Section{"The map", ""}, Section{"The picture", "render."}, Section{"The player", "player."},
+                    Section{"A sector", "sectors."}, Section{"A floor or ceiling", "sectors.floor."},
+                    Section{"A floor or ceiling", "sectors.ceiling."}, Section{"A loop", "sectors.loops."},
+                    Section{"A wall", "sectors.loops.walls."}, Section{"A panel", "sectors.panels."},
+                    Section{"A thing", "things."}, Section{"A sprite's frame", "things.frames."},
+                    Section{"A trigger", "sectors.triggers."}, Section{"A trigger", "sectors.loops.walls.triggers."},
+                    Section{"A trigger", "things.triggers."}, Section{"A light effect", "sectors.light_effect."},
+                    Section{"A light effect", "sectors.triggers.effect."}, Section{"An animation", "animations."},
+                    Section{"A switch", "switches."}, Section{"Left-overs of Doom", "sectors.doom."},
+                    Section{"Left-overs of Doom", "sectors.loops.walls.doom."},
+                    Section{"Left-overs of Doom", "sectors.panels.doom."},
+                    Section{"Left-overs of Doom", "things.doom."}));
 
 class FlythroughManual : public testing::TestWithParam<Section> {};
 

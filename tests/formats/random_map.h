@@ -23,6 +23,8 @@ public:
         for (int i = whole(1, 4); i > 0; --i) map.sectors.push_back(sector());
         if (flip()) map.player = PlayerRecord{text(), point(), number(-100, 100), number(-360, 360), {}};
         for (int i = whole(0, 3); i > 0; --i) map.things.push_back(thing());
+        for (int i = whole(0, 2); i > 0; --i) map.animations.push_back({{text(), text()}, number(0.1, 9), {}});
+        for (int i = whole(0, 2); i > 0; --i) map.switches.push_back({text(), text(), {}});
         return map;
     }
 
@@ -66,6 +68,47 @@ private:
         if (flip()) return {};
         return DoomRecord{whole(0, 300), whole(-5, 700), whole(0, 65535)};
     }
+    std::optional<LightEffectRecord> light_effect() {
+        if (flip()) return {};
+        return LightEffectRecord{
+            static_cast<LightKind>(random_.below(4)), number(0, 1), number(0.1, 9), number(0.1, 9), flip(), {}};
+    }
+
+    TriggerRecord trigger() {
+        TriggerRecord trigger;
+        trigger.on = static_cast<Occasion>(random_.below(5));
+        trigger.deed = static_cast<Deed>(random_.below(14));
+        for (int i = whole(0, 2); i > 0; --i) trigger.targets.push_back(text());
+        trigger.once = flip();
+        trigger.one_way = flip();
+        trigger.key = maybe_text();
+        trigger.after = number(0, 99);
+        if (flip())
+            trigger.z = number(-99, 99);
+        else if (flip())
+            trigger.to = static_cast<Level>(random_.below(9));
+        else
+            trigger.like = maybe_text();
+        trigger.by = number(-9, 9);
+        trigger.speed = number(0.1, 9);
+        trigger.wait = number(0, 9);
+        trigger.step = number(-9, 9);
+        trigger.crushes = flip();
+        trigger.texture = maybe_text();
+        trigger.heals = flip();
+        if (flip())
+            trigger.light = number(0, 1);
+        else
+            trigger.light_of = static_cast<LightLevel>(random_.below(3));
+        trigger.effect = light_effect();
+        return trigger;
+    }
+    std::vector<TriggerRecord> triggers() {
+        std::vector<TriggerRecord> all;
+        for (int i = whole(0, 2); i > 0; --i) all.push_back(trigger());
+        return all;
+    }
+
     Peg peg() { return static_cast<Peg>(random_.below(4)); }
 
     WallRecord wall() {
@@ -86,6 +129,8 @@ private:
         wall.rise = maybe(-9, 9);
         wall.mirror = flip();
         wall.blocks = flip();
+        if (flip()) wall.scroll = {number(-9, 9), number(-9, 9)};
+        wall.triggers = triggers();
         wall.doom = doom();
         return wall;
     }
@@ -107,6 +152,8 @@ private:
         flat.texture = maybe_spec(!flat.size);
         flat.is_relative = flip();
         flat.parallax = flip();
+        if (flip()) flat.scroll = {number(-9, 9), number(-9, 9)};
+        flat.carries = flip();
         return flat;
     }
 
@@ -119,6 +166,11 @@ private:
         for (int i = whole(1, 3); i > 0; --i) sector.loops.push_back(loop());
         for (int i = whole(0, 2); i > 0; --i)
             sector.panels.push_back({point(), point(), number(-9, 9), number(-9, 9), spec(), {}, doom(), {}});
+        if (flip()) sector.tags = {text(), text()};
+        sector.triggers = triggers();
+        sector.light_effect = light_effect();
+        sector.damage = whole(0, 99);
+        sector.secret = flip();
         sector.doom = doom();
         return sector;
     }
@@ -140,6 +192,9 @@ private:
             thing.frames.push_back({text(), number(0, 3), {number(-64, 64), number(-64, 64)}});
         thing.size = number(1, 64);
         thing.light = maybe(0, 1);
+        thing.triggers = triggers();
+        thing.gives_key = maybe_text();
+        thing.gives_health = whole(0, 99);
         thing.doom = doom();
         return thing;
     }
@@ -152,7 +207,15 @@ inline MapFile without_places(MapFile map) {
     const auto forget = [](auto& spec) {
         if (spec) spec->place = {};
     };
+    const auto forget_triggers = [](std::vector<TriggerRecord>& triggers) {
+        for (TriggerRecord& trigger : triggers) {
+            trigger.place = {};
+            if (trigger.effect) trigger.effect->place = {};
+        }
+    };
     for (SectorRecord& sector : map.sectors) {
+        forget_triggers(sector.triggers);
+        if (sector.light_effect) sector.light_effect->place = {};
         sector.place = sector.floor.place = sector.ceiling.place = {};
         forget(sector.floor.texture);
         forget(sector.ceiling.texture);
@@ -161,12 +224,18 @@ inline MapFile without_places(MapFile map) {
             loop.place = {};
             loop.vertex_places.clear();
             for (WallRecord& wall : loop.walls) {
+                forget_triggers(wall.triggers);
                 wall.place = wall.next_place = wall.via_place = {};
                 for (auto* spec : {&wall.texture, &wall.upper, &wall.lower, &wall.middle}) forget(*spec);
             }
         }
     }
-    for (ThingRecord& thing : map.things) thing.place = {};
+    for (ThingRecord& thing : map.things) {
+        thing.place = {};
+        forget_triggers(thing.triggers);
+    }
+    for (AnimationRecord& animation : map.animations) animation.place = {};
+    for (SwitchRecord& faces : map.switches) faces.place = {};
     if (map.player) map.player->place = {};
     return map;
 }

@@ -1,0 +1,120 @@
+// The keys of triggers, light effects, animations and switches.
+#include <array>
+
+#include "formats/map_keys.h"
+
+namespace enfilade {
+namespace {
+
+constexpr auto kNew = Dialect::enfilade;
+
+/// Times in the world: a day at most [s].
+constexpr Range kSeconds{0, 86400};
+
+/// Slow enough to be seen to move, fast enough to look instant [m/s].
+constexpr Range kSpeeds{0x1p-6, 1024};
+
+/// Heights of stairs, up and down [m].
+constexpr Range kStairs{-64, 64};
+
+/// A picture of an animation must stay for a moment [s].
+constexpr Range kPictureSeconds{0x1p-6, 86400};
+
+/// A single string is an array of one, because most triggers have one target.
+void read_targets(Reading& reading, const NamedValue& value, Range range, TriggerRecord& trigger) {
+    if (value.node.kind() == TomlKind::string)
+        read_value(reading, value, range, trigger.targets.emplace_back());
+    else
+        read_value(reading, value, range, trigger.targets);
+}
+
+void write_targets(TableText& table, const Key<TriggerRecord>& key, const TriggerRecord& trigger,
+                   const TriggerRecord&) {
+    if (trigger.targets.size() == 1)
+        table.add(key.name, value_text(trigger.targets.front()));
+    else if (!trigger.targets.empty())
+        table.add(key.name, value_text(trigger.targets));
+}
+
+constexpr std::array kTriggerKeys{
+    key<&TriggerRecord::on>("on", kNew, Need::required),
+    key<&TriggerRecord::deed>("do", kNew, Need::required),
+    Key<TriggerRecord>{"target", kNew, Need::optional, {}, read_targets, write_targets},
+    key<&TriggerRecord::once>("once", kNew),
+    key<&TriggerRecord::one_way>("one_way", kNew),
+    key<&TriggerRecord::key>("key", kNew),
+    key<&TriggerRecord::after>("after", kNew, Need::optional, kSeconds),
+    key<&TriggerRecord::z>("z", kNew, Need::optional, kHeights),
+    key<&TriggerRecord::to>("to", kNew),
+    key<&TriggerRecord::like>("like", kNew),
+    key<&TriggerRecord::by>("by", kNew, Need::optional, kHeights),
+    key<&TriggerRecord::speed>("speed", kNew, Need::optional, kSpeeds),
+    key<&TriggerRecord::wait>("wait", kNew, Need::optional, kSeconds),
+    key<&TriggerRecord::step>("step", kNew, Need::optional, kStairs),
+    key<&TriggerRecord::crushes>("crushes", kNew),
+    key<&TriggerRecord::texture>("texture", kNew),
+    key<&TriggerRecord::heals>("heals", kNew),
+    key<&TriggerRecord::light>("light", kNew, Need::optional, kLight),
+    key<&TriggerRecord::light_of>("light_of", kNew),
+    key<&TriggerRecord::effect>("effect", kNew),
+};
+
+constexpr std::array kLightEffectKeys{
+    key<&LightEffectRecord::kind>("kind", kNew, Need::required),
+    key<&LightEffectRecord::dark>("dark", kNew, Need::optional, kLight),
+    key<&LightEffectRecord::dark_s>("dark_s", kNew, Need::optional, kPictureSeconds),
+    key<&LightEffectRecord::bright_s>("bright_s", kNew, Need::optional, kPictureSeconds),
+    key<&LightEffectRecord::in_step>("in_step", kNew),
+};
+
+constexpr std::array kAnimationKeys{
+    key<&AnimationRecord::frames>("frames", kNew, Need::required),
+    key<&AnimationRecord::seconds>("seconds", kNew, Need::optional, kPictureSeconds),
+};
+
+constexpr std::array kSwitchKeys{
+    key<&SwitchRecord::off>("off", kNew, Need::required),
+    key<&SwitchRecord::on>("on", kNew, Need::required),
+};
+
+constexpr KeyList<TriggerRecord> kTriggerList{"a trigger", kTriggerKeys};
+constexpr KeyList<LightEffectRecord> kLightEffectList{"a light effect", kLightEffectKeys};
+constexpr KeyList<AnimationRecord> kAnimationList{"an animation", kAnimationKeys};
+constexpr KeyList<SwitchRecord> kSwitchList{"a switch", kSwitchKeys};
+
+}  // namespace
+
+template <>
+const KeyList<TriggerRecord>& keys_of() {
+    return kTriggerList;
+}
+
+template <>
+const KeyList<LightEffectRecord>& keys_of() {
+    return kLightEffectList;
+}
+
+template <>
+const KeyList<AnimationRecord>& keys_of() {
+    return kAnimationList;
+}
+
+template <>
+const KeyList<SwitchRecord>& keys_of() {
+    return kSwitchList;
+}
+
+template <>
+void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, TriggerRecord&) {
+    refuse_both(reading, entries, "z", "to", "two-heights");
+    refuse_both(reading, entries, "z", "like", "two-heights");
+    refuse_both(reading, entries, "to", "like", "two-heights");
+    refuse_both(reading, entries, "light", "light_of", "two-lights");
+}
+
+template <>
+void check_record(Reading& reading, TomlNode table, std::span<const TomlEntry>, AnimationRecord& animation) {
+    if (animation.frames.empty()) missing_key(reading, table.place(), "an animation", "frames");
+}
+
+}  // namespace enfilade

@@ -1,0 +1,115 @@
+// What a map may call for beyond rooms that stay as they are, as its author wrote it: triggers, light effects, moving
+// and animated pictures.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/finding.h"
+
+namespace enfilade {
+
+/// What sets a trigger off.
+enum class Occasion : std::uint8_t {
+    use,    ///< somebody presses "use" at the wall; a sector's: at any portal that leads into it
+    cross,  ///< somebody passes the portal, in whichever direction; walls only
+    enter,  ///< somebody comes into the sector; sectors only
+    touch,  ///< somebody touches the thing; things only
+    start,  ///< the map begins
+};
+
+/// What a trigger does to its targets.
+enum class Deed : std::uint8_t {
+    door,             ///< the ceiling goes up to open, waits, and comes down again
+    open,             ///< the ceiling goes up, and stays
+    close,            ///< the ceiling comes down to the floor, and stays
+    close_then_open,  ///< the ceiling comes down, waits, and goes up again
+    lift,             ///< the floor goes down to the lowest floor around, waits, and comes back
+    shuttle,          ///< the floor goes between the lowest and the highest floor around for ever, waiting at each
+    floor,            ///< the floor goes somewhere, and stays
+    ceiling,          ///< the ceiling goes somewhere, and stays
+    crush,            ///< the ceiling goes down almost to the floor and up again for ever, and hurts
+    stairs,           ///< the floors of all targets rise, each one step higher than the one before
+    stop,             ///< shuttles and crushers stop where they are
+    light,            ///< the light changes
+    teleport,         ///< who set it off stands where the target thing is
+    exit,             ///< the map is left
+};
+
+/// A height that is found when the trigger goes off. "Around" are the sectors behind the target's portals.
+enum class Level : std::uint8_t {
+    here,             ///< where it is
+    lowest_floor,     ///< around, if lower than its own
+    highest_floor,    ///< around
+    next_floor_up,    ///< the lowest of those around that are higher
+    next_floor_down,  ///< the highest of those around that are lower
+    lowest_ceiling,   ///< around
+    highest_ceiling,  ///< around
+    floor,            ///< its own floor
+    ceiling,          ///< its own ceiling
+};
+
+/// A level of light that is found when the trigger goes off.
+enum class LightLevel : std::uint8_t { given, brightest, darkest };
+
+/// How light changes with time.
+enum class LightKind : std::uint8_t {
+    flicker,  ///< bright, with short dark moments at random
+    strobe,   ///< dark, with a bright flash in every period
+    glow,     ///< from dark to bright and back, evenly
+    fire,     ///< restless, never quite dark
+};
+
+struct LightEffectRecord {
+    LightKind kind = LightKind::glow;
+    double dark = 0;          ///< the lower level, 0..1; the upper is the sector's light
+    double dark_s = 1;        ///< strobe: how long dark; glow: how long one way takes; flicker: longest bright time [s]
+    double bright_s = 0.125;  ///< strobe and flicker: how long bright, or dark, at least [s]
+    bool in_step = false;     ///< in time with all others that have the same measures
+    TextPlace place;
+    bool operator==(const LightEffectRecord&) const = default;
+};
+
+struct TriggerRecord {
+    Occasion on = Occasion::use;
+    Deed deed = Deed::door;            ///< `do`
+    std::vector<std::string> targets;  ///< `target`: sectors by name or tag; teleport: a thing; exit: a map. None: the
+                                       ///< sector it is on, or the one behind its wall
+    bool once = false;                 ///< works only once
+    bool one_way = false;              ///< cross: only when leaving the sector of this wall
+    std::string key;                   ///< works only for who has it; empty: for everybody
+    double after = 0;                  ///< seconds that pass before it works [s]
+    std::optional<double> z;           ///< floor, ceiling: where to go [m]
+    Level to = Level::here;            ///< the same, found when it goes off
+    std::string like;                  ///< the same: the floor of the sector of this name
+    double by = 0;                     ///< added to either [m]
+    double speed = 2;                  ///< [m/s]
+    double wait = 4;                   ///< how long doors and lifts wait [s]
+    double step = 0.25;                ///< height of a stair [m]
+    bool crushes = false;              ///< hurts who is in the way, instead of waiting
+    std::string texture;          ///< the floor's new picture: rising at once, falling on arrival; empty: as it was
+    bool heals = false;           ///< the floor no longer hurts, from when it gets its new picture
+    std::optional<double> light;  ///< light: 0..1
+    LightLevel light_of = LightLevel::given;  ///< light: that of the sectors around
+    std::optional<LightEffectRecord> effect;  ///< light: from now on it changes like this; none: it is steady
+    TextPlace place;
+    bool operator==(const TriggerRecord&) const = default;
+};
+
+/// Pictures that follow one another wherever one of them is on a wall or flat.
+struct AnimationRecord {
+    std::vector<std::string> frames;
+    double seconds = 0.25;  ///< each [s]
+    TextPlace place;
+    bool operator==(const AnimationRecord&) const = default;
+};
+
+/// The two faces of a switch: a wall with triggers that shows one shows the other once it went off.
+struct SwitchRecord {
+    std::string off, on;
+    TextPlace place;
+    bool operator==(const SwitchRecord&) const = default;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,57 @@
+// What can happen in a map, resolved: triggers with the sectors they are about, and pictures that change with time.
+// Nothing of it moves here; world/ says when and how.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/id.h"
+#include "formats/effect_records.h"
+
+namespace enfilade {
+
+/// What happens, to whom, and what sets it off. The fields mean what they mean in TriggerRecord.
+struct Trigger {
+    Occasion on = Occasion::use;
+    Deed deed = Deed::door;
+    bool once = false, one_way = false, crushes = false, heals = false;
+    std::uint32_t key = kNoKey;     ///< index into Map::keys, or kNoKey: works for everybody
+    std::vector<SectorId> targets;  ///< in the order of the file, each once
+    ThingId destination;            ///< teleport: where to
+    std::string leads_to;           ///< exit: the map named, may be empty
+    double after_s = 0;             ///< [s]
+    std::optional<double> z;        ///< [m]
+    Level to = Level::here;
+    SectorId like;      ///< none: `to` counts
+    double by = 0;      ///< [m]
+    double speed = 0;   ///< > 0 [m/s]
+    double wait_s = 0;  ///< [s]
+    double step = 0;    ///< [m]
+    TextureId texture;  ///< none: as it was
+    std::optional<double> light;
+    LightLevel light_of = LightLevel::given;
+    std::optional<LightEffectRecord> effect;
+    static constexpr std::uint32_t kNoKey = 0xFFFFFFFFu;
+};
+
+/// Some of Map::triggers: [first, first + count).
+struct TriggerRange {
+    std::uint32_t first = 0, count = 0;
+};
+
+/// Pictures that follow one another.
+struct Animation {
+    std::vector<TextureId> frames;  ///< at least one
+    double seconds = 0;             ///< each, > 0 [s]
+};
+
+/// How pictures of surfaces change, by TextureId; empty where the map has none of its kind.
+struct PictureChanges {
+    std::vector<Animation> animations;
+    std::vector<std::uint32_t> animation_of;  ///< index into animations, or kNone
+    std::vector<TextureId> other_face;        ///< of a switch; none: it is no switch
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,213 @@
+// Triggers find their sectors, things, keys and pictures; and what can never go off, or do nothing, is said.
+#include <algorithm>
+#include <string>
+
+#include "formats/quoted.h"
+#include "formats/words.h"
+#include "map/draft.h"
+#include "map/names.h"
+#include "map/target_names.h"
+
+namespace enfilade {
+namespace {
+
+/// What has triggers.
+enum class Bearer { sector, wall, portal, thing };
+
+std::string_view name_of(Bearer bearer) {
+    switch (bearer) {
+        case Bearer::sector: return "a sector";
+        case Bearer::wall: return "a solid wall";
+        case Bearer::portal: return "a portal";
+        case Bearer::thing: return "a thing";
+    }
+    return "";
+}
+
+bool can_be_set_off(Occasion on, Bearer bearer) {
+    switch (on) {
+        case Occasion::use: return bearer != Bearer::thing;
+        case Occasion::cross: return bearer == Bearer::portal;
+        case Occasion::enter: return bearer == Bearer::sector;
+        case Occasion::touch: return bearer == Bearer::thing;
+        case Occasion::start: return true;
+    }
+    return false;
+}
+
+NameIndex thing_names(const Map& map) {
+    std::vector<ScopedName> names;
+    for (std::uint32_t i = 0; i < map.things.size(); ++i)
+        if (!map.things[i].name.empty()) names.push_back({0, map.things[i].name, i});
+    return NameIndex(std::move(names));
+}
+
+class TriggerPlacer {
+public:
+    explicit TriggerPlacer(Draft& draft) : draft_(draft), sectors_(draft.file), things_(thing_names(draft.map)) {}
+
+    /// `usual`: the sector meant where the record names none, or none.
+    TriggerRange place(const std::vector<TriggerRecord>& records, Bearer bearer, SectorId usual) {
+        const auto first = static_cast<std::uint32_t>(draft_.map.triggers.size());
+        for (const TriggerRecord& record : records) {
+            check(record, bearer);
+            if (record.on == Occasion::start) draft_.map.at_start.emplace_back(draft_.map.triggers.size());
+            draft_.map.triggers.push_back(resolved(record, usual));
+        }
+        return {first, static_cast<std::uint32_t>(records.size())};
+    }
+
+    std::uint32_t key_of(const std::string& name) {
+        if (name.empty()) return Trigger::kNoKey;
+        std::vector<std::string>& keys = draft_.map.keys;
+        const auto found = std::find(keys.begin(), keys.end(), name);
+        const auto index = static_cast<std::uint32_t>(found - keys.begin());
+        if (found == keys.end()) keys.push_back(name);
+        return index;
+    }
+
+private:
+    void check(const TriggerRecord& record, Bearer bearer) {
+        if (!can_be_set_off(record.on, bearer))
+            draft_.error(record.place, "trigger-occasion",
+                         std::string(name_of(bearer)) + " cannot have a trigger on " + quoted(to_word(record.on)));
+        if (record.deed == Deed::light && !record.light && record.light_of == LightLevel::given && !record.effect)
+            draft_.error(record.place, "light-without-level",
+                         "expected light, light_of or effect, which say how the light changes; found none of them");
+    }
+
+    Trigger resolved(const TriggerRecord& record, SectorId usual) {
+        Trigger t;
+        t.on = record.on;
+        t.deed = record.deed;
+        t.once = record.once;
+        t.one_way = record.one_way;
+        t.crushes = record.crushes;
+        t.heals = record.heals;
+        t.key = key_of(record.key);
+        t.after_s = record.after;
+        t.z = record.z;
+        t.to = record.to;
+        t.by = record.by;
+        t.speed = record.speed;
+        t.wait_s = record.wait;
+        t.step = record.step;
+        t.texture = draft_.textures.find(record.texture);
+        t.light = record.light;
+        t.light_of = record.light_of;
+        t.effect = record.effect;
+        find_model(record, t);
+        find_targets(record, usual, t);
+        return t;
+    }
+
+    void find_model(const TriggerRecord& record, Trigger& trigger) {
+        if (record.like.empty()) return;
+        std::vector<SectorId> found;
+        if (sectors_.add_sectors(record.like, found))
+            trigger.like = found.front();
+        else
+            unknown(record, "sector", record.like, sectors_.suggestion(record.like));
+    }
+
+    void find_targets(const TriggerRecord& record, SectorId usual, Trigger& trigger) {
+        if (record.deed == Deed::exit) {
+            if (!record.targets.empty()) trigger.leads_to = record.targets.front();
+        } else if (record.deed == Deed::teleport) {
+            find_destination(record, trigger);
+        } else if (!record.targets.empty()) {
+            for (const std::string& name : record.targets)
+                if (!sectors_.add_sectors(name, trigger.targets))
+                    unknown(record, "sector", name, sectors_.suggestion(name));
+        } else if (usual) {
+            trigger.targets.push_back(usual);
+        } else {
+            needs_target(record, "the name or tag of a sector: here is none behind");
+        }
+    }
+
+    void find_destination(const TriggerRecord& record, Trigger& trigger) {
+        if (record.targets.size() != 1) return needs_target(record, "the name of a thing, to stand where it is");
+        const std::string& name = record.targets.front();
+        const auto found = things_.find(0, name);
+        if (!found) return unknown(record, "thing", name, things_.suggestion(0, name));
+        trigger.destination = ThingId(*found);
+    }
+
+    void unknown(const TriggerRecord& record, const char* kind, const std::string& name,
+                 const std::string& suggestion) {
+        draft_.error(record.place, "unknown-target",
+                     "expected the name " + std::string(kind == std::string_view("sector") ? "or tag " : "") + "of a " +
+                         kind + ", found " + quoted(name) + suggestion);
+    }
+
+    void needs_target(const TriggerRecord& record, const char* what) {
+        draft_.error(record.place, "needs-target",
+                     quoted(to_word(record.deed)) + " needs a target, " + std::string(what));
+    }
+
+    Draft& draft_;
+    TargetNames sectors_;
+    NameIndex things_;
+};
+
+bool has_triggers(const MapFile& file) {
+    for (const SectorRecord& sector : file.sectors) {
+        if (!sector.triggers.empty()) return true;
+        for (const LoopRecord& loop : sector.loops)
+            for (const WallRecord& wall : loop.walls)
+                if (!wall.triggers.empty()) return true;
+    }
+    return std::any_of(file.things.begin(), file.things.end(), [](const ThingRecord& thing) {
+        return !thing.triggers.empty() || !thing.gives_key.empty() || thing.gives_health > 0;
+    });
+}
+
+void list_touchables(Map& map) {
+    for (std::size_t i = 0; i < map.things.size(); ++i)
+        if (map.things[i].is_pickup() || map.things[i].triggers.count > 0) map.touchables.emplace_back(i);
+    std::stable_sort(map.touchables.begin(), map.touchables.end(),
+                     [&](ThingId a, ThingId b) { return map[a].sector < map[b].sector; });
+    for (const ThingId thing : map.touchables) ++map.sectors[map[thing].sector.index].touchable_count;
+    std::uint32_t first = 0;
+    for (Sector& sector : map.sectors) {
+        sector.first_touchable = first;
+        first += sector.touchable_count;
+    }
+}
+
+/// A key that triggers ask for and no thing gives opens nothing.
+void check_keys(Draft& draft) {
+    const auto given = [&](std::uint32_t key) {
+        return std::any_of(draft.map.things.begin(), draft.map.things.end(),
+                           [&](const Thing& thing) { return thing.gives_key == key; });
+    };
+    for (std::uint32_t key = 0; key < draft.map.keys.size(); ++key)
+        if (!given(key))
+            draft.warning({}, "no-such-key",
+                          "a trigger asks for the key " + quoted(draft.map.keys[key]) + ", but no thing gives it");
+}
+
+}  // namespace
+
+void place_triggers(Draft& draft) {
+    if (!has_triggers(draft.file)) return;
+    TriggerPlacer placer(draft);
+    for (std::size_t i = 0; i < draft.map.sectors.size(); ++i)
+        draft.map.sectors[i].triggers = placer.place(draft.sectors[i].record->triggers, Bearer::sector, SectorId(i));
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) {
+        Wall& wall = draft.map.walls[i];
+        const Bearer bearer = wall.kind == WallKind::portal ? Bearer::portal : Bearer::wall;
+        if (!draft.walls[i].record->triggers.empty())
+            wall.triggers = placer.place(draft.walls[i].record->triggers, bearer, wall.behind);
+    }
+    for (std::size_t i = 0; i < draft.map.things.size(); ++i) {
+        Thing& thing = draft.map.things[i];
+        thing.triggers = placer.place(draft.things[i]->triggers, Bearer::thing, thing.sector);
+        thing.gives_key = placer.key_of(draft.things[i]->gives_key);
+    }
+    list_touchables(draft.map);
+    check_keys(draft);
+}
+
+}  // namespace enfilade
