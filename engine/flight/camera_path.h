@@ -52,6 +52,9 @@ public:
     /// Number of the leg, from 0, that began last before or at a moment; none without legs.
     std::optional<std::size_t> leg_at(FrameTime time) const;
 
+    /// When a leg begins, since the start of the flight. leg: less than the script's number of legs.
+    std::int64_t leg_begin_us(std::size_t leg) const { return legs_[leg].begin_us; }
+
     std::int64_t length_us() const { return legs_.empty() ? 0 : legs_.back().end_us; }
 
 private:

@@ -3,6 +3,10 @@
 #include <string>
 #include <utility>
 
+#include "world/deed.h"
+#include "world/happen.h"
+#include "world/input.h"
+
 namespace enfilade {
 namespace {
 
@@ -25,6 +29,7 @@ std::optional<Flight> Flight::plan(const ScriptFile& script, const Map& map, Fin
     auto path = CameraPath::plan(script, map, findings);
     if (!path) return {};
     Flight flight(*path, script, map);
+    flight.press(*path, script, map);
     if (auto misplaced = flight.misplaced_eye(*path, script, map)) {
         findings.push_back(std::move(*misplaced));
         return {};
@@ -45,9 +50,33 @@ CameraPose Flight::pose_at(const Map& map, FrameTime time) const {
 
 FlightFrame Flight::at(const Map& map, int frame) const {
     const FrameTime time{frame, rate_};
-    FlightFrame shown{view_of(map, pose_at(map, time)), at_rest_};
-    shown.snapshot.time_s = time.seconds();
-    return shown;
+    return {view_of(map, pose_at(map, time)), snapshot_at(map, time)};
+}
+
+Snapshot Flight::snapshot_at(const Map& map, FrameTime time) const {
+    Snapshot snapshot = at_rest_;
+    const double tick = time.seconds() * kTickRate;
+    if (const auto* tape = std::get_if<TapePath>(&path_))
+        show({map, tape->history(), tick}, snapshot);
+    else
+        show({map, pressed_, tick}, snapshot);
+    snapshot.time_s = time.seconds();
+    return snapshot;
+}
+
+void Flight::press(const CameraPath& path, const ScriptFile& script, const Map& map) {
+    World world;
+    for (const TriggerId trigger : map.at_start) carry_out(map, world.history, trigger, 0);
+    for (std::size_t i = 0; i < script.legs.size(); ++i) {
+        if (script.legs[i].press != Press::use) continue;
+        const std::int64_t begin_us = path.leg_begin_us(i);
+        const CameraPose pose = path.pose_at(map, {begin_us, 1'000'000});
+        world.tick = static_cast<std::uint64_t>(begin_us * kTickRate / 1'000'000);
+        world.player.place = pose.place;
+        world.player.yaw = pose.yaw;
+        use_what_is_ahead(map, world);
+    }
+    pressed_ = std::move(world.history);
 }
 
 View Flight::view_of(const Map& map, const CameraPose& pose) const {
@@ -66,14 +95,14 @@ std::optional<Finding> Flight::misplaced_eye(const CameraPath& path, const Scrip
     for (int frame = 0; frame < frames_; frame += 1 + frames_ / kMostLooks) {
         const FrameTime time{frame, rate_};
         const CameraPose pose = path.pose_at(map, time);
-        const Sector& sector = map[pose.place.sector];
-        if (pose.eye_z > sector.floor.z && pose.eye_z < sector.ceiling.z) continue;
+        const Heights here = heights_of({map, pressed_, time.seconds() * kTickRate}, pose.place.sector);
+        if (pose.eye_z > here.floor_z && pose.eye_z < here.ceiling_z) continue;
         const auto leg = path.leg_at(time);
         const std::string where = leg ? "leg " + std::to_string(*leg + 1) : "the start";
         return Finding{leg ? script.legs[*leg].place : script.start.place, Severity::error, "eye-in-wall",
-                       where + " takes the eye to height " + std::to_string(pose.eye_z) + " in '" + sector.name +
-                           "', which reaches from " + std::to_string(sector.floor.z) + " to " +
-                           std::to_string(sector.ceiling.z) + " (frame " + std::to_string(frame) + ")"};
+                       where + " takes the eye to height " + std::to_string(pose.eye_z) + " in '" +
+                           map[pose.place.sector].name + "', which reaches from " + std::to_string(here.floor_z) +
+                           " to " + std::to_string(here.ceiling_z) + " (frame " + std::to_string(frame) + ")"};
     }
     return {};
 }

@@ -11,6 +11,7 @@
 #include "map/map.h"
 #include "render/view.h"
 #include "world/snapshot.h"
+#include "world/world.h"
 
 namespace enfilade {
 
@@ -42,13 +43,17 @@ private:
     Flight(Path path, const ScriptFile& script, const Map& map);
 
     CameraPose pose_at(const Map& map, FrameTime time) const;
+    Snapshot snapshot_at(const Map& map, FrameTime time) const;
     View view_of(const Map& map, const CameraPose& pose) const;
+    /// What the legs of a script press, from its beginning to its end.
+    void press(const CameraPath& path, const ScriptFile& script, const Map& map);
     /// The first frame whose eye is not between floor and ceiling, as a finding.
     std::optional<Finding> misplaced_eye(const CameraPath& path, const ScriptFile& script, const Map& map) const;
 
     Path path_;
     Snapshot at_rest_;
-    int rate_ = 30;  ///< [1/s]
+    History pressed_;  ///< what a script's legs set off; a tape has its own
+    int rate_ = 30;    ///< [1/s]
     int frames_ = 1;
     double fov_degrees_ = 90;
 };

@@ -30,6 +30,7 @@ Result<TapePath> TapePath::plan(const Map& map, Tape tape) {
         step(map, *world, path.tape_.ticks[tick]);
     }
     if (path.tape_.ticks.size() % kBetweenKept == 0) path.kept_.push_back(*world);
+    path.history_ = world->history;
     if (hash(*world) == path.tape_.final_hash) return path;
     return Error{"", "the walk ends elsewhere than when it was recorded; the map, or how things move, has changed"};
 }

@@ -22,6 +22,9 @@ public:
 
     std::int64_t length_us() const;
 
+    /// All that happens in the whole of it; of any moment it says what had happened by then.
+    const History& history() const { return history_; }
+
 private:
     explicit TapePath(Tape tape) : tape_(std::move(tape)) {}
 
@@ -29,6 +32,7 @@ private:
     World after(const Map& map, std::size_t ticks) const;
 
     Tape tape_;
+    History history_;
     std::vector<World> kept_;  ///< after 0, kBetweenKept, 2 kBetweenKept, … ticks
 };
 

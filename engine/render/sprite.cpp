@@ -29,6 +29,7 @@ SpritePicture picture_of(const Map& map, const TextureSet& textures, const Snaps
     const SpriteFrame& frame = sprite.frames[now.frame];
     const bool is_round = frame.views[0] == frame.views[1];
     SpritePicture picture;
+    if (std::binary_search(snapshot.taken.begin(), snapshot.taken.end(), presence.thing)) return picture;
     picture.texture = frame.views[is_round ? 0 : view_from(eye, presence, thing.yaw)];
     if (!picture.texture) return picture;
     const Texture& texture = textures[picture.texture];

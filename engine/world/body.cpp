@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/heights.h"
 #include "world/obstacle.h"
 
 namespace enfilade {
@@ -19,14 +18,14 @@ double distance_to(const ReachedWall& wall) {
 
 }  // namespace
 
-Clearance clearance(const Map& map, const Body& body, const std::vector<ReachedSector>& sectors) {
+Clearance clearance(const Instant& now, const Body& body, const std::vector<ReachedSector>& sectors) {
     Clearance free{-kWorldLimit, kWorldLimit};
     for (const ReachedSector& s : sectors) {
-        const Heights heights = heights_of(map, s.sector);
+        const Heights heights = heights_of(now, s.sector);
         free.floor_z = std::max(free.floor_z, heights.floor_z - s.passage.rise);
         free.ceiling_z = std::min(free.ceiling_z, heights.ceiling_z - s.passage.rise);
     }
-    for (const Obstacle& thing : obstacles_near(map, body, 0)) {
+    for (const Obstacle& thing : obstacles_near(now, body, 0)) {
         if (is_beside(thing, body)) continue;
         if (is_at_most(thing.top, body.feet_z))
             free.floor_z = std::max(free.floor_z, thing.top);
@@ -36,11 +35,11 @@ Clearance clearance(const Map& map, const Body& body, const std::vector<ReachedS
     return free;
 }
 
-bool can_pass(const Map& map, const Body& body, WallId portal, const Rigid& passage) {
-    const Wall& wall = map[portal];
+bool can_pass(const Instant& now, const Body& body, WallId portal, const Rigid& passage) {
+    const Wall& wall = now.map[portal];
     if (wall.blocks) return false;
-    const double rise = passage.rise, rise_behind = rise + map.passage(wall).rise;
-    const Heights here = heights_of(map, wall.sector), behind = heights_of(map, wall.behind);
+    const double rise = passage.rise, rise_behind = rise + now.map.passage(wall).rise;
+    const Heights here = heights_of(now, wall.sector), behind = heights_of(now, wall.behind);
     const double floor_z = behind.floor_z - rise_behind;
     if (!is_at_most(floor_z - body.feet_z, kMaxStep)) return false;
     const double bottom = std::max(floor_z, body.feet_z);
@@ -48,26 +47,26 @@ bool can_pass(const Map& map, const Body& body, WallId portal, const Rigid& pass
     return is_at_most(body.height, top - bottom);
 }
 
-Reach around(const Map& map, const Body& body) {
-    return reach(map, body.place, body.radius,
-                 [&](WallId portal, const Rigid& passage) { return can_pass(map, body, portal, passage); });
+Reach around(const Instant& now, const Body& body) {
+    return reach(now.map, body.place, body.radius,
+                 [&](WallId portal, const Rigid& passage) { return can_pass(now, body, portal, passage); });
 }
 
-bool fits(const Map& map, const Body& body, const Reach& around) {
+bool fits(const Instant& now, const Body& body, const Reach& around) {
     if (!around.walls.empty()) return false;
-    const Clearance free = clearance(map, body, around.sectors);
+    const Clearance free = clearance(now, body, around.sectors);
     return is_at_most(body.height, free.ceiling_z - std::max(free.floor_z, body.feet_z));
 }
 
-Body squeezed(const Map& map, Body body) {
-    const Heights here = heights_of(map, body.place.sector);
+Body squeezed(const Instant& now, Body body) {
+    const Heights here = heights_of(now, body.place.sector);
     body.ceiling_z = here.ceiling_z;
     body.height = std::clamp(here.ceiling_z - body.feet_z, 0.0, body.height);
-    Reach found = around(map, body);
+    Reach found = around(now, body);
     for (const ReachedWall& wall : found.walls)
         body.radius = std::min(body.radius, grid_length_below(distance_to(wall)));
-    if (!found.walls.empty()) found = around(map, body);
-    body.ceiling_z = clearance(map, body, found.sectors).ceiling_z;
+    if (!found.walls.empty()) found = around(now, body);
+    body.ceiling_z = clearance(now, body, found.sectors).ceiling_z;
     body.height = std::clamp(body.ceiling_z - body.feet_z, 0.0, body.height);
     return body;
 }

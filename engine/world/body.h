@@ -3,6 +3,7 @@
 #include "map/map.h"
 #include "math/grid.h"
 #include "space/reach.h"
+#include "world/instant.h"
 
 namespace enfilade {
 
@@ -28,7 +29,7 @@ struct Clearance {
     double ceiling_z;
 };
 /// sectors: those that the body's disc overlaps.
-Clearance clearance(const Map& map, const Body& body, const std::vector<ReachedSector>& sectors);
+Clearance clearance(const Instant& now, const Body& body, const std::vector<ReachedSector>& sectors);
 
 /// Heights are compared to the millimetre of the vertex grid, so that a step that was written as 0.75 may be climbed
 /// whatever binary fractions its two floors became. True where `height` is not more than `limit` [m].
@@ -36,17 +37,17 @@ constexpr bool is_at_most(double height, double limit) { return snap_to_vertex_g
 
 /// Whether the body can get through a portal: over the step behind it and under what is left of the opening, which
 /// its own ceiling bounds as well, because on a step it stands under both. `passage` as in MayPass.
-bool can_pass(const Map& map, const Body& body, WallId portal, const Rigid& passage);
+bool can_pass(const Instant& now, const Body& body, WallId portal, const Rigid& passage);
 
 /// Whether the body, where it is, touches no wall and has headroom on the highest floor it stands on. Things beside it
 /// are for the walk to see to (world/obstacle.h).
-bool fits(const Map& map, const Body& body, const Reach& around);
+bool fits(const Instant& now, const Body& body, const Reach& around);
 
 /// The body where it is, made as wide, and at most as high, as there is room: a body that was put closer to a wall
 /// than its radius can still walk, and gets its width back as it leaves. Sets its ceiling.
-Body squeezed(const Map& map, Body body);
+Body squeezed(const Instant& now, Body body);
 
 /// reach() of the body's disc through the portals it can pass.
-Reach around(const Map& map, const Body& body);
+Reach around(const Instant& now, const Body& body);
 
 }  // namespace enfilade

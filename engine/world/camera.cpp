@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "math/grid.h"
-#include "world/heights.h"
 
 namespace enfilade {
 namespace {
@@ -28,7 +27,8 @@ Eye eye_between_ticks(const Map& map, const World& world, double part) {
     const Vec2 way = back.apply(now.place.point) - before.place.point;
     const Trace path = trace(map, before.place, snap_to_point_grid(before.place.point + way * part));
     const double z = between(before.eye_z, back.apply_height(now.eye_z), part) + path.passage.rise;
-    const Heights here = heights_of(map, path.end.sector);
+    const double tick = static_cast<double>(world.tick) - 1 + part;
+    const Heights here = heights_of({map, world.history, tick}, path.end.sector);
     return {path.end, std::max(here.floor_z, std::min(z, here.ceiling_z)),
             between(before.yaw, now.yaw - turn_of(world.passage), part) + turn_of(path.passage),
             static_cast<std::int32_t>(between(before.pitch_steps, now.pitch_steps, part))};

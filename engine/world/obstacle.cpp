@@ -1,33 +1,32 @@
 #include "world/obstacle.h"
 
 #include "math/predicates.h"
-#include "world/heights.h"
 
 namespace enfilade {
 namespace {
 
-void add_things_of(const Map& map, const ReachedSector& reached, const Body& body, double way,
+void add_things_of(const Instant& now, const ReachedSector& reached, const Body& body, double way,
                    std::vector<Obstacle>& found) {
-    const Sector& sector = map[reached.sector];
+    const Sector& sector = now.map[reached.sector];
     const Vec2 centre = snap_to_point_grid(reached.passage.apply(body.place.point));
     for (std::uint32_t i = sector.first_solid; i < sector.first_solid + sector.solid_count; ++i) {
-        const ThingId id = map.solid_things[i];
-        const Thing& thing = map[id];
+        const ThingId id = now.map.solid_things[i];
+        const Thing& thing = now.map[id];
         const double limit = thing.radius + body.radius;
         if (!segment_is_nearer(thing.position, thing.position, centre, limit + way)) continue;
-        const double bottom = foot_of(map, id) - reached.passage.rise;
+        const double bottom = foot_of(now, id) - reached.passage.rise;
         found.push_back({id, reached.passage, centre, limit, bottom, bottom + thing.height});
     }
 }
 
 }  // namespace
 
-std::vector<Obstacle> obstacles_near(const Map& map, const Body& body, double way) {
+std::vector<Obstacle> obstacles_near(const Instant& now, const Body& body, double way) {
     std::vector<Obstacle> found;
-    if (map.widest_solid_m == 0) return found;
+    if (now.map.widest_solid_m == 0) return found;
     const double way_on_grid = way > 0 ? snap_to_point_grid(way) + kPointGrid : 0;
-    const Reach around = reach(map, body.place, body.radius + map.widest_solid_m + way_on_grid);
-    for (const ReachedSector& reached : around.sectors) add_things_of(map, reached, body, way_on_grid, found);
+    const Reach around = reach(now.map, body.place, body.radius + now.map.widest_solid_m + way_on_grid);
+    for (const ReachedSector& reached : around.sectors) add_things_of(now, reached, body, way_on_grid, found);
     return found;
 }
 

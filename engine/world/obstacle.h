@@ -19,7 +19,7 @@ struct Obstacle {
 /// The solid things whose discs come nearer to the body's than `way`; with 0, those that overlap it. At whatever height
 /// they are, and also behind portals that the body cannot pass. Exact.
 /// Cost: the solid things and the walls of the sectors around the body; none in a map without solid things.
-std::vector<Obstacle> obstacles_near(const Map& map, const Body& body, double way);
+std::vector<Obstacle> obstacles_near(const Instant& now, const Body& body, double way);
 
 /// Whether the obstacle is neither below the body's feet nor above its head.
 bool is_beside(const Obstacle& obstacle, const Body& body);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/heights.h"
-
 namespace enfilade {
 namespace {
 
@@ -41,24 +39,25 @@ WayOff way_off_nearest(const Map& map, const Reach& found) {
 }
 
 /// The body, which is as wide as there is room, moved to a full radius from the wall that is nearest.
-Body moved_off(const Map& map, const Body& narrow) {
+Body moved_off(const Instant& now, const Body& narrow) {
     Body wide = narrow;
     wide.radius = kBodyRadius;
-    const WayOff off = way_off_nearest(map, around(map, wide));
+    const WayOff off = way_off_nearest(now.map, around(now, wide));
     const double by = kBodyRadius - off.distance + kStepsToSpare * kPointGrid;
     // Not through a link: then heights and yaw would have to follow.
     const auto may_pass = [&](WallId portal, const Rigid& passage) {
-        return map[portal].link == Wall::kNoLink && can_pass(map, narrow, portal, passage);
+        return now.map[portal].link == Wall::kNoLink && can_pass(now, narrow, portal, passage);
     };
-    wide.place = trace(map, narrow.place, snap_to_point_grid(narrow.place.point + off.direction * by), may_pass).end;
-    return squeezed(map, wide);
+    wide.place =
+        trace(now.map, narrow.place, snap_to_point_grid(narrow.place.point + off.direction * by), may_pass).end;
+    return squeezed(now, wide);
 }
 
 /// The widest body found on the way off walls that are nearer than its radius.
-Body moved_free(const Map& map, const Body& body) {
-    Body best = squeezed(map, body), last = best;
+Body moved_free(const Instant& now, const Body& body) {
+    Body best = squeezed(now, body), last = best;
     for (int i = 0; i < kTriesToGetFree && best.radius < kBodyRadius; ++i) {
-        last = moved_off(map, last);
+        last = moved_off(now, last);
         if (last.radius > best.radius) best = last;
     }
     return best;
@@ -72,8 +71,8 @@ double eye_height(double height) {
     return kCrouchedEye + (kStandingEye - kCrouchedEye) * standing;
 }
 
-Body body_of(const Map& map, const Player& player) {
-    return squeezed(map, {player.place, player.feet_z, player.height, kBodyRadius, kWorldLimit});
+Body body_of(const Instant& now, const Player& player) {
+    return squeezed(now, {player.place, player.feet_z, player.height, kBodyRadius, kWorldLimit});
 }
 
 double eye_z_of(const Player& player, double ceiling_z) {
@@ -83,16 +82,16 @@ double eye_z_of(const Player& player, double ceiling_z) {
     return std::clamp(player.feet_z + feet_to_eye + player.eye_lag, lowest, highest);
 }
 
-Player player_at(const Map& map, const PlayerStart& start) {
-    const Heights here = heights_of(map, start.sector);
+Player player_at(const Instant& now, const PlayerStart& start) {
+    const Heights here = heights_of(now, start.sector);
     Body body{{start.sector, start.position}, start.eye_z - kStandingEye, kStandingHeight, kBodyRadius, kWorldLimit};
     body.feet_z = std::max(here.floor_z, std::min(body.feet_z, here.ceiling_z - body.height));
-    body = moved_free(map, body);
+    body = moved_free(now, body);
 
     Player player;
     player.place = body.place;
     player.height = body.height;
-    const Clearance free = clearance(map, body, around(map, body).sectors);
+    const Clearance free = clearance(now, body, around(now, body).sectors);
     player.feet_z = std::max(body.feet_z, free.floor_z);
     player.on_ground = player.feet_z <= free.floor_z;
     player.yaw = start.yaw;

@@ -39,10 +39,10 @@ inline constexpr double kEyeBelowCeiling = 0.15;
 
 /// Stands the player at the start: on the floor if the eye's height there says so, else above it, to fall. Too near to
 /// a wall, it is moved off as far as there is room.
-Player player_at(const Map& map, const PlayerStart& start);
+Player player_at(const Instant& now, const PlayerStart& start);
 
 /// The player's body, as wide and high as there is room.
-Body body_of(const Map& map, const Player& player);
+Body body_of(const Instant& now, const Player& player);
 
 /// Where the eye belongs: above the feet, with its lag, below the ceiling.
 double eye_z_of(const Player& player, double ceiling_z);

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "world/around.h"
+#include "world/input.h"
+#include "world/light.h"
+
 namespace enfilade {
 namespace {
 
@@ -16,20 +20,60 @@ double foot_of(const Thing& thing, const SectorSnapshot& home) {
     return thing.z;
 }
 
+SectorSnapshot sector_now(const Instant& now, SectorId id) {
+    const Sector& sector = now.map[id];
+    const Heights heights = heights_of(now, id);
+    const Change* change = now.history ? now.history->change_of(id, Channel::light, now.tick) : nullptr;
+    const std::optional<LightEffectRecord>& effect = change ? now.map[change->cause].effect : sector.light_effect;
+    return {heights.floor_z, heights.ceiling_z, plain_light_of(now, id), effect ? &*effect : nullptr,
+            changed_floor_picture(now, id)};
+}
+
+/// A trigger that works once turns its switch for ever, others for a moment.
+bool shows_other_face(const Instant& now, const Firing& firing) {
+    return now.map[firing.trigger].once || now.tick < static_cast<double>(firing.tick) + kSwitchSeconds * kTickRate;
+}
+
+std::vector<WallId> walls_pressed(const Instant& now) {
+    std::vector<WallId> walls;
+    for (const Firing& firing : now.history->firings())
+        if (firing.wall && static_cast<double>(firing.tick) <= now.tick && shows_other_face(now, firing))
+            walls.push_back(firing.wall);
+    std::sort(walls.begin(), walls.end());
+    walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+    return walls;
+}
+
 }  // namespace
 
 Snapshot at_rest(const Map& map) {
     Snapshot snapshot;
     snapshot.sectors.reserve(map.sectors.size());
-    for (const Sector& s : map.sectors) snapshot.sectors.push_back({s.floor.z, s.ceiling.z, s.light});
+    for (std::size_t i = 0; i < map.sectors.size(); ++i) snapshot.sectors.push_back(sector_now(map, SectorId(i)));
     snapshot.things = presences_of(map);
     return snapshot;
+}
+
+void show(const Instant& now, Snapshot& snapshot) {
+    snapshot.time_s = now.tick * kTickSeconds;
+    if (!now.history) return;
+    for (const SectorId id : now.history->changed_sectors()) snapshot.sectors[id.index] = sector_now(now, id);
+    snapshot.pressed = walls_pressed(now);
+    snapshot.taken.clear();
+    for (const Taking& taking : now.history->takings())
+        if (static_cast<double>(taking.tick) <= now.tick) snapshot.taken.push_back(taking.thing);
+}
+
+double light_at(const Snapshot& snapshot, SectorId id) {
+    const SectorSnapshot& sector = snapshot[id];
+    if (!sector.effect) return sector.light;
+    return level_of(*sector.effect, sector.light, id.index, std::max(snapshot.time_s, 0.0));
 }
 
 ThingSnapshot thing_at(const Map& map, const Snapshot& snapshot, ThingId id) {
     const Thing& thing = map[id];
     const SectorSnapshot& home = snapshot[thing.sector];
-    return {foot_of(thing, home), thing.light.value_or(home.light),
+    return {foot_of(thing, home), thing.light ? *thing.light : light_at(snapshot, thing.sector),
             thing.sprite ? frame_at(map[thing.sprite], snapshot.time_s) : 0};
 }
 

@@ -4,14 +4,17 @@
 
 #include "map/map.h"
 #include "space/presence.h"
+#include "world/instant.h"
 
 namespace enfilade {
 
 /// A sector at one instant.
 struct SectorSnapshot {
-    double floor_z = 0;    ///< [m]
-    double ceiling_z = 0;  ///< [m]; >= floor_z
-    double light = 1;      ///< 0..1
+    double floor_z = 0;                         ///< [m]
+    double ceiling_z = 0;                       ///< [m]; >= floor_z
+    double light = 1;                           ///< 0..1, without its effect
+    const LightEffectRecord* effect = nullptr;  ///< of the map, or null: the light is steady
+    TextureId floor_picture;                    ///< that the floor was given, or none: the map's
 };
 
 /// Everything that can differ from the map at rest.
@@ -20,11 +23,24 @@ struct Snapshot {
     double time_s = 0;
     Presences things;  ///< which things are to be seen in which sector, and where there
 
+    std::vector<ThingId> taken;   ///< things that are gone, in the order of their numbers
+    std::vector<WallId> pressed;  ///< walls that show the other face of their switch, in the order of their numbers
+
     const SectorSnapshot& operator[](SectorId id) const { return sectors[id.index]; }
 };
 
 /// The map at rest. Cost: the sectors, and the walls around the things; setting time_s afterwards costs nothing.
 Snapshot at_rest(const Map& map);
+
+/// Makes the snapshot that of another moment of its map. `snapshot` came from at_rest of the same map.
+/// Cost: what ever changed in the history, however large the map.
+void show(const Instant& now, Snapshot& snapshot);
+
+/// The light of a sector with its effect, 0..1: worked out when somebody looks.
+double light_at(const Snapshot& snapshot, SectorId sector);
+
+/// How long a switch that can be used again shows its other face [s].
+inline constexpr double kSwitchSeconds = 1;
 
 /// A thing at one instant.
 struct ThingSnapshot {

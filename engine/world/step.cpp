@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/carry.h"
+#include "world/happen.h"
 #include "world/walk.h"
 
 namespace enfilade {
@@ -88,31 +90,68 @@ void step_or_fall(Player& player, double floor_z) {
     if (player.on_ground) player.fall_speed = 0;
 }
 
+/// One tick of walking, and what it sets off.
+void go(const Map& map, World& world, Vec2 velocity, bool keeps_velocity) {
+    const Walk walked = walk(now(map, world), body_of(now(map, world), world.player), velocity, kTickSeconds);
+    const Vec2 own = walked.passage.turn(world.player.velocity);
+    arrive(world.player, walked);
+    if (!keeps_velocity) world.player.velocity = own;
+    world.passage = then(world.passage, walked.passage);
+    pass(map, world, walked.crossings);
+}
+
+/// A floor whose picture moves takes along who stands on it.
+void ride(const Map& map, World& world) {
+    const Flat& floor = map[world.player.place.sector].floor;
+    if (floor.carries && world.player.on_ground) go(map, world, floor.scroll, false);
+}
+
 void settle_eye(Player& player, double ceiling_z) {
     player.eye_lag = std::clamp(player.eye_lag * kLagLeft, -kMaxStep, kMaxStep);
     if (std::fabs(player.eye_lag) < kLeastLag) player.eye_lag = 0;
     player.eye_z = eye_z_of(player, ceiling_z);
 }
 
+/// What the floor under the feet does to the player: it hurts, or it is a secret.
+void feel_the_floor(const Map& map, World& world) {
+    const SectorId here = world.player.place.sector;
+    if (!world.player.on_ground) return;
+    if (map[here].secret && !std::binary_search(world.secrets.begin(), world.secrets.end(), here)) {
+        world.secrets.insert(std::lower_bound(world.secrets.begin(), world.secrets.end(), here), here);
+        world.news = News{NewsKind::secret, here.index, world.tick};
+    }
+    const bool is_time = world.tick % kTickRate == 0;
+    const int damage = map[here].damage > 0 && is_time ? damage_of(now(map, world), here) : 0;
+    if (damage == 0 || world.health == 0) return;
+    world.health = std::max(0, world.health - damage);
+    world.news = News{world.health > 0 ? NewsKind::hurt : NewsKind::died, 0, world.tick};
+}
+
 }  // namespace
 
-void step(const Map& map, World& world, const TickInput& input) {
+void step(const Map& map, World& world, const TickInput& played) {
+    const TickInput input = world.health > 0 ? played : TickInput{};
     world.before = world.player;
+    world.passage = {};
     Player& player = world.player;
     look(player, input);
-    stand_or_crouch(player, body_of(map, player), input.buttons & kButtonCrouch);
+    if (input.buttons & ~world.held & kButtonUse) use_what_is_ahead(map, world);
+    world.held = input.buttons;
+    carry(map, world);
+    ++world.tick;
+
+    stand_or_crouch(player, body_of(now(map, world), player), input.buttons & kButtonCrouch);
     speed_up(player, wish(player, input));
+    ride(map, world);
+    go(map, world, player.velocity, true);
 
-    Body body = body_of(map, player);
-    const Walk walked = walk(map, body, player.velocity, kTickSeconds);
-    arrive(player, walked);
-    world.passage = walked.passage;
-
-    body = body_of(map, player);
-    const Clearance free = clearance(map, body, around(map, body).sectors);
+    const Instant next = now(map, world);
+    const Body body = body_of(next, player);
+    const Clearance free = clearance(next, body, around(next, body).sectors);
     step_or_fall(player, free.floor_z);
     settle_eye(player, free.ceiling_z);
-    ++world.tick;
+    touch_what_is_near(map, world);
+    feel_the_floor(map, world);
 }
 
 }  // namespace enfilade

@@ -69,7 +69,8 @@ private:
 
 class Walker {
 public:
-    Walker(const Map& map, const Body& body, Vec2 velocity) : map_(map), body_(body), velocity_(velocity) {
+    Walker(const Instant& now, const Body& body, Vec2 velocity)
+        : now_(now), map_(now.map), body_(body), velocity_(velocity) {
         for (const Obstacle& obstacle : obstacles_beside(body_, 0))
             overlapped_.push_back({obstacle.thing, distance_kept(obstacle)});
     }
@@ -79,11 +80,11 @@ public:
         for (int touches = 0; touches < kMaxTouches && move_ != Vec2{}; ++touches)
             if (!go_to_next_touch()) break;
         velocity_ = normals_.left_of(velocity_, kPointGrid / seconds);
-        return {body_.place, passage_, velocity_};
+        return {body_.place, passage_, velocity_, std::move(crossings_)};
     }
 
 private:
-    bool may_pass(WallId portal, const Rigid& passage) const { return can_pass(map_, body_, portal, passage); }
+    bool may_pass(WallId portal, const Rigid& passage) const { return can_pass(now_, body_, portal, passage); }
 
     /// False where the way is over: all of it gone, or no part of it possible.
     bool go_to_next_touch() {
@@ -121,7 +122,7 @@ private:
     /// The solid things that the body might bump into on a way of this length. Of one that it was in already when the
     /// walk began, it only may not get nearer to the middle: so it can leave, but not go deeper.
     std::vector<Obstacle> obstacles_beside(const Body& body, double way) const {
-        std::vector<Obstacle> found = obstacles_near(map_, body, way);
+        std::vector<Obstacle> found = obstacles_near(now_, body, way);
         std::erase_if(found, [&](const Obstacle& obstacle) { return !is_beside(obstacle, body); });
         for (const Overlapped& old : overlapped_)
             for (Obstacle& obstacle : found)
@@ -158,11 +159,11 @@ private:
             const Trace way = trace(map_, body_.place, p, [this](WallId w, const Rigid& r) { return may_pass(w, r); });
             if (way.stopped) return false;
             const Body there = carried(way);
-            const Reach found = around(map_, there);
+            const Reach found = around(now_, there);
             std::vector<Obstacle> things = obstacles_beside(there, 0);
             std::erase_if(things, [&](const Obstacle& obstacle) { return !overlaps(map_, obstacle); });
-            if (things.empty() && fits(map_, there, found)) {
-                settle(there, way.passage);
+            if (things.empty() && fits(now_, there, found)) {
+                settle(there, way);
                 *turned = way.passage;
                 return true;
             }
@@ -199,18 +200,22 @@ private:
         return sum;
     }
 
-    void settle(const Body& there, const Rigid& passage) {
+    void settle(const Body& there, const Trace& way) {
+        const Rigid& passage = way.passage;
         body_ = there;
+        crossings_.insert(crossings_.end(), way.crossings.begin(), way.crossings.end());
         passage_ = then(passage_, passage);
         move_ = passage.turn(move_);
         velocity_ = passage.turn(velocity_);
         normals_.turn(passage);
     }
 
+    const Instant now_;
     const Map& map_;
     Body body_;
     Vec2 velocity_, move_;
     Rigid passage_;
+    std::vector<Crossing> crossings_;
     Normals normals_;
 
     /// A thing that the body was in when the walk began, and how far from its middle.
@@ -223,8 +228,8 @@ private:
 
 }  // namespace
 
-Walk walk(const Map& map, const Body& body, Vec2 velocity, double seconds) {
-    return Walker(map, body, velocity).run(seconds);
+Walk walk(const Instant& now, const Body& body, Vec2 velocity, double seconds) {
+    return Walker(now, body, velocity).run(seconds);
 }
 
 }  // namespace enfilade

@@ -5,6 +5,8 @@
 // there (space/reach.h). If it does not fit, it is moved off by a few grid steps, and failing that it goes only part of
 // the way. So a body that fits goes on fitting, for ever, and no tolerance decides anything.
 #pragma once
+#include <vector>
+
 #include "world/body.h"
 
 namespace enfilade {
@@ -12,8 +14,9 @@ namespace enfilade {
 /// Where a walk led.
 struct Walk {
     Place end;
-    Rigid passage;  ///< from the space of the start into that of the end
-    Vec2 velocity;  ///< what the walls left of it, in the space of the end [m/s]
+    Rigid passage;                    ///< from the space of the start into that of the end
+    Vec2 velocity;                    ///< what the walls left of it, in the space of the end [m/s]
+    std::vector<Crossing> crossings;  ///< the portals that the middle of the body passed, in order
 };
 
 /// Moves a body that fits for some time. Its feet stay at their height: steps are taken afterwards.
@@ -22,6 +25,6 @@ struct Walk {
 /// body     : fits (world/body.h: squeezed)
 /// velocity : [m/s]; |velocity| * seconds may be longer than the body is wide
 /// Cost: a few queries of the sectors the body overlaps.
-Walk walk(const Map& map, const Body& body, Vec2 velocity, double seconds);
+Walk walk(const Instant& now, const Body& body, Vec2 velocity, double seconds);
 
 }  // namespace enfilade

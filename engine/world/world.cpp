@@ -2,9 +2,17 @@
 
 #include "base/hash.h"
 #include "formats/number_text.h"
+#include "world/deed.h"
 
 namespace enfilade {
 namespace {
+
+template <class Tag>
+std::uint64_t digest(const std::vector<Id<Tag>>& ids) {
+    Hash hash;
+    for (const Id<Tag> id : ids) hash.add(id.index);
+    return hash.value();
+}
 
 /// Calls visit(name, value of a, value of b) for everything that the state consists of, in a fixed order.
 template <class Visit>
@@ -25,6 +33,13 @@ void each_value(const World& a, const World& b, Visit visit) {
     visit("player.yaw_rest", p.yaw_rest, q.yaw_rest);
     visit("player.pitch", p.pitch_steps, q.pitch_steps);
     visit("player.on_ground", p.on_ground, q.on_ground);
+    visit("history", a.history.digest(), b.history.digest());
+    visit("health", a.health, b.health);
+    visit("keys", a.keys, b.keys);
+    visit("held", std::uint32_t{a.held}, std::uint32_t{b.held});
+    visit("touched", digest(a.touched), digest(b.touched));
+    visit("secrets", digest(a.secrets), digest(b.secrets));
+    visit("left_by", a.left_by.value_or(TriggerId()).index, b.left_by.value_or(TriggerId()).index);
 }
 
 std::string text(double x) { return number_text(x); }
@@ -39,7 +54,8 @@ std::string text(Whole x) {
 std::optional<World> start_of(const Map& map) {
     if (!map.player) return {};
     World world;
-    world.player = world.before = player_at(map, *map.player);
+    for (const TriggerId trigger : map.at_start) carry_out(map, world.history, trigger, 0);
+    world.player = world.before = player_at(now(map, world), *map.player);
     return world;
 }
 

@@ -3,15 +3,46 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "map/map.h"
+#include "world/history.h"
 #include "world/player.h"
 
 namespace enfilade {
 
+/// How well one is at the start, and at most [points].
+inline constexpr int kFullHealth = 100;
+
+/// What a player is told.
+enum class NewsKind : std::uint8_t {
+    needs_key,  ///< number: index into Map::keys
+    got_key,    ///< number: index into Map::keys
+    healed,
+    secret,  ///< a secret sector was found
+    hurt,
+    died,
+};
+
+/// The last thing that was told.
+struct News {
+    NewsKind kind = NewsKind::hurt;
+    std::uint32_t number = 0;
+    std::uint64_t tick = 0;  ///< after which it was told
+};
+
 struct World {
     std::uint64_t tick = 0;  ///< ticks since the start
     Player player;
+
+    History history;
+    int health = kFullHealth;          ///< 0: dead
+    std::uint64_t keys = 0;            ///< bit i: has Map::keys[i]
+    std::uint8_t held = 0;             ///< InputButton bits that were down in the tick before
+    std::vector<ThingId> touched;      ///< things that were touched in the tick before, in the order of their numbers
+    std::vector<SectorId> secrets;     ///< that were found, in the order of their numbers
+    std::optional<TriggerId> left_by;  ///< the exit by which the map was left
+    std::optional<News> news;
 
     /// What drawing between two ticks needs, and nothing else: the player one tick ago, in the space where it then
     /// was, and the way from there into the space where it is now. The future does not depend on it.
@@ -19,7 +50,10 @@ struct World {
     Rigid passage;
 };
 
-/// The world as a map begins; none where the map has no start.
+/// The map as it is now.
+inline Instant now(const Map& map, const World& world) { return {map, world.history, static_cast<double>(world.tick)}; }
+
+/// The world as a map begins, with what its start sets off; none where the map has no start.
 std::optional<World> start_of(const Map& map);
 
 /// Equal for equal states on every machine; value by value. Leaves out what is only for drawing.

@@ -78,7 +78,8 @@ TEST(ThingSnapshot, FloatsWhereItWasPut) {
     cloud.z = 2;
     const Map map = room_with(cloud);
     Snapshot snapshot = at_rest(map);
-    snapshot.sectors[0] = {0, 10, 1};
+    snapshot.sectors[0].floor_z = 0;
+    snapshot.sectors[0].ceiling_z = 10;
     EXPECT_EQ(thing_at(map, snapshot, ThingId(0u)).z, 2);
 }
 

@@ -113,7 +113,7 @@ View Game::view(double part, const LookSteps& ahead, double fov_degrees) const {
 }
 
 const Snapshot& Game::snapshot(double part) {
-    snapshot_.time_s = (static_cast<double>(world_.tick) - 1 + part) * kTickSeconds;
+    enfilade::show({map(), world_.history, static_cast<double>(world_.tick) - 1 + part}, snapshot_);
     return snapshot_;
 }
 

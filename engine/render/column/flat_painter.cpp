@@ -11,7 +11,7 @@ namespace enfilade::column {
 void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height,
                         double light, SurfaceId id) {
     pose_ = &pose;
-    flat_ = &flat;
+    flat_ = flat;
     texture_ = &scene.textures[flat.surface.texture];
     id_ = id;
     height_ = height;
@@ -25,7 +25,7 @@ void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, 
 
 void FlatPainter::paint(const Scene& scene, int x, int top, int bottom, double wall_depth) {
     if (top >= bottom) return;
-    if (flat_->sky)
+    if (flat_.sky)
         paint_sky(scene, x, top, bottom);
     else
         paint_level(scene, x, top, bottom, wall_depth);
@@ -35,7 +35,7 @@ void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, do
     prepare_rows(scene, top, bottom);
     if (is_extended_) shade_extended_rows(scene, top, bottom, wall_depth);
     const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
-    const Vec2 tile = flat_->surface.tile_m;
+    const Vec2 tile = flat_.surface.tile_m;
     const FlatRun flat{texture_,           base_u_,           base_v_, ray.x / tile.x, ray.y / tile.y, wall_depth,
                        row_depths_.data(), row_shades_.data()};
     fill_flat(scene.canvas.run(x, top, bottom), flat);
@@ -49,7 +49,7 @@ void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, do
 void FlatPainter::paint_sky(const Scene& scene, int x, int top, int bottom) {
     const Screen& screen = scene.screen;
     const Vec2 ray = pose_->forward + pose_->right * screen.slopes[x];
-    const Surface& surface = flat_->surface;
+    const Surface& surface = flat_.surface;
     // The ray's climb is per metre of depth; per metre along the ground it is less by the length of `ray`.
     const double rise = 1 / (screen.focal_y * std::sqrt(dot(ray, ray)));
     const SkyTexel horizon = sky_texel(surface.tile_m, surface.offset_tiles, turn_of(ray), 0);

@@ -28,7 +28,7 @@ private:
     void shade_extended_rows(const Scene& scene, int top, int bottom, double wall_depth);
 
     const Pose* pose_ = nullptr;
-    const Flat* flat_ = nullptr;
+    Flat flat_;
     const Texture* texture_ = nullptr;
     SurfaceId id_ = kNothing;
     double height_ = 0, light_ = 1;

@@ -42,7 +42,7 @@ void PanelColumns::add(const RoomView& view, PanelId id, MaskedColumns& masked) 
     const double top = panel.top - view.pose.eye_z;
     board.rows = within(view.here, panel.bottom - view.pose.eye_z, top);
     WallPainter painter;
-    painter.start_panel(scene, panel, top, scene.snapshot[panel.sector].light, panel_id(scene.map, id));
+    painter.start_panel(scene, panel, top, light_at(scene.snapshot, panel.sector), panel_id(scene.map, id));
     board.painter = masked.add(painter);
     boards_.push_back(board);
 }

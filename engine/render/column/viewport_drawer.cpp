@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/picture_now.h"
+
 namespace enfilade::column {
 namespace {
 
@@ -34,12 +36,12 @@ void ViewportDrawer::start_viewport(const Scene& scene, FrameState& state, Viewp
     pose_ = state.poses[static_cast<std::size_t>(viewport.pose)];
     nearest_.choose(scene.map, scene.screen, viewport, pose_,
                     state.projections.get(scene.map, viewport.sector, viewport.pose, pose_, scene.screen));
-    const Sector& sector = scene.map[viewport.sector];
-    const SectorSnapshot& now = scene.snapshot[viewport.sector];
-    here_ = heights_above(now, pose_.eye_z);
-    floor_.start(scene, pose_, sector.floor, FlatSide::floor, here_.floor, now.light, floor_id(viewport.sector));
-    ceiling_.start(scene, pose_, sector.ceiling, FlatSide::ceiling, here_.ceiling, now.light,
-                   ceiling_id(viewport.sector));
+    here_ = heights_above(scene.snapshot[viewport.sector], pose_.eye_z);
+    const double light = light_at(scene.snapshot, viewport.sector);
+    floor_.start(scene, pose_, floor_now(scene.map, scene.snapshot, viewport.sector), FlatSide::floor, here_.floor,
+                 light, floor_id(viewport.sector));
+    ceiling_.start(scene, pose_, ceiling_now(scene.map, scene.snapshot, viewport.sector), FlatSide::ceiling,
+                   here_.ceiling, light, ceiling_id(viewport.sector));
     furniture_.note({scene, viewport, pose_, here_, nearest_}, state.masked);
     openings_.assign(nearest_.count(), {});
     wall_index_ = NearestWalls::kNoWall;
@@ -66,12 +68,12 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
     wall_index_ = wall_index;
     const WallId id = nearest_.wall(wall_index).wall;
     const Wall& wall = scene.map[id];
-    const double light = scene.snapshot[wall.sector].light;
+    const double light = light_at(scene.snapshot, wall.sector);
     is_portal_ = wall.kind != WallKind::solid;
     masked_ = kNoMasked;
     if (!is_portal_) {
-        middle_.start(scene, wall, wall.texture, peg_height(wall.texture.peg, here_, nullptr), light,
-                      wall_id(scene.map, id, WallPart::middle));
+        middle_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.texture),
+                      peg_height(wall.texture.peg, here_, nullptr), light, wall_id(scene.map, id, WallPart::middle));
         return;
     }
     if (wall.kind == WallKind::mirror) {
@@ -83,10 +85,10 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
     const bool both_sky = scene.map[wall.sector].ceiling.sky && scene.map[wall.behind].ceiling.sky;
     upper_open_ = both_sky || !wall.upper.texture;
     lower_open_ = !wall.lower.texture;
-    upper_.start(scene, wall, wall.upper, peg_height(wall.upper.peg, here_, &behind_), light,
-                 wall_id(scene.map, id, WallPart::upper));
-    lower_.start(scene, wall, wall.lower, peg_height(wall.lower.peg, here_, &behind_), light,
-                 wall_id(scene.map, id, WallPart::lower));
+    upper_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.upper),
+                 peg_height(wall.upper.peg, here_, &behind_), light, wall_id(scene.map, id, WallPart::upper));
+    lower_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.lower),
+                 peg_height(wall.lower.peg, here_, &behind_), light, wall_id(scene.map, id, WallPart::lower));
     if (wall.middle.texture) start_masked(scene, state, id);
 }
 
@@ -94,13 +96,13 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
 /// it.
 void ViewportDrawer::start_masked(const Scene& scene, FrameState& state, WallId id) {
     const Wall& wall = scene.map[id];
-    const Surface& surface = wall.middle;
+    const Surface surface = picture_now(scene.map, scene.snapshot, id, wall.middle);
     const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
     const double top = peg_height(surface.peg, here_, &behind_) + (stands ? surface.tile_m.y : 0);
     picture_.ceiling = top - surface.offset_tiles.y * surface.tile_m.y;
     picture_.floor = picture_.ceiling - surface.tile_m.y;
     WallPainter painter;
-    painter.start(scene, wall, surface, top, scene.snapshot[wall.sector].light,
+    painter.start(scene, wall, surface, top, light_at(scene.snapshot, wall.sector),
                   wall_id(scene.map, id, WallPart::middle));
     masked_ = state.masked.add(painter);
 }

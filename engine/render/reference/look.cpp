@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/picture_now.h"
 #include "render/reference/pane.h"
 #include "render/reference/room_panes.h"
 #include "render/shade.h"
@@ -55,7 +56,7 @@ Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, 
     Seen seen{id, depth, {}, 0, false};
     const double tile_u = fraction(u - surface.offset_tiles.x), tile_v = fraction(v - surface.offset_tiles.y);
     const std::uint32_t color = texel(at.scene.textures[surface.texture], tile_u, tile_v);
-    const double light = at.scene.snapshot[at.hit.sector].light;
+    const double light = light_at(at.scene.snapshot, at.hit.sector);
     seen.texel = {static_cast<float>(tile_u), static_cast<float>(tile_v)};
     const std::uint32_t shade = shade_at(at.scene.map.render.light, light, contrast, depth);
     seen.color = (color & kAlpha) | (shaded(color, shade) & ~kAlpha);  // a pane still needs its alpha
@@ -94,7 +95,8 @@ double peg_height(const Arrival& at, Peg peg) {
 }
 
 /// peg: height above the eye that the texture hangs from.
-Seen wall(const Arrival& at, const Surface& surface, double peg, WallPart part) {
+Seen wall(const Arrival& at, const Surface& at_rest, double peg, WallPart part) {
+    const Surface surface = picture_now(at.scene.map, at.scene.snapshot, at.hit.wall, at_rest);
     const double u = at.hit.along * at.wall.length / surface.tile_m.x;
     const double v = (peg - at.climb * at.hit.depth) / surface.tile_m.y;
     return painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth);
@@ -106,14 +108,14 @@ Seen wall(const Arrival& at, const Surface& surface, WallPart part) {
 
 /// The picture with holes in a portal, shown once from top to bottom.
 Pane pane(const Arrival& at) {
-    const Surface& surface = at.wall.middle;
+    const Surface surface = picture_now(at.scene.map, at.scene.snapshot, at.hit.wall, at.wall.middle);
     const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
     const double top = peg_height(at, surface.peg) + (stands ? surface.tile_m.y : 0);
     const double picture_top = top - surface.offset_tiles.y * surface.tile_m.y;
     const double picture_bottom = picture_top - surface.tile_m.y;
     Pane pane{{}, 0, is_close_to(at, picture_top) || is_close_to(at, picture_bottom)};
     if (reaches(at, picture_top) || !reaches(at, picture_bottom)) return pane;
-    pane.seen = wall(at, surface, top, WallPart::middle);
+    pane.seen = wall(at, at.wall.middle, top, WallPart::middle);
     pane.alpha = pane.seen.color >> 24;
     pane.ambiguous |= is_at_rim_of_hole(at.scene.textures[surface.texture], pane.seen.texel, surface.tile_m);
     return pane;
@@ -147,8 +149,10 @@ bool has_upper_step(const Arrival& at) {
 /// followed as many links as it may.
 std::optional<Seen> end_of_ray(const Arrival& at) {
     const SectorId sector = at.hit.sector;
-    if (reaches(at, at.own.ceiling)) return flat(at, at.sector.ceiling, at.own.ceiling, ceiling_id(sector));
-    if (!reaches(at, at.own.floor)) return flat(at, at.sector.floor, at.own.floor, floor_id(sector));
+    if (reaches(at, at.own.ceiling))
+        return flat(at, ceiling_now(at.scene.map, at.scene.snapshot, sector), at.own.ceiling, ceiling_id(sector));
+    if (!reaches(at, at.own.floor))
+        return flat(at, floor_now(at.scene.map, at.scene.snapshot, sector), at.own.floor, floor_id(sector));
     if (at.wall.kind == WallKind::solid) return wall(at, at.wall.texture, WallPart::middle);
     if (at.wall.kind == WallKind::portal) {
         const bool above = reaches(at, at.behind.ceiling), below = !above && !reaches(at, at.behind.floor);

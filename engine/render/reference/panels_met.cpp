@@ -27,7 +27,7 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
     const double u = fraction(at.along * panel.length / surface.tile_m.x - surface.offset_tiles.x);
     const double v = fraction((top - ray.climb * at.depth) / surface.tile_m.y - surface.offset_tiles.y);
     const std::uint32_t color = texel(texture, u, v);
-    const double light = scene.snapshot[panel.sector].light;
+    const double light = light_at(scene.snapshot, panel.sector);
     const Shade shade = shade_at(scene.map.render.light, light, panel.contrast, at.depth);
     Pane pane;
     pane.seen.id = panel_id(scene.map, at.panel);

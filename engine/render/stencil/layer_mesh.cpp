@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include "render/picture_now.h"
 
 namespace enfilade::stencil {
 namespace {
@@ -63,13 +64,14 @@ private:
 
     void add_wall(const WallOnScreen& place) {
         const Wall& wall = scene_.map[place.wall];
-        const Sector& sector = scene_.map[wall.sector];
         const SeenWall seen{layer_.eye, place, parts_of(scene_.map, scene_.snapshot, wall, layer_.eye.z)};
         const Heights room = seen.parts.room;
         add_strip(place, room.ceiling, kEverything,
-                  flat_look(scene_, seen, sector.ceiling, room.ceiling, ceiling_id(wall.sector)));
+                  flat_look(scene_, seen, ceiling_now(scene_.map, scene_.snapshot, wall.sector), room.ceiling,
+                            ceiling_id(wall.sector)));
         add_strip(place, -kEverything, room.floor,
-                  flat_look(scene_, seen, sector.floor, room.floor, floor_id(wall.sector)));
+                  flat_look(scene_, seen, floor_now(scene_.map, scene_.snapshot, wall.sector), room.floor,
+                            floor_id(wall.sector)));
         if (wall.kind == WallKind::solid)
             return add_strip(place, room.floor, room.ceiling, wall_look(scene_, seen, wall.texture, WallPart::middle));
         add_steps(seen, wall);

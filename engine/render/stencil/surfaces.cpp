@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/picture_now.h"
 #include "render/shade.h"
 
 namespace enfilade::stencil {
@@ -82,11 +83,12 @@ Look plain_look(const Scene& scene, const WallOnScreen& place) {
     return look;
 }
 
-Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& surface, WallPart part) {
+Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& at_rest, WallPart part) {
     const Wall& w = scene.map[wall.place.wall];
+    const Surface surface = picture_now(scene.map, scene.snapshot, wall.place.wall, at_rest);
     Look look = plain_look(scene, wall.place);
     set_picture(look, scene, surface.texture, wall_id(scene.map, wall.place.wall, part), Paint::wall);
-    set_light(look, scene.snapshot[w.sector].light, w.contrast);
+    set_light(look, light_at(scene.snapshot, w.sector), w.contrast);
     set_along(look, scene, wall.place, w.length / surface.tile_m.x, surface.offset_tiles.x);
     look.b[0] = f(fraction(peg_height(wall.parts, surface.peg) / surface.tile_m.y - surface.offset_tiles.y));
     look.b[1] = f(1 / surface.tile_m.y);
@@ -94,9 +96,10 @@ Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& surface,
 }
 
 Look pane_look(const Scene& scene, const SeenWall& wall, double top) {
-    const Surface& surface = scene.map[wall.place.wall].middle;
-    Look look = wall_look(scene, wall, surface, WallPart::middle);
-    set_picture(look, scene, surface.texture, wall_id(scene.map, wall.place.wall, WallPart::middle), Paint::picture);
+    const WallId id = wall.place.wall;
+    const Surface surface = picture_now(scene.map, scene.snapshot, id, scene.map[id].middle);
+    Look look = wall_look(scene, wall, scene.map[id].middle, WallPart::middle);
+    set_picture(look, scene, surface.texture, wall_id(scene.map, id, WallPart::middle), Paint::picture);
     look.cross *= kBeforePortal;
     look.nearest *= kBeforePortal;
     look.b[0] = f(top / surface.tile_m.y);
@@ -119,7 +122,7 @@ Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, doubl
     if (flat.sky) return sky_look(scene, wall, surface, id);
     Look look = plain_look(scene, wall.place);
     set_picture(look, scene, surface.texture, id, Paint::flat);
-    set_light(look, scene.snapshot[scene.map[wall.place.wall].sector].light, 1);
+    set_light(look, light_at(scene.snapshot, scene.map[wall.place.wall].sector), 1);
     set_direction(look, scene, wall.eye, surface.tile_m);
     const Vec2 from_origin = wall.eye.place - flat.origin;
     look.b[0] = f(fraction(from_origin.x / surface.tile_m.x - surface.offset_tiles.x));

@@ -1,0 +1,60 @@
+#include "render/picture_now.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enfilade {
+namespace {
+
+/// The frame of the picture's animation; the picture itself shows when it would be its own turn.
+TextureId animated(const PictureChanges& pictures, TextureId picture, double time_s) {
+    if (!picture || pictures.animation_of.empty()) return picture;
+    const std::uint32_t number = pictures.animation_of[picture.index];
+    if (number == PictureChanges::kNone) return picture;
+    const Animation& animation = pictures.animations[number];
+    const auto count = static_cast<double>(animation.frames.size());
+    const auto own = std::find(animation.frames.begin(), animation.frames.end(), picture) - animation.frames.begin();
+    const double shown = std::floor(std::max(time_s, 0.0) / animation.seconds) + static_cast<double>(own);
+    return animation.frames[static_cast<std::size_t>(shown - std::floor(shown / count) * count)];
+}
+
+TextureId face_of(const Map& map, const Snapshot& snapshot, WallId wall, TextureId picture) {
+    if (!picture || snapshot.pressed.empty() || map.pictures.other_face.empty()) return picture;
+    const TextureId other = map.pictures.other_face[picture.index];
+    return other && std::binary_search(snapshot.pressed.begin(), snapshot.pressed.end(), wall) ? other : picture;
+}
+
+/// An offset that has grown by some tiles, still less than a tile.
+double moved(double offset_tiles, double by) { return offset_tiles + by - std::floor(offset_tiles + by); }
+
+/// The flat with its picture `given`, if any, animated and moved.
+Flat flat_now(const Map& map, Flat flat, TextureId given, double time_s) {
+    Surface& surface = flat.surface;
+    surface.texture = animated(map.pictures, given ? given : surface.texture, time_s);
+    if (flat.scroll == Vec2{} || flat.sky) return flat;
+    surface.offset_tiles.x = moved(surface.offset_tiles.x, flat.scroll.x * time_s / surface.tile_m.x);
+    surface.offset_tiles.y = moved(surface.offset_tiles.y, flat.scroll.y * time_s / surface.tile_m.y);
+    return flat;
+}
+
+}  // namespace
+
+Surface picture_now(const Map& map, const Snapshot& snapshot, WallId id, const Surface& at_rest) {
+    Surface surface = at_rest;
+    surface.texture = animated(map.pictures, face_of(map, snapshot, id, at_rest.texture), snapshot.time_s);
+    const Vec2 scroll = map[id].scroll;
+    if (scroll == Vec2{}) return surface;
+    surface.offset_tiles.x = moved(surface.offset_tiles.x, scroll.x * snapshot.time_s / surface.tile_m.x);
+    surface.offset_tiles.y = moved(surface.offset_tiles.y, -scroll.y * snapshot.time_s / surface.tile_m.y);
+    return surface;
+}
+
+Flat floor_now(const Map& map, const Snapshot& snapshot, SectorId sector) {
+    return flat_now(map, map[sector].floor, snapshot[sector].floor_picture, snapshot.time_s);
+}
+
+Flat ceiling_now(const Map& map, const Snapshot& snapshot, SectorId sector) {
+    return flat_now(map, map[sector].ceiling, TextureId(), snapshot.time_s);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,16 @@
+// Pictures that change with time, shared by all renderers: which one a surface shows at a moment, and how far it has
+// moved. Asked once for each surface that is drawn, never for each pixel.
+#pragma once
+#include "map/map.h"
+#include "world/snapshot.h"
+
+namespace enfilade {
+
+/// How one of a wall's surfaces lies at the snapshot's time: its switch turned, its animation's frame, scrolled.
+Surface picture_now(const Map& map, const Snapshot& snapshot, WallId wall, const Surface& surface);
+
+/// A sector's floor and ceiling at the snapshot's time, in the same way.
+Flat floor_now(const Map& map, const Snapshot& snapshot, SectorId sector);
+Flat ceiling_now(const Map& map, const Snapshot& snapshot, SectorId sector);
+
+}  // namespace enfilade

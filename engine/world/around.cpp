@@ -1,0 +1,70 @@
+#include "world/around.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace enfilade {
+namespace {
+
+/// Calls visit(wall) for each of the sector's portals.
+template <class Visit>
+void each_portal(const Map& map, SectorId id, Visit visit) {
+    const Sector& sector = map[id];
+    for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i)
+        if (map.walls[i].kind == WallKind::portal) visit(map.walls[i]);
+}
+
+/// The best of a height of all sectors around, by an order, among those that may count.
+template <class Better, class Counts>
+std::optional<double> best_around(const Instant& now, SectorId sector, double Heights::* which, Better better,
+                                  Counts counts) {
+    std::optional<double> best;
+    each_portal(now.map, sector, [&](const Wall& portal) {
+        const double height = heights_of(now, portal.behind).*which - now.map.passage(portal).rise;
+        if (counts(height) && (!best || better(height, *best))) best = height;
+    });
+    return best;
+}
+
+std::optional<double> found_around(const Instant& now, SectorId sector, Level level) {
+    const double floor_z = heights_of(now, sector).floor_z;
+    const auto any = [](double) { return true; };
+    const auto higher = [&](double z) { return z > floor_z; };
+    const auto lower = [&](double z) { return z < floor_z; };
+    const std::less<double> less;
+    const std::greater<double> more;
+    switch (level) {
+        case Level::lowest_floor: return best_around(now, sector, &Heights::floor_z, less, lower).value_or(floor_z);
+        case Level::highest_floor: return best_around(now, sector, &Heights::floor_z, more, any);
+        case Level::next_floor_up: return best_around(now, sector, &Heights::floor_z, less, higher);
+        case Level::next_floor_down: return best_around(now, sector, &Heights::floor_z, more, lower);
+        case Level::lowest_ceiling: return best_around(now, sector, &Heights::ceiling_z, less, any);
+        case Level::highest_ceiling: return best_around(now, sector, &Heights::ceiling_z, more, any);
+        case Level::floor: return floor_z;
+        case Level::ceiling: return heights_of(now, sector).ceiling_z;
+        case Level::here: return {};
+    }
+    return {};
+}
+
+}  // namespace
+
+double height_of(const Instant& now, SectorId sector, Level level, double here) {
+    return found_around(now, sector, level).value_or(here);
+}
+
+double plain_light_of(const Instant& now, SectorId sector) {
+    const Change* change = now.history ? now.history->change_of(sector, Channel::light, now.tick) : nullptr;
+    return change ? value_at(change->course, now.tick) : now.map[sector].light;
+}
+
+double light_of(const Instant& now, SectorId sector, LightLevel level) {
+    double light = plain_light_of(now, sector);
+    each_portal(now.map, sector, [&](const Wall& portal) {
+        const double other = plain_light_of(now, portal.behind);
+        light = level == LightLevel::brightest ? std::max(light, other) : std::min(light, other);
+    });
+    return light;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,17 @@
+// Heights and lights of the sectors around one: where floors and ceilings go that are told "as the neighbour".
+#pragma once
+#include "world/instant.h"
+
+namespace enfilade {
+
+/// The height a level stands for, in the space of the sector [m]. Where no sector around answers, `here`.
+/// Cost: the sector's walls.
+double height_of(const Instant& now, SectorId sector, Level level, double here);
+
+/// The brightest or darkest of the sector and those around it, without their effects, 0..1.
+double light_of(const Instant& now, SectorId sector, LightLevel level);
+
+/// The light of a sector without its effect, 0..1.
+double plain_light_of(const Instant& now, SectorId sector);
+
+}  // namespace enfilade

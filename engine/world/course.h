@@ -1,0 +1,41 @@
+// Where a height or a light goes and when: a function of time, which nobody has to tick.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace enfilade {
+
+/// A value to go to, and how.
+struct Stop {
+    double value = 0;
+    double per_tick = 0;     ///< how fast one goes there, > 0; infinity: at once
+    std::uint32_t wait = 0;  ///< how long one stays there before one goes on [ticks]
+
+    bool operator==(const Stop&) const = default;
+};
+
+/// From a value to at most two stops, once or over and over. Before its start it is at `from`, after its end at its
+/// last stop. Each way takes a whole number of ticks, rounded up, and stops are reached exactly.
+struct Course {
+    std::uint64_t start = 0;  ///< [ticks]
+    double from = 0;
+    std::array<Stop, 2> stops{};
+    std::uint8_t count = 0;  ///< of stops; 0: it stays where it is
+    bool loops = false;      ///< after the last stop to the first again; count > 0, and both stops' ways and waits
+                             ///< together take at least one tick, else it ends
+
+    bool operator==(const Course&) const = default;
+};
+
+/// The value at a moment, which may lie between two ticks. Computed from the course alone: nothing adds up, and any
+/// moment costs the same.
+double value_at(const Course& course, double tick);
+
+/// The first tick at which it has come to rest for good, its last wait not counted; none where it never does.
+std::optional<std::uint64_t> end_of(const Course& course);
+
+/// Which stop it is on its way to, or waits at, 0 or 1; `count` once it has ended. Before its start: 0.
+std::uint8_t stop_at(const Course& course, double tick);
+
+}  // namespace enfilade

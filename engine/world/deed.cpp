@@ -1,0 +1,204 @@
+#include "world/deed.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "world/around.h"
+#include "world/input.h"
+
+namespace enfilade {
+namespace {
+
+/// How long what was held up waits before it tries again [ticks]: a quarter of a second.
+constexpr std::uint32_t kPatience = kTickRate / 4;
+
+/// Longest wait [ticks]: a day, as much as maps may ask for.
+constexpr double kLongestWait = 86400.0 * kTickRate;
+
+std::uint32_t ticks_of(double seconds) {
+    return static_cast<std::uint32_t>(std::min(seconds * kTickRate + 0.5, kLongestWait));
+}
+
+/// Everything a deed may ask about one target.
+struct Target {
+    const Instant& now;
+    const Trigger& trigger;
+    SectorId sector;
+    std::size_t number;  ///< among the targets
+    Heights here;
+
+    double per_tick() const { return trigger.speed / kTickRate; }
+    std::uint32_t wait() const { return ticks_of(trigger.wait_s); }
+    Stop stop(double z) const { return {z, per_tick(), 0}; }
+    Stop stop_and_wait(double z) const { return {z, per_tick(), wait()}; }
+    double around(Level level, double here_z) const { return height_of(now, sector, level, here_z); }
+
+    /// Where the floor or ceiling is told to go.
+    double goal(double here_z) const {
+        if (trigger.z) return *trigger.z + trigger.by;
+        if (trigger.like) return heights_of(now, trigger.like).floor_z + trigger.by;
+        return around(trigger.to, here_z) + trigger.by;
+    }
+    double door_top() const { return around(Level::lowest_ceiling, here.ceiling_z) - kDoorHead; }
+};
+
+Course once(double from, Stop stop) { return {0, from, {stop, {}}, 1, false}; }
+Course there_and_back(double from, Stop first, Stop second) { return {0, from, {first, second}, 2, false}; }
+Course to_and_fro(double from, Stop first, Stop second) { return {0, from, {first, second}, 2, true}; }
+
+Course door_course(const Target& t) {
+    return there_and_back(t.here.ceiling_z, t.stop_and_wait(t.door_top()), t.stop(t.here.floor_z));
+}
+
+/// A door that is used while it moves or waits: one that comes down turns round, any other comes down.
+Course used_again(const Target& t, const Course& under_way) {
+    const Stop top = under_way.stops[0], bottom = under_way.stops[1];
+    const bool comes_down = stop_at(under_way, t.now.tick) == 1;
+    return comes_down ? there_and_back(t.here.ceiling_z, top, bottom) : once(t.here.ceiling_z, bottom);
+}
+
+Course shuttle_course(const Target& t) {
+    const double high = std::max(t.here.floor_z, t.around(Level::highest_floor, t.here.floor_z));
+    return to_and_fro(t.here.floor_z, t.stop_and_wait(t.around(Level::lowest_floor, t.here.floor_z)),
+                      t.stop_and_wait(high));
+}
+
+/// Up to where it was when it was called first.
+Course crush_course(const Target& t) {
+    double top = t.here.ceiling_z;
+    for (const Change* old = t.now.history->newest_of(t.sector, Channel::ceiling); old;
+         old = old->before == Change::kNone ? nullptr : &t.now.history->changes()[old->before])
+        if (t.now.map[old->cause].deed == Deed::crush && old->course.count == 2)
+            top = std::max({top, old->course.stops[0].value, old->course.stops[1].value});
+    return to_and_fro(t.here.ceiling_z, t.stop(t.here.floor_z + kCrushedHeight), t.stop(top));
+}
+
+/// Each stair is one step higher than the one before, whatever it was before.
+Course stair_course(const Target& t) {
+    const double first = heights_of(t.now, t.trigger.targets.front()).floor_z;
+    return once(t.here.floor_z, t.stop(first + t.trigger.step * static_cast<double>(t.number + 1)));
+}
+
+/// The level it gets, at once.
+Course light_course(const Target& t) {
+    const double now = plain_light_of(t.now, t.sector);
+    const double level = t.trigger.light                           ? *t.trigger.light
+                         : t.trigger.light_of != LightLevel::given ? light_of(t.now, t.sector, t.trigger.light_of)
+                                                                   : now;
+    return once(now, {level, std::numeric_limits<double>::infinity(), 0});
+}
+
+Channel channel_of(Deed deed) {
+    switch (deed) {
+        case Deed::lift:
+        case Deed::shuttle:
+        case Deed::floor:
+        case Deed::stairs: return Channel::floor;
+        case Deed::light: return Channel::light;
+        default: return Channel::ceiling;
+    }
+}
+
+Course course_of(const Target& t) {
+    const double floor_z = t.here.floor_z, ceiling_z = t.here.ceiling_z;
+    switch (t.trigger.deed) {
+        case Deed::door: return door_course(t);
+        case Deed::open: return once(ceiling_z, t.stop(t.door_top()));
+        case Deed::close: return once(ceiling_z, t.stop(floor_z));
+        case Deed::close_then_open: return there_and_back(ceiling_z, t.stop_and_wait(floor_z), t.stop(ceiling_z));
+        case Deed::lift:
+            return there_and_back(floor_z, t.stop_and_wait(t.around(Level::lowest_floor, floor_z)), t.stop(floor_z));
+        case Deed::shuttle: return shuttle_course(t);
+        case Deed::floor: return once(floor_z, t.stop(t.goal(floor_z)));
+        case Deed::ceiling: return once(ceiling_z, t.stop(t.goal(ceiling_z)));
+        case Deed::crush: return crush_course(t);
+        case Deed::stairs: return stair_course(t);
+        case Deed::light: return light_course(t);
+        default: return {};
+    }
+}
+
+/// How high the tallest of the sector's solid things is, as far as there is room for it now [m].
+double tallest_thing(const Target& t) {
+    const Sector& sector = t.now.map[t.sector];
+    double tallest = 0;
+    for (std::uint32_t i = sector.first_solid; i < sector.first_solid + sector.solid_count; ++i)
+        tallest = std::max(tallest, t.now.map[t.now.map.solid_things[i]].height);
+    return std::min(tallest, t.here.ceiling_z - t.here.floor_z);
+}
+
+/// The course, stopping short of solid things and of the other side of the room.
+void clip(const Target& t, Channel channel, Course& course) {
+    if (channel == Channel::light) return;
+    const double room = tallest_thing(t);
+    for (std::uint8_t i = 0; i < course.count; ++i) {
+        double& z = course.stops[i].value;
+        z = channel == Channel::ceiling ? std::max(z, t.here.floor_z + room) : std::min(z, t.here.ceiling_z - room);
+    }
+}
+
+/// Whether the value is on its way, or about to be.
+bool is_busy(const Change* change, std::uint64_t tick) {
+    if (!change) return false;
+    const auto end = end_of(change->course);
+    return !end || *end > tick;
+}
+
+void stop_what_loops(const Instant& now, History& history, TriggerId cause, SectorId sector, std::uint64_t tick) {
+    for (const Channel channel : {Channel::floor, Channel::ceiling}) {
+        const Change* change = history.newest_of(sector, channel);
+        if (!change || !change->course.loops) continue;
+        history.add({sector, channel, {tick, value_at(change->course, now.tick), {}, 0, false}, cause});
+    }
+}
+
+void change_target(const Map& map, History& history, TriggerId id, std::size_t number, std::uint64_t tick) {
+    const Trigger& trigger = map[id];
+    const SectorId sector = trigger.targets[number];
+    const Instant now(map, history, static_cast<double>(tick));
+    if (trigger.deed == Deed::stop) return stop_what_loops(now, history, id, sector, tick);
+    const Target target{now, trigger, sector, number, heights_of(now, sector)};
+    const Channel channel = channel_of(trigger.deed);
+    const Change* present = history.newest_of(sector, channel);
+    Course course;
+    if (channel != Channel::light && is_busy(present, tick)) {
+        const bool is_door = trigger.deed == Deed::door && map[present->cause].deed == Deed::door;
+        if (!is_door || trigger.on != Occasion::use || present->course.count != 2) return;
+        course = used_again(target, present->course);
+    } else {
+        course = course_of(target);
+        clip(target, channel, course);
+    }
+    course.start = tick + ticks_of(trigger.after_s);
+    history.add({sector, channel, course, id});
+}
+
+}  // namespace
+
+void carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_t tick) {
+    for (std::size_t i = 0; i < map[trigger].targets.size(); ++i) change_target(map, history, trigger, i, tick);
+}
+
+bool crushes(const Map& map, const Change& change) {
+    const Trigger& cause = map[change.cause];
+    return cause.crushes || cause.deed == Deed::crush;
+}
+
+Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick) {
+    const Course& old = in_the_way.course;
+    const double z = value_at(old, now.tick);
+    const std::uint8_t heading = stop_at(old, now.tick);
+    Change answer = in_the_way;
+    if (old.count == 2 && now.map[in_the_way.cause].deed != Deed::close) {
+        const Stop back = old.stops[1 - heading], on = old.stops[heading];
+        // A door that came down opens and closes again; one that only comes down to open afterwards opens.
+        answer.course = old.loops || heading == 1 ? Course{tick, z, {back, on}, 2, old.loops} : once(z, back);
+    } else {
+        const Stop held{z, std::numeric_limits<double>::infinity(), kPatience};
+        answer.course = there_and_back(z, held, old.stops[heading]);
+    }
+    answer.course.start = tick;
+    return answer;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,26 @@
+// What triggers do to floors, ceilings and lights: one new course for each target.
+#pragma once
+#include "world/history.h"
+#include "world/instant.h"
+
+namespace enfilade {
+
+/// How far an open door stays below the lowest ceiling around [m]: 4 of Doom's units, so that one sees it.
+inline constexpr double kDoorHead = 0.125;
+
+/// What crushers leave of a room [m]: 8 of Doom's units.
+inline constexpr double kCrushedHeight = 0.25;
+
+/// Adds to the history what the trigger does to its targets at a tick: the changes begin then, or `after` later.
+/// Heights are found as they are now. Teleports and exits change nothing here.
+/// Cost: the walls of the targets.
+void carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_t tick);
+
+/// What follows if somebody is in the way of a change on its way, from `tick` on: it turns round, or waits and tries
+/// again. `in_the_way`: the change, and it has not ended.
+Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick);
+
+/// Whether the change hurts who is in its way, down to kCrushedHeight, instead of answering.
+bool crushes(const Map& map, const Change& change);
+
+}  // namespace enfilade

@@ -1,0 +1,158 @@
+#include "world/happen.h"
+
+#include <algorithm>
+
+#include "math/predicates.h"
+#include "world/deed.h"
+
+namespace enfilade {
+namespace {
+
+void tell(World& world, NewsKind kind, std::uint32_t number = 0) { world.news = News{kind, number, world.tick}; }
+
+bool has_key(const World& world, std::uint32_t key) { return key == Trigger::kNoKey || (world.keys >> key & 1); }
+
+/// Stands the player where the thing is; nothing is drawn of the way there.
+void teleport(const Map& map, World& world, ThingId destination) {
+    const Thing& there = map[destination];
+    const Heights room = heights_of(now(map, world), there.sector);
+    const double eye_z = room.floor_z + eye_height(kStandingHeight);
+    const Player arrived = player_at(now(map, world), {there.sector, there.position, eye_z, there.yaw});
+    world.player = world.before = arrived;
+    world.passage = {};
+}
+
+/// Calls visit(id) for each trigger of a range that the occasion is right for.
+template <class Visit>
+void each_on(const Map& map, TriggerRange range, Occasion on, Visit visit) {
+    for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
+        if (map.triggers[i].on == on) visit(TriggerId(i));
+}
+
+bool has_on(const Map& map, TriggerRange range, Occasion on) {
+    bool has = false;
+    each_on(map, range, on, [&](TriggerId) { has = true; });
+    return has;
+}
+
+bool can_be_used(const Map& map, const Wall& wall) {
+    return has_on(map, wall.triggers, Occasion::use) ||
+           (wall.behind && has_on(map, map[wall.behind].triggers, Occasion::use));
+}
+
+/// Whether one can reach through: the portal is open by as much as a finger.
+bool is_open(const Instant& now, const Wall& portal) {
+    const Heights here = heights_of(now, portal.sector), behind = heights_of(now, portal.behind);
+    const double rise = now.map.passage(portal).rise;
+    return std::min(here.ceiling_z, behind.ceiling_z - rise) > std::max(here.floor_z, behind.floor_z - rise);
+}
+
+void use(const Map& map, World& world, WallId id) {
+    const Wall& wall = map[id];
+    each_on(map, wall.triggers, Occasion::use, [&](TriggerId trigger) { fire(map, world, trigger, id); });
+    if (wall.behind)
+        each_on(map, map[wall.behind].triggers, Occasion::use,
+                [&](TriggerId trigger) { fire(map, world, trigger, id); });
+}
+
+/// False where the player was carried off by a teleport.
+bool cross(const Map& map, World& world, WallId id) {
+    const Wall& wall = map[id];
+    const Place before = world.player.place;
+    each_on(map, wall.triggers, Occasion::cross, [&](TriggerId trigger) { fire(map, world, trigger, id); });
+    if (wall.exit)
+        each_on(map, map[wall.exit].triggers, Occasion::cross, [&](TriggerId trigger) {
+            if (!map[trigger].one_way) fire(map, world, trigger, wall.exit);
+        });
+    each_on(map, map[wall.behind].triggers, Occasion::enter,
+            [&](TriggerId trigger) { fire(map, world, trigger, WallId()); });
+    return world.player.place == before;
+}
+
+/// Things that the player touches: their discs overlap, and they are neither above nor below.
+std::vector<ThingId> things_touched(const Map& map, const World& world) {
+    std::vector<ThingId> found;
+    const Instant at = now(map, world);
+    const Body body = body_of(at, world.player);
+    for (const ReachedSector& reached : around(at, body).sectors) {
+        const Sector& sector = map[reached.sector];
+        const Vec2 centre = snap_to_point_grid(reached.passage.apply(body.place.point));
+        for (std::uint32_t i = sector.first_touchable; i < sector.first_touchable + sector.touchable_count; ++i) {
+            const ThingId id = map.touchables[i];
+            const Thing& thing = map[id];
+            if (world.history.is_taken(id, at.tick)) continue;
+            if (!segment_is_nearer(thing.position, thing.position, centre, thing.radius + kBodyRadius + kPointGrid))
+                continue;
+            const double foot = foot_of(at, id) - reached.passage.rise;
+            if (foot < body.feet_z + body.height && foot + thing.height > body.feet_z) found.push_back(id);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+/// Who is well leaves what heals.
+void pick_up(const Map& map, World& world, ThingId id) {
+    const Thing& thing = map[id];
+    const bool is_new_key = thing.gives_key != Trigger::kNoKey && !has_key(world, thing.gives_key);
+    const bool heals = thing.gives_health > 0 && world.health < kFullHealth;
+    if (!is_new_key && !heals) return;
+    if (is_new_key) {
+        world.keys |= std::uint64_t{1} << thing.gives_key;
+        tell(world, NewsKind::got_key, thing.gives_key);
+    }
+    if (heals) {
+        world.health = std::min(world.health + thing.gives_health, kFullHealth);
+        tell(world, NewsKind::healed);
+    }
+    world.history.add(Taking{id, world.tick});
+}
+
+}  // namespace
+
+void fire(const Map& map, World& world, TriggerId id, WallId wall) {
+    const Trigger& trigger = map[id];
+    if (trigger.once && world.history.has_fired(id)) return;
+    if (!has_key(world, trigger.key)) return tell(world, NewsKind::needs_key, trigger.key);
+    world.history.add(Firing{id, wall, world.tick});
+    if (trigger.deed == Deed::teleport) return teleport(map, world, trigger.destination);
+    if (trigger.deed == Deed::exit) {
+        world.left_by = id;
+        return;
+    }
+    carry_out(map, world.history, id, world.tick);
+}
+
+void use_what_is_ahead(const Map& map, World& world) {
+    if (map.triggers.empty()) return;
+    const Instant at = now(map, world);
+    const Vec2 reach = direction(world.player.yaw) * kArm;
+    const auto may_reach = [&](WallId wall, const Rigid&) {
+        return !can_be_used(map, map[wall]) && is_open(at, map[wall]);
+    };
+    const Vec2 hand = snap_to_point_grid(world.player.place.point + reach);
+    const Trace ahead = trace(map, world.player.place, hand, may_reach);
+    if (ahead.stopped && can_be_used(map, map[ahead.stopped])) use(map, world, ahead.stopped);
+}
+
+void pass(const Map& map, World& world, std::span<const Crossing> crossings) {
+    if (map.triggers.empty()) return;
+    for (const Crossing& crossing : crossings)
+        if (!cross(map, world, crossing.portal)) return;
+}
+
+void touch_what_is_near(const Map& map, World& world) {
+    if (map.touchables.empty()) return;
+    const std::vector<ThingId> before = std::move(world.touched);
+    world.touched = things_touched(map, world);
+    const std::vector<ThingId> touched = world.touched;
+    for (const ThingId id : touched) {
+        pick_up(map, world, id);
+        if (std::binary_search(before.begin(), before.end(), id)) continue;
+        each_on(map, map[id].triggers, Occasion::touch,
+                [&](TriggerId trigger) { fire(map, world, trigger, WallId()); });
+    }
+}
+
+}  // namespace enfilade

@@ -1,0 +1,93 @@
+// What has happened in a world: a list of changes in the order they came. Everything that moves or changes its light is
+// a function of this list and the time, and of nothing else.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "map/map.h"
+#include "world/course.h"
+
+namespace enfilade {
+
+/// What of a sector a course is about.
+enum class Channel : std::uint8_t { floor, ceiling, light };
+
+/// From the start of its course on, a value of a sector follows it instead of the one before.
+struct Change {
+    SectorId sector;
+    Channel channel = Channel::floor;
+    Course course;
+    TriggerId cause;
+    std::uint32_t before = kNone;  ///< index of the change of the same value that this one ends, or kNone
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+};
+
+/// A trigger that went off.
+struct Firing {
+    TriggerId trigger;
+    WallId wall;  ///< whose switch was pressed, or none
+    std::uint64_t tick = 0;
+};
+
+/// A thing that was picked up.
+struct Taking {
+    ThingId thing;
+    std::uint64_t tick = 0;
+};
+
+/// A plain value: a copy is a state to come back to. It only ever grows, so that what it says of a moment in the past
+/// stays true.
+class History {
+public:
+    /// The newest change of a value that has begun by `tick`, or null: it is as in the map. A change that begins later
+    /// counts only then, and not at all if a newer one came before. Cost: log of the values that ever changed, and the
+    /// newer changes of this one.
+    const Change* change_of(SectorId sector, Channel channel, double tick) const;
+
+    /// The newest change, whether it has begun or not, or null.
+    const Change* newest_of(SectorId sector, Channel channel) const;
+
+    /// Sets the change's `before`.
+    void add(Change change);
+    void add(const Firing& firing);
+    void add(const Taking& taking);
+
+    /// Whether the trigger has gone off before. Cost: log of the triggers that have.
+    bool has_fired(TriggerId trigger) const;
+
+    /// The last time a wall's switch was pressed by `tick`, or null. Cost: as has_fired.
+    const Firing* pressed(WallId wall, double tick) const;
+    bool is_taken(ThingId thing, double tick) const;
+
+    /// Sectors of which something ever changed, in the order of their numbers, each once.
+    const std::vector<SectorId>& changed_sectors() const { return changed_sectors_; }
+    const std::vector<Change>& changes() const { return changes_; }
+    const std::vector<Firing>& firings() const { return firings_; }
+    const std::vector<Taking>& takings() const { return takings_; }
+
+    /// Of all that was ever added, in its order.
+    std::uint64_t digest() const { return digest_; }
+
+private:
+    /// A value of a sector as one number to sort by.
+    static std::uint64_t key_of(SectorId sector, Channel channel) {
+        return std::uint64_t{sector.index} << 2 | static_cast<std::uint64_t>(channel);
+    }
+    struct Newest {
+        std::uint64_t key;
+        std::uint32_t index;  ///< into changes_
+    };
+    void mix(std::uint64_t word);
+
+    std::vector<Change> changes_;
+    std::vector<Newest> newest_;  ///< by key
+    std::vector<SectorId> changed_sectors_;
+    std::vector<Firing> firings_;            ///< in the order they came
+    std::vector<std::uint32_t> by_trigger_;  ///< the first of each trigger, by trigger
+    std::vector<std::uint32_t> by_wall_;     ///< those with a wall, by wall, then by time
+    std::vector<Taking> takings_;            ///< by thing
+    std::uint64_t digest_ = 0;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,50 @@
+#include "world/instant.h"
+
+namespace enfilade {
+namespace {
+
+double value_of(const Instant& now, SectorId sector, Channel channel, double at_rest) {
+    const Change* change = now.history->change_of(sector, channel, now.tick);
+    return change ? value_at(change->course, now.tick) : at_rest;
+}
+
+/// The newest change that gave the floor what `gives` looks for: a rising floor has it at once, another on arrival.
+template <class Gives>
+const Trigger* giver_of(const Instant& now, SectorId sector, Gives gives) {
+    if (!now.history) return nullptr;
+    const Change* change = now.history->change_of(sector, Channel::floor, now.tick);
+    while (change) {
+        const Course& course = change->course;
+        const bool rises = course.count > 0 && course.stops[0].value > course.from;
+        const bool has_come = rises || stop_at(course, now.tick) > 0;
+        if (const Trigger& cause = now.map[change->cause]; gives(cause) && has_come) return &cause;
+        change = change->before == Change::kNone ? nullptr : &now.history->changes()[change->before];
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+Heights heights_of(const Instant& now, SectorId id) {
+    const Sector& sector = now.map[id];
+    if (!now.history) return {sector.floor.z, sector.ceiling.z};
+    return {value_of(now, id, Channel::floor, sector.floor.z), value_of(now, id, Channel::ceiling, sector.ceiling.z)};
+}
+
+double foot_of(const Instant& now, ThingId id) {
+    const Thing& thing = now.map[id];
+    if (!now.history || thing.footing == Footing::fixed) return thing.z;
+    const Heights here = heights_of(now, thing.sector);
+    return thing.footing == Footing::floor ? here.floor_z : here.ceiling_z - thing.height;
+}
+
+int damage_of(const Instant& now, SectorId sector) {
+    return giver_of(now, sector, [](const Trigger& t) { return t.heals; }) ? 0 : now.map[sector].damage;
+}
+
+TextureId changed_floor_picture(const Instant& now, SectorId sector) {
+    const Trigger* giver = giver_of(now, sector, [](const Trigger& t) { return bool(t.texture); });
+    return giver ? giver->texture : TextureId();
+}
+
+}  // namespace enfilade

@@ -1,0 +1,37 @@
+// The map at one moment: what the functions of this module ask about. Floors, ceilings and feet of things come from
+// here and from nowhere else.
+#pragma once
+#include "map/map.h"
+#include "world/history.h"
+
+namespace enfilade {
+
+/// A map together with what has happened in it, looked at at one time. Cheap to copy; both must outlive it.
+struct Instant {
+    const Map& map;
+    const History* history = nullptr;  ///< null: nothing has happened
+    double tick = 0;                   ///< may lie between two ticks
+
+    /// A map at rest is a moment of it, too.
+    Instant(const Map& at_rest) : map(at_rest) {}
+    Instant(const Map& of, const History& happened, double at) : map(of), history(&happened), tick(at) {}
+};
+
+struct Heights {
+    double floor_z;    ///< [m]
+    double ceiling_z;  ///< [m]
+};
+
+/// Cost: that of two courses, and of finding them (History::change_of).
+Heights heights_of(const Instant& now, SectorId sector);
+
+/// Height of a thing's foot [m].
+double foot_of(const Instant& now, ThingId thing);
+
+/// What a second on the sector's floor costs [points].
+int damage_of(const Instant& now, SectorId sector);
+
+/// The picture that a change gave the sector's floor; none: that of the map.
+TextureId changed_floor_picture(const Instant& now, SectorId sector);
+
+}  // namespace enfilade

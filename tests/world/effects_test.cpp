@@ -1,0 +1,409 @@
+// What triggers do: doors, lifts, floors, lights, teleports, keys, and who is in the way of what moves.
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+#include "world/around.h"
+#include "world/deed.h"
+#include "world/game.h"
+#include "world/happen.h"
+#include "world/snapshot.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+constexpr TickInput kUse{.buttons = kButtonUse};
+
+TriggerRecord on(Occasion occasion, Deed deed, std::vector<std::string> targets = {}) {
+    TriggerRecord trigger;
+    trigger.on = occasion;
+    trigger.deed = deed;
+    trigger.targets = std::move(targets);
+    return trigger;
+}
+
+/// A hall, a passage of 1 m and a room behind it, all 4 m wide, along +x. The player stands at (6, 2) and looks at the
+/// passage, which begins at x = 8.
+MapFile hall_passage_room(double passage_floor = 0, double passage_ceiling = 0) {
+    MapFile file =
+        map_of({box_room("hall", 0, 0, 8, 4, 0, 3), box_room("passage", 8, 0, 9, 4, passage_floor, passage_ceiling),
+                box_room("room", 9, 0, 17, 4, 0, 3)});
+    join_all(file);
+    place_player(file, "hall", {6.5, 2}, kEyeOnFloor);
+    return file;
+}
+
+MapFile with_door(TriggerRecord door) {
+    MapFile file = hall_passage_room();
+    sector(file, "passage").triggers = {std::move(door)};
+    return file;
+}
+
+Heights passage(const Game& game) { return heights_of(now(game.map, game.world), SectorId(1u)); }
+
+/// Walks along +x into the passage, and comes to a stop in the middle of it.
+void walk_into_passage(Game& game) {
+    for (int i = 0; i < 200 && game.point().x < 8.25; ++i) game.hold(kForward);
+    game.hold(kNoKeys, 20);
+    ENFILADE_CHECK(game.room() == "passage");
+}
+
+/// No part of the body is above a ceiling, below a floor or in a wall.
+bool is_in_the_open(const Game& game) {
+    const Instant at = now(game.map, game.world);
+    Body body{game.player().place, game.player().feet_z, game.player().height, kBodyRadius, kWorldLimit};
+    body.ceiling_z = squeezed(at, body).ceiling_z;
+    const Reach found = around(at, body);
+    return game.is_contained() && fits(at, body, found);
+}
+
+TEST(Door, StaysClosedForWhoOnlyWalksAtIt) {
+    Game game(with_door(on(Occasion::use, Deed::door)));
+    game.hold(kForward, 200);
+    EXPECT_EQ(game.room(), "hall");
+    EXPECT_EQ(passage(game).ceiling_z, 0);
+}
+
+TEST(Door, OpensAHandBelowTheLowestCeilingAround) {
+    Game game(with_door(on(Occasion::use, Deed::door)));
+    game.hold(kUse);
+    game.hold(kNoKeys, 120);
+    EXPECT_EQ(passage(game).ceiling_z, 3 - kDoorHead);
+}
+
+TEST(Door, ClosesAgainAfterItsWait) {
+    Game game(with_door(on(Occasion::use, Deed::door)));
+    game.hold(kUse);
+    const int up = 87, wait = 240;  // 2.875 m at 2 m/s, then 4 s
+    game.hold(kNoKeys, up + wait - 1);
+    EXPECT_EQ(passage(game).ceiling_z, 3 - kDoorHead);
+    game.hold(kNoKeys, up + 1);
+    EXPECT_EQ(passage(game).ceiling_z, 0);
+}
+
+TEST(Door, IsUsedOnceForEachPressOfTheKey) {
+    Game game(with_door(on(Occasion::use, Deed::door)));
+    game.hold(kUse, 30);
+    EXPECT_GT(passage(game).ceiling_z, 0.9);
+}
+
+TEST(Door, UsedAgainWhileItOpensCloses) {
+    Game game(with_door(on(Occasion::use, Deed::door)));
+    game.hold(kUse);
+    game.hold(kNoKeys, 30);
+    game.hold(kUse);
+    game.hold(kNoKeys, 40);
+    EXPECT_EQ(passage(game).ceiling_z, 0);
+}
+
+TEST(Door, UsedAgainWhileItClosesOpens) {
+    Game game(with_door(on(Occasion::use, Deed::door)));
+    game.hold(kUse);
+    game.hold(kNoKeys, 87 + 240 + 30);
+    const double before = passage(game).ceiling_z;
+    game.hold(kUse);
+    game.hold(kNoKeys, 10);
+    EXPECT_GT(passage(game).ceiling_z, before);
+}
+
+TEST(Door, OutOfReachIsNotUsed) {
+    MapFile file = with_door(on(Occasion::use, Deed::door));
+    place_player(file, "hall", {8 - kArm - 0.25, 2}, kEyeOnFloor);
+    Game game(file);
+    game.hold(kUse);
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).ceiling_z, 0);
+}
+
+TEST(Door, BehindTheBackIsNotUsed) {
+    MapFile file = with_door(on(Occasion::use, Deed::door));
+    file.player->yaw_degrees = 180;
+    Game game(file);
+    game.hold(kUse);
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).ceiling_z, 0);
+}
+
+TEST(Door, OpensForWhoStandsInItWhenItCloses) {
+    Game game(with_door(on(Occasion::use, Deed::door)));
+    game.hold(kUse);
+    game.hold(kNoKeys, 87);
+    walk_into_passage(game);
+    double lowest = 3;
+    for (int i = 0; i < 2000; ++i) {
+        game.hold(kNoKeys);
+        ASSERT_TRUE(is_in_the_open(game)) << i;
+        lowest = std::min(lowest, passage(game).ceiling_z);
+    }
+    EXPECT_GE(lowest, kStandingHeight - 0x1p-10);
+    EXPECT_LT(lowest, kStandingHeight + 0.1);
+}
+
+TEST(Door, WithAKeyOpensOnlyForWhoHasIt) {
+    TriggerRecord door = on(Occasion::use, Deed::door);
+    door.key = "red";
+    MapFile file = with_door(door);
+    ThingRecord key;
+    key.position = {3, 2};
+    key.gives_key = "red";
+    file.things = {key};
+    Game game(file);
+    game.hold(kUse);
+    game.hold(kNoKeys, 30);
+    EXPECT_EQ(passage(game).ceiling_z, 0);
+    ASSERT_TRUE(game.world.news.has_value());
+    EXPECT_EQ(game.world.news->kind, NewsKind::needs_key);
+    game.hold(kBack, 60);
+    EXPECT_EQ(game.world.keys, 1u);
+    game.hold(kForward, 60);
+    game.hold(kUse);
+    game.hold(kNoKeys, 30);
+    EXPECT_GT(passage(game).ceiling_z, 0);
+}
+
+TEST(Trigger, ThatWorksOnceIsNotSetOffAgain) {
+    TriggerRecord open = on(Occasion::use, Deed::floor);
+    open.once = true;
+    open.by = 0.5;
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "passage").triggers = {open};
+    Game game(file);
+    game.hold(kUse);
+    game.hold(kNoKeys, 60);
+    game.hold(kUse);
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).floor_z, 0.5);
+}
+
+TEST(Trigger, OnAPortalGoesOffInBothDirections) {
+    for (const bool outward : {false, true}) {
+        MapFile file = hall_passage_room(0, 3);
+        TriggerRecord dark = on(Occasion::cross, Deed::light, {"room"});
+        dark.light = 0.25;
+        if (outward)
+            wall(file, "passage", {8, 4}, {8, 0}).triggers = {dark};
+        else
+            wall(file, "hall", {8, 0}, {8, 4}).triggers = {dark};
+        Game game(file);
+        walk_into_passage(game);
+        EXPECT_EQ(plain_light_of(now(game.map, game.world), SectorId(2u)), 0.25) << outward;
+    }
+}
+
+TEST(Trigger, ThatIsOneWayDoesNotGoOffForWhoComesIn) {
+    MapFile file = hall_passage_room(0, 3);
+    TriggerRecord dark = on(Occasion::cross, Deed::light, {"room"});
+    dark.light = 0.25;
+    dark.one_way = true;
+    wall(file, "passage", {8, 4}, {8, 0}).triggers = {dark};
+    Game game(file);
+    walk_into_passage(game);
+    EXPECT_EQ(plain_light_of(now(game.map, game.world), SectorId(2u)), 1);
+}
+
+TEST(Trigger, CallsAllSectorsOfATag) {
+    MapFile file = hall_passage_room(0, 3);
+    TriggerRecord dark = on(Occasion::enter, Deed::light, {"lamps"});
+    dark.light = 0.5;
+    sector(file, "passage").triggers = {dark};
+    sector(file, "room").tags = sector(file, "hall").tags = {"lamps"};
+    Game game(file);
+    game.hold(kForward, 60);
+    EXPECT_EQ(plain_light_of(now(game.map, game.world), SectorId(0u)), 0.5);
+    EXPECT_EQ(plain_light_of(now(game.map, game.world), SectorId(2u)), 0.5);
+}
+
+TEST(Lift, CarriesWhoStandsOnItDownAndUp) {
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "room").floor.z = sector(file, "passage").floor.z = 2;
+    sector(file, "room").ceiling.z = sector(file, "passage").ceiling.z = 5;
+    TriggerRecord lift = on(Occasion::use, Deed::lift);
+    lift.wait = 2;
+    sector(file, "passage").triggers = {lift};
+    Game game(file);
+    game.hold(kUse);
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).floor_z, 0);
+    walk_into_passage(game);
+    for (int i = 0; i < 180; ++i) {
+        game.hold(kNoKeys);
+        ASSERT_TRUE(is_in_the_open(game)) << i;
+        ASSERT_EQ(game.player().feet_z, passage(game).floor_z) << i;
+    }
+    EXPECT_EQ(game.player().feet_z, 2);
+    EXPECT_TRUE(game.player().on_ground);
+}
+
+TEST(Lift, TurnsRoundForWhoWouldBeSqueezed) {
+    MapFile file = hall_passage_room(2, 3.5);  // up there is room for 1.5 m only
+    TriggerRecord lift = on(Occasion::use, Deed::lift);
+    lift.wait = 1;
+    sector(file, "passage").triggers = {lift};
+    Game game(file);
+    game.hold(kUse);
+    game.hold(kNoKeys, 60);
+    walk_into_passage(game);
+    double highest = 0;
+    for (int i = 0; i < 1500; ++i) {
+        game.hold(kNoKeys);
+        ASSERT_TRUE(is_in_the_open(game)) << i;
+        highest = std::max(highest, passage(game).floor_z);
+    }
+    EXPECT_GT(highest, 3.5 - kStandingHeight - 0.1);
+    EXPECT_LT(highest, 3.5 - kStandingHeight + 0.01);
+}
+
+TEST(Floor, WaitsForWhoWouldBeSqueezedAndThenGoesOn) {
+    MapFile file = hall_passage_room(0, 3);
+    TriggerRecord rise = on(Occasion::enter, Deed::floor);
+    rise.z = 2.5;
+    sector(file, "passage").triggers = {rise};
+    Game game(file);
+    walk_into_passage(game);
+    for (int i = 0; i < 600; ++i) {
+        game.hold(kNoKeys);
+        ASSERT_TRUE(is_in_the_open(game)) << i;
+    }
+    EXPECT_NEAR(passage(game).floor_z, 3 - kStandingHeight, 0.05);
+    game.hold(kBack, 120);  // down into the hall
+    ASSERT_EQ(game.room(), "hall");
+    game.hold(kNoKeys, 120);
+    EXPECT_EQ(passage(game).floor_z, 2.5);
+}
+
+TEST(Crusher, HurtsWhoIsBelowButLeavesRoom) {
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "passage").triggers = {on(Occasion::enter, Deed::crush)};
+    Game game(file);
+    walk_into_passage(game);
+    for (int i = 0; i < 200; ++i) {
+        game.hold(kNoKeys);
+        ASSERT_TRUE(is_in_the_open(game)) << i;
+    }
+    EXPECT_LT(game.world.health, kFullHealth);
+}
+
+TEST(Teleport, StandsThePlayerWhereTheThingIs) {
+    MapFile file = hall_passage_room(0, 3);
+    ThingRecord there;
+    there.name = "there";
+    there.position = {2, 3};
+    there.yaw_degrees = 90;
+    file.things = {there};
+    wall(file, "hall", {8, 0}, {8, 4}).triggers = {on(Occasion::cross, Deed::teleport, {"there"})};
+    Game game(file);
+    for (int i = 0; i < 60 && game.point().x > 5; ++i) game.hold(kForward);
+    EXPECT_EQ(game.point(), (Vec2{2, 3}));
+    EXPECT_EQ(game.player().yaw, Angle::from_degrees(90));
+    EXPECT_EQ(game.player().velocity, (Vec2{}));
+}
+
+TEST(Exit, IsNoted) {
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "room").triggers = {on(Occasion::enter, Deed::exit, {"next.toml"})};
+    Game game(file);
+    EXPECT_FALSE(game.world.left_by.has_value());
+    game.hold(kForward, 90);
+    ASSERT_TRUE(game.world.left_by.has_value());
+    EXPECT_EQ(game.map[*game.world.left_by].leads_to, "next.toml");
+}
+
+TEST(Floor, ThatHurtsCostsHealthEachSecond) {
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "hall").damage = 7;
+    Game game(file);
+    game.hold(kNoKeys, 180);
+    EXPECT_EQ(game.world.health, kFullHealth - 3 * 7);
+}
+
+TEST(Floor, ThatCarriesTakesAlongWhoStandsOnIt) {
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "hall").floor.scroll = {-1, 0.5};
+    sector(file, "hall").floor.carries = true;
+    Game game(file);
+    const Vec2 before = game.point();
+    game.hold(kNoKeys, 60);
+    EXPECT_NEAR(game.point().x, before.x - 1, 1e-7);
+    EXPECT_NEAR(game.point().y, before.y + 0.5, 1e-7);
+}
+
+TEST(Secret, IsToldOnce) {
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "passage").secret = true;
+    Game game(file);
+    game.hold(kForward, 35);
+    EXPECT_EQ(game.world.secrets, (std::vector{SectorId(1u)}));
+    ASSERT_TRUE(game.world.news.has_value());
+    EXPECT_EQ(game.world.news->kind, NewsKind::secret);
+}
+
+TEST(Stairs, RiseOneStepMoreEach) {
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "hall").triggers = {on(Occasion::start, Deed::stairs, {"passage", "room"})};
+    Game game(file);
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).floor_z, 0.25);
+    EXPECT_EQ(heights_of(now(game.map, game.world), SectorId(2u)).floor_z, 0.5);
+}
+
+TEST(Shuttle, StopsWhereItIsAndGoesOn) {
+    MapFile file = hall_passage_room(1, 5);
+    sector(file, "room").floor.z = 2;
+    sector(file, "room").ceiling.z = 5;
+    sector(file, "hall").triggers = {on(Occasion::start, Deed::shuttle, {"passage"})};
+    TriggerRecord stop = on(Occasion::use, Deed::stop);
+    sector(file, "passage").triggers = {stop};
+    Game game(file);
+    game.hold(kNoKeys, 20);
+    game.hold(kUse);
+    const double stopped = passage(game).floor_z;
+    game.hold(kNoKeys, 100);
+    EXPECT_EQ(passage(game).floor_z, stopped);
+    EXPECT_LT(stopped, 1);
+}
+
+/// What has happened by a tick, and what it makes of the map, asked at once and asked at its time.
+TEST(History, SaysOfThePastWhatWasTrueThen) {
+    MapFile file = with_door(on(Occasion::use, Deed::door));
+    sector(file, "room").triggers = {on(Occasion::start, Deed::shuttle)};
+    sector(file, "room").floor.z = 0.5;
+    Game game(file);
+    std::vector<std::pair<Heights, Heights>> seen;
+    Random random(3);
+    for (int i = 0; i < 2000; ++i) {
+        seen.push_back({passage(game), heights_of(now(game.map, game.world), SectorId(2u))});
+        game.hold(random.below(40) == 0 ? kUse : kNoKeys);
+    }
+    for (std::size_t tick = 0; tick < seen.size(); ++tick) {
+        const Instant then(game.map, game.world.history, static_cast<double>(tick));
+        ASSERT_EQ(heights_of(then, SectorId(1u)).ceiling_z, seen[tick].first.ceiling_z) << tick;
+        ASSERT_EQ(heights_of(then, SectorId(2u)).floor_z, seen[tick].second.floor_z) << tick;
+    }
+    EXPECT_GT(game.world.history.changes().size(), 5u);
+}
+
+TEST(World, CopiedAtAnyMomentGoesOnTheSame) {
+    Game game(with_door(on(Occasion::use, Deed::door)));
+    game.hold(kUse);
+    game.hold(kForward, 50);
+    World copy = game.world;
+    game.hold(kForward, 200);
+    for (int i = 0; i < 200; ++i) step(game.map, copy, kForward);
+    EXPECT_EQ(hash(copy), hash(game.world)) << difference(copy, game.world);
+}
+
+TEST(Switch, ShowsItsOtherFaceForASecond) {
+    MapFile file = with_door(on(Occasion::use, Deed::door));
+    Game game(file);
+    Snapshot snapshot = at_rest(game.map);
+    game.hold(kUse);
+    show(now(game.map, game.world), snapshot);
+    EXPECT_EQ(snapshot.pressed.size(), 1u);
+    game.hold(kNoKeys, 61);
+    show(now(game.map, game.world), snapshot);
+    EXPECT_TRUE(snapshot.pressed.empty());
+}
+
+}  // namespace
+}  // namespace enfilade
