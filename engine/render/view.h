@@ -1,10 +1,18 @@
 // The one projection, used by all renderers: from a place, a look and a picture size to rays.
 #pragma once
+#include <optional>
+
 #include "base/id.h"
 #include "math/angle.h"
 #include "math/vec.h"
 
 namespace enfilade {
+
+/// True pitch and roll: the picture itself is turned, as a head is, so that upright walls converge.
+struct Tilt {
+    Vec2 pitch{1, 0};  ///< (cos, sin) of the angle, up positive; -90..90 degrees
+    Vec2 roll{1, 0};   ///< (cos, sin) of the angle by which the head leans to its right
+};
 
 /// Where the eye is and how it looks.
 struct View {
@@ -16,13 +24,22 @@ struct View {
     double pitch_tangent = 0;  ///< tan(pitch), up positive; the picture is sheared, walls stay upright
     double fov_degrees = 90;   ///< horizontal, 1..179
     double stretch = 1;        ///< vertical stretch of the picture; Doom's is 1.2
+    std::optional<Tilt> tilt;  ///< instead of pitch_tangent, which then is 0; the column renderer cannot
 };
 
 /// Smallest and largest horizontal field of view [degrees].
 inline constexpr double kMinFov = 1, kMaxFov = 179;
 
-/// Pixels to rays. A ray goes from the eye along forward + slope(x) * right in the plane and climbs climb(y) metres
-/// per metre of depth; depth is the distance along `forward`.
+/// A ray by where it is one metre along the line of sight, the middle of the picture: so many metres along the view's
+/// `forward` in the plane, to its right and up.
+struct Ray {
+    double ahead = 1;  ///< not tilted: always 1
+    double right = 0;
+    double up = 0;
+};
+
+/// Pixels to rays. A ray that is not tilted goes from the eye along forward + slope(x) * right in the plane and climbs
+/// climb(y) metres per metre of depth; depth is the distance along `forward`.
 ///
 /// Everything is computed from the index, never stepped, so that a part of a picture equals that part of the whole.
 class Projection {
@@ -43,6 +60,13 @@ public:
     /// How far the centre of row y lies above the horizon [px].
     double row_from_horizon(int y) const { return horizon_ - (y + 0.5); }
 
+    /// The ray of pixel (x, y), tilted where the view is; else {1, slope(x), climb(y)}. With a tilt of 0, 0 the same
+    /// bits.
+    Ray ray(int x, int y) const { return tilted({1, slope(x), climb(y)}); }
+
+    /// From how it lies in the picture to how it lies in the world. Linear.
+    Ray tilted(const Ray& in_picture) const;
+
     double half_fov_tangent() const { return half_fov_tangent_; }
     double focal_y() const { return focal_y_; }  ///< [px]
     double horizon() const { return horizon_; }  ///< [px] from the top; may lie outside the picture
@@ -53,6 +77,7 @@ private:
     double half_fov_tangent_;
     double focal_y_;
     double horizon_;
+    std::optional<Tilt> tilt_;
 };
 
 /// Largest width and height of a picture [px].

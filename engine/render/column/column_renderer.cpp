@@ -54,6 +54,7 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& 
                                     const Snapshot& snapshot, const View& view, ColumnRange columns) {
     ENFILADE_CHECK(view.sector.index < map.sectors.size() && snapshot.sectors.size() == map.sectors.size());
     ENFILADE_CHECK(0 <= columns.begin && columns.begin < columns.end && columns.end <= frame.width);
+    ENFILADE_CHECK(!view.tilt);  // columns stay upright
     Scratch& s = *scratch_;
     s.screen.set(Projection(view, frame.width, frame.height));
     s.canvas.set(columns.begin, columns.end, frame.height);

@@ -55,7 +55,7 @@ public:
     /// frame    : its size is the picture's; every pixel is set
     /// facts    : null, or what each pixel shows, of the same size after reset(); noted at some cost in time
     /// snapshot : heights and lights of the moment, one for each sector of the map
-    /// view     : view.sector contains view.eye under the tie rule
+    /// view     : view.sector contains view.eye under the tie rule; not tilted
     void render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
                 const View& view);
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "render/column/pose.h"
 #include "render/column/scene.h"
+#include "render/pose.h"
 
 namespace enfilade::column {
 

@@ -2,18 +2,7 @@
 
 #include <algorithm>
 
-#include "math/predicates.h"
-
 namespace enfilade::column {
-namespace {
-
-/// Whether a panel lies beyond the wall the look came in through. What lies in that wall's own plane is in this room.
-bool is_in_room(const Segment& panel, const Wall& entry) {
-    const bool is_on_line = corner(entry.a, entry.b, panel.a) == 0 && corner(entry.a, entry.b, panel.b) == 0;
-    return is_on_line || is_beyond(panel, entry);
-}
-
-}  // namespace
 
 bool PanelColumns::gather(const RoomView& view, MaskedColumns& masked) {
     boards_.clear();
@@ -32,13 +21,12 @@ void PanelColumns::add(const RoomView& view, PanelId id, MaskedColumns& masked) 
     const Scene& scene = view.scene;
     const Panel& panel = scene.map[id];
     if (!panel.surface.texture) return;
-    const bool from_behind = side_of_line(panel.a, panel.b, view.pose.eye) < 0;
-    const Segment facing = from_behind ? Segment(panel.b, panel.a) : Segment(panel.a, panel.b);
-    Board board{facing, project(facing, view.pose, scene.screen), {}, 0};
+    const Segment seen = facing(panel, view.pose.eye);
+    Board board{seen, project(seen, view.pose, scene.screen), {}, 0};
     if (board.place.begin >= view.viewport.end || board.place.end <= view.viewport.begin) return;
     if (board.place.begin >= board.place.end) return;
-    if (view.viewport.entry && !is_in_room(facing, scene.map[view.viewport.entry])) return;
-    if (from_behind) board.place.swapped = !board.place.swapped;
+    if (view.viewport.entry && !is_panel_beyond(seen, scene.map[view.viewport.entry])) return;
+    if (seen.a != panel.a) board.place.swapped = !board.place.swapped;
     const double top = panel.top - view.pose.eye_z;
     board.rows = within(view.here, panel.bottom - view.pose.eye_z, top);
     WallPainter painter;

@@ -1,10 +1,10 @@
 // A viewport while what stands in its room is looked for.
 #pragma once
 #include "render/column/nearest_walls.h"
-#include "render/column/pose.h"
 #include "render/column/row_split.h"
 #include "render/column/scene.h"
 #include "render/column/viewport.h"
+#include "render/pose.h"
 
 namespace enfilade::column {
 

@@ -1,7 +1,6 @@
 #include "render/column/sector_projection.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/check.h"
@@ -10,45 +9,10 @@
 namespace enfilade::column {
 namespace {
 
-/// The tie rule for an eye that stands on a vertex: the eye counts as (e, e^2) farther, so the vertex lies in the
-/// direction -(1, e). The slope 2^-40 is flatter than any wall of the vertex grid (2^-26), and the length 2^-64 [m] is
-/// nothing beside any wall.
-constexpr Vec2 kVertexAtEye{-0x1p-64, -0x1p-104};
-
-/// The vertex in view space.
-Vec2 to_view(Vec2 vertex, const Pose& pose) {
-    Vec2 d = vertex - pose.eye;
-    if (d == Vec2{}) d = kVertexAtEye;
-    return {dot(pose.right, d), dot(pose.forward, d)};
-}
-
-/// Whether the ray of a column runs to the right of a vertex. For a vertex exactly on it the tie rule decides: the eye
-/// at eye + (e, e^2) adds -(n.x e + n.y e^2), n = slope * forward - right, to the edge functions of all vertices alike.
-/// Any rule of the vertex's own would lose the ray of an eye that stands on a doorway's line and looks along it.
-bool runs_right_of(Vec2 vertex_v, double slope, const Pose& pose) {
-    const double e = edge(vertex_v, slope);
-    if (e != 0) return e > 0;
-    const Vec2 normal = pose.forward * slope - pose.right;
-    return normal.x != 0 ? normal.x < 0 : normal.y < 0;
-}
-
-/// The first column of those to the right of the vertex's own ray (for a vertex behind the eye: of the ray's other
-/// half, where the edge function turns negative). The division only guesses; the edge function decides.
-int split_column(Vec2 v, const Pose& pose, const Screen& screen) {
-    const auto is_right = [&](int x) { return runs_right_of(v, screen.slopes[x], pose) == (v.y >= 0); };
-    const double guess = std::ceil((v.x / v.y) * screen.column_scale + 0.5 * (screen.width - 1));
-    int x = !(guess > 0) ? 0 : guess >= screen.width ? screen.width : static_cast<int>(guess);
-    while (x > 0 && is_right(x - 1)) --x;
-    while (x < screen.width && !is_right(x)) ++x;
-    return x;
-}
-
-/// Columns whose rays run to the right of L and to the left of R, given where each changes.
 void set_columns(ProjectedWall& w, const Pose& pose, const Screen& screen) {
-    const int left = split_column(w.left_v, pose, screen), right = split_column(w.right_v, pose, screen);
-    const bool left_ahead = w.left_v.y >= 0, right_ahead = w.right_v.y >= 0;
-    w.begin = std::max(left_ahead ? left : 0, right_ahead ? 0 : right);
-    w.end = std::min(left_ahead ? screen.width : left, right_ahead ? right : screen.width);
+    const CoveredColumns covered = covered_columns(w.left_v, w.right_v, pose, {screen.slopes, screen.column_scale});
+    w.begin = covered.begin;
+    w.end = covered.end;
 }
 
 ProjectedWall ends_of(const Segment& wall, const Pose& pose) {
@@ -64,17 +28,6 @@ void set_depths(ProjectedWall& w, const Segment& wall, const Pose& pose) {
     w.inverse_cross = 1 / w.cross;
     w.nearest = std::max(std::min(w.left_v.y, w.right_v.y), 0.0);
     w.farthest = std::max({w.left_v.y, w.right_v.y, 0.0});
-}
-
-/// Both ends of `segment` relative to the line of `line`: the smaller and the larger side.
-struct Sides {
-    int low;
-    int high;
-};
-
-Sides sides_of(const Segment& segment, const Segment& line) {
-    const int a = corner(line.a, line.b, segment.a), b = corner(line.a, line.b, segment.b);
-    return {std::min(a, b), std::max(a, b)};
 }
 
 }  // namespace
@@ -128,17 +81,6 @@ ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, co
     best.begin = column;
     best.end = column + 1;
     return best;
-}
-
-bool is_nearer(const Segment& a, const Segment& b) {
-    if (sides_of(b, a).high <= 0) return true;
-    return sides_of(a, b).low >= 0;
-}
-
-bool is_beyond(const Segment& wall, const Segment& entry) {
-    const Sides sides = sides_of(wall, entry);
-    if (sides.high <= 0) return false;
-    return sides.low >= 0 || sides_of(entry, wall).low >= 0;
 }
 
 }  // namespace enfilade::column

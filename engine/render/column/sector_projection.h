@@ -1,26 +1,16 @@
 // Where the walls of one sector stand on the screen, seen from one pose.
 #pragma once
-#include <cmath>
 #include <vector>
 
 #include "map/map.h"
-#include "render/column/pose.h"
 #include "render/column/screen.h"
+#include "render/edge_function.h"
+#include "render/segment.h"
 
 namespace enfilade::column {
 
-/// A directed edge, as which walls and panels are compared.
-struct Segment {
-    Vec2 a, b;  ///< on the vertex grid
-
-    Segment(Vec2 start, Vec2 end) : a(start), b(end) {}
-    Segment(const Wall& wall) : a(wall.a), b(wall.b) {}  // NOLINT(google-explicit-constructor): a wall is one
-};
-
-/// A wall that faces the eye, as columns see it. With e_V(s) = s V.z - V.x, a function of the vertex V alone, the
-/// wall from left end L to right end R covers column slope s where e_L(s) > 0 > e_R(s): neighbours share a vertex, so
-/// they meet without gap or overlap, and nothing has to be clipped at a near plane. On which side 0 counts is a
-/// property of the ray alone (the tie rule, math/predicates.h).
+/// A wall that faces the eye, as columns see it: covers those between its left end L and its right end R
+/// (render/edge_function.h).
 struct ProjectedWall {
     WallId wall;             ///< none: a panel
     int begin = 0, end = 0;  ///< columns covered, within the screen
@@ -36,9 +26,6 @@ struct WallHit {
     double depth = 0;  ///< [m], >= 0, finite
     double along = 0;  ///< position on the wall from a to b, 0..1
 };
-
-/// e_V(slope): positive where the ray passes to the right of a vertex ahead of the eye.
-inline double edge(Vec2 vertex_v, double slope) { return slope * vertex_v.y - vertex_v.x; }
 
 /// e_L - e_R: positive wherever the wall covers the column, because e_L and e_R are not both 0 there.
 inline double edge_span(const ProjectedWall& w, double slope) { return edge(w.left_v, slope) - edge(w.right_v, slope); }
@@ -61,21 +48,5 @@ ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, co
 
 /// A single edge, which faces the eye: without its number. Covers no column (begin >= end) where it is not seen.
 ProjectedWall project(const Segment& facing, const Pose& pose, const Screen& screen);
-
-/// For two walls or panels of one sector that both face the eye and cover a common column: true where a is the nearer
-/// one, or both lie on one line. Exact: they never cross, so one of them lies wholly on one side of the other's line.
-bool is_nearer(const Segment& a, const Segment& b);
-
-/// Whether two inverse depths in one column differ enough to tell which wall is nearer. Rounding leaves them good to
-/// about 2^-50 of their size; closer ties (walls that share a vertex) are rare enough to be settled exactly. Two
-/// infinities do not tell.
-inline bool are_telling(double inverse_depth, double other) {
-    constexpr double kTrusted = 0x1p-40;
-    return std::fabs(inverse_depth - other) > kTrusted * other;
-}
-
-/// True where `wall`, which faces the eye and shares a column with `entry`, lies beyond `entry`, the wall of the same
-/// sector the look came in through. What lies in the entry's own plane belongs to the room before. Exact.
-bool is_beyond(const Segment& wall, const Segment& entry);
 
 }  // namespace enfilade::column

@@ -1,24 +1,12 @@
 #include "render/column/thing_columns.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace enfilade::column {
 namespace {
 
 /// A position on a picture ends before its right edge, where its left edge would begin again.
 constexpr double kBelowOne = 1 - 0x1p-53;
-
-/// The first column whose ray passes, at this depth, at x_v or to the right of it; the picture's width if none does.
-/// The division only guesses.
-int first_column_from(const Screen& screen, double x_v, double depth) {
-    const auto is_from = [&](int x) { return screen.slopes[x] * depth >= x_v; };
-    const double guess = std::ceil(x_v / depth * screen.column_scale + 0.5 * (screen.width - 1));
-    int x = !(guess > 0) ? 0 : guess >= screen.width ? screen.width : static_cast<int>(guess);
-    while (x > 0 && is_from(x - 1)) --x;
-    while (x < screen.width && !is_from(x)) ++x;
-    return x;
-}
 
 }  // namespace
 
@@ -46,8 +34,9 @@ void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedCol
     board.mirrored = view.pose.flip < 0;
     const double left_of_it = board.mirrored ? board.width - picture.origin_m.x : picture.origin_m.x;
     board.left_v = dot(view.pose.right, to_it) - left_of_it;
-    board.begin = std::max(view.viewport.begin, first_column_from(scene.screen, board.left_v, board.depth));
-    board.end = std::min(view.viewport.end, first_column_from(scene.screen, board.left_v + board.width, board.depth));
+    const ColumnRays rays{scene.screen.slopes, scene.screen.column_scale};
+    board.begin = std::max(view.viewport.begin, first_column_from(board.left_v, board.depth, rays));
+    board.end = std::min(view.viewport.end, first_column_from(board.left_v + board.width, board.depth, rays));
     if (board.begin >= board.end) return;
     const double top = picture.foot_z - view.pose.eye_z + picture.origin_m.y;
     board.rows = within(view.here, top - picture.size_m.y, top);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/open_steps.h"
 #include "render/picture_now.h"
 
 namespace enfilade::column {
@@ -82,9 +83,8 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
         return;
     }
     behind_ = heights_above(scene.snapshot[wall.behind], scene.map.passage(wall).apply_height(pose_.eye_z));
-    const bool both_sky = scene.map[wall.sector].ceiling.sky && scene.map[wall.behind].ceiling.sky;
-    upper_open_ = both_sky || !wall.upper.texture;
-    lower_open_ = !wall.lower.texture;
+    upper_open_ = !has_upper_step(scene.map, wall);
+    lower_open_ = !has_lower_step(wall);
     upper_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.upper),
                  peg_height(wall.upper.peg, here_, &behind_), light, wall_id(scene.map, id, WallPart::upper));
     lower_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.lower),

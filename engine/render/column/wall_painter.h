@@ -1,10 +1,10 @@
 // Walls, steps and pictures of things: which texel does a row of a column show?
 #pragma once
 #include "render/column/kernels.h"
-#include "render/column/pose.h"
 #include "render/column/row_split.h"
 #include "render/column/scene.h"
 #include "render/column/sector_projection.h"
+#include "render/pose.h"
 
 namespace enfilade::column {
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/open_steps.h"
 #include "render/picture_now.h"
 #include "render/reference/pane.h"
 #include "render/reference/room_panes.h"
@@ -139,12 +140,6 @@ Seen end_of_chain(const Arrival& at) {
     return {kRecursionEnd, at.hit.depth, {}, color, false};
 }
 
-/// A step without a texture, or from sky to sky, is open: one sees past it.
-bool has_upper_step(const Arrival& at) {
-    const bool sky_to_sky = at.sector.ceiling.sky && at.scene.map[at.wall.behind].ceiling.sky;
-    return at.wall.upper.texture && !sky_to_sky;
-}
-
 /// Where the ray ends if it ends at this wall: on the flats before it, on the wall, on a step, or because it has
 /// followed as many links as it may.
 std::optional<Seen> end_of_ray(const Arrival& at) {
@@ -156,8 +151,8 @@ std::optional<Seen> end_of_ray(const Arrival& at) {
     if (at.wall.kind == WallKind::solid) return wall(at, at.wall.texture, WallPart::middle);
     if (at.wall.kind == WallKind::portal) {
         const bool above = reaches(at, at.behind.ceiling), below = !above && !reaches(at, at.behind.floor);
-        if (above && has_upper_step(at)) return wall(at, at.wall.upper, WallPart::upper);
-        if (below && at.wall.lower.texture) return wall(at, at.wall.lower, WallPart::lower);
+        if (above && has_upper_step(at.scene.map, at.wall)) return wall(at, at.wall.upper, WallPart::upper);
+        if (below && has_lower_step(at.wall)) return wall(at, at.wall.lower, WallPart::lower);
     }
     const bool is_linked = at.wall.link != Wall::kNoLink;
     if (is_linked && at.hit.space.links >= at.scene.map.render.max_depth) return end_of_chain(at);

@@ -4,7 +4,7 @@
 #include "math/grid.h"
 #include "render/view.h"
 
-namespace enfilade::column {
+namespace enfilade {
 
 /// An eye in the space behind a chain of links. Plain doorways transform nothing, so all sectors reached through
 /// doorways alone share pose 0, the view itself.
@@ -33,4 +33,4 @@ inline Pose beyond(const Pose& pose, const Rigid& passage) {
             pose.links + 1};
 }
 
-}  // namespace enfilade::column
+}  // namespace enfilade
