@@ -1,18 +1,14 @@
 #include "render/stencil/layer_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
 #include "render/picture_now.h"
 
 namespace enfilade::stencil {
 namespace {
 
 constexpr double kEverything = std::numeric_limits<double>::infinity();
-
-/// Ends of walls this near to the entry's ends are the same place [px]: behind a link the eye is rounded onto its
-/// grid, and a wall that ends at the doorway might stop a rounding short of it.
-constexpr double kSamePlace = 4 * kTieShift;
 
 class LayerBuilder {
 public:
@@ -23,10 +19,13 @@ public:
         const std::size_t begin = mesh_.index_count();
         for (const SeenSector& seen : layer_.sectors) add_sector(seen);
         for (const Exit& exit : layer_.exits)
-            if (exit.layer == Exit::kCut) add_opening(exit, true);
+            if (exit.layer == Exit::kCut) add_opening(exit.wall, true);
         out_.surfaces = {begin, mesh_.index_count()};
-        for (const Exit& exit : layer_.exits) out_.exits.push_back(added([&] { add_opening(exit, false); }));
-        for (auto pane = layer_.panes.rbegin(); pane != layer_.panes.rend(); ++pane) add(*pane);
+        for (const Exit& exit : layer_.exits) out_.exits.push_back(added([&] { add_opening(exit.wall, false); }));
+        out_.panes = added([&] {
+            for (auto pane = layer_.panes.rbegin(); pane != layer_.panes.rend(); ++pane)
+                std::visit([&](const auto& it) { add_pane(it); }, *pane);
+        });
     }
 
 private:
@@ -38,83 +37,81 @@ private:
     }
 
     void add_sector(const SeenSector& seen) {
-        const Sector& sector = scene_.map[seen.sector];
-        for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i) {
-            auto place = on_screen(scene_.map, WallId(i), layer_.eye, scene_.screen);
-            if (!place || !fit_to_layer(*place)) continue;
-            if (place->end_px < seen.begin - kMargin || place->begin_px > seen.end + kMargin) continue;
-            add_wall(*place);
-        }
+        const Sector& sector = scene_.map()[seen.sector];
+        for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i)
+            if (auto place = place_in_layer(WallId(i)); place && is_in_sight(*place, seen)) add_wall(*place);
     }
 
-    /// Cuts off what lies before the entry; the entry's own ends are authoritative, so walls that end there are drawn
-    /// a little beyond, where the mask hides them. False where nothing is left.
-    bool fit_to_layer(WallOnScreen& place) const {
-        if (!layer_.entry) return true;
-        if (place.wall == layer_.entry) return false;
-        if (!cut_at_entry(scene_.map, scene_.map[layer_.entry], layer_.eye, scene_.screen, place)) return false;
-        if (std::fabs(place.begin_px - layer_.entry_begin_px) < kSamePlace) place.begin_px -= kMargin;
-        if (std::fabs(place.end_px - layer_.entry_end_px) < kSamePlace) place.end_px += kMargin;
-        return true;
+    bool is_in_sight(const WallOnScreen& place, const SeenSector& seen) const {
+        return scene_.rays.is_tilted || (place.end > seen.begin && place.begin < seen.end);
     }
 
-    void add_strip(const WallOnScreen& place, double floor, double ceiling, const Look& look) {
-        mesh_.add_strip(scene_.screen, place, floor, ceiling, look);
+    /// none: the wall does not face the eye, or is before the doorway one looks in through.
+    std::optional<WallOnScreen> place_in_layer(WallId id) const {
+        const Map& map = scene_.map();
+        if (layer_.entry && (layer_.entry == id || !is_beyond(map[id], map[layer_.entry]))) return {};
+        const WallOnScreen* doorway = layer_.entry ? &layer_.opened : nullptr;
+        if (!scene_.rays.is_tilted) return on_screen(map, id, layer_.pose, scene_.screen, doorway);
+        auto place = in_view(map, id, layer_.pose);
+        if (place && doorway) extend_beyond(*place, *doorway);
+        return place;
+    }
+
+    void add_strip(const WallOnScreen& place, const Heights& heights, const Look& look) {
+        mesh_.add_strip(scene_.rays, place, heights, look);
+    }
+
+    SeenWall seen(const WallOnScreen& place) const {
+        return {layer_.pose, place,
+                parts_of(scene_.map(), scene_.world.snapshot, scene_.map()[place.wall], layer_.pose.eye_z)};
     }
 
     void add_wall(const WallOnScreen& place) {
-        const Wall& wall = scene_.map[place.wall];
-        const SeenWall seen{layer_.eye, place, parts_of(scene_.map, scene_.snapshot, wall, layer_.eye.z)};
-        const Heights room = seen.parts.room;
-        add_strip(place, room.ceiling, kEverything,
-                  flat_look(scene_, seen, ceiling_now(scene_.map, scene_.snapshot, wall.sector), room.ceiling,
-                            ceiling_id(wall.sector)));
-        add_strip(place, -kEverything, room.floor,
-                  flat_look(scene_, seen, floor_now(scene_.map, scene_.snapshot, wall.sector), room.floor,
+        const Wall& wall = scene_.map()[place.wall];
+        const SeenWall seen_wall = seen(place);
+        const Heights room = seen_wall.parts.room;
+        add_strip(place, {room.ceiling, kEverything},
+                  flat_look(scene_, seen_wall, ceiling_now(scene_.map(), scene_.world.snapshot, wall.sector),
+                            room.ceiling, ceiling_id(wall.sector)));
+        add_strip(place, {-kEverything, room.floor},
+                  flat_look(scene_, seen_wall, floor_now(scene_.map(), scene_.world.snapshot, wall.sector), room.floor,
                             floor_id(wall.sector)));
         if (wall.kind == WallKind::solid)
-            return add_strip(place, room.floor, room.ceiling, wall_look(scene_, seen, wall.texture, WallPart::middle));
-        add_steps(seen, wall);
+            return add_strip(place, room, wall_look(scene_, seen_wall, wall.texture, WallPart::middle));
+        add_steps(seen_wall, wall);
     }
 
-    void add_steps(const SeenWall& seen, const Wall& wall) {
-        const Heights room = seen.parts.room, opening = seen.parts.opening;
-        if (seen.parts.upper)
-            add_strip(seen.place, opening.ceiling, room.ceiling, wall_look(scene_, seen, wall.upper, WallPart::upper));
-        if (seen.parts.lower)
-            add_strip(seen.place, room.floor, opening.floor, wall_look(scene_, seen, wall.lower, WallPart::lower));
+    void add_steps(const SeenWall& wall, const Wall& portal) {
+        const Heights room = wall.parts.room, opening = wall.parts.opening;
+        if (wall.parts.upper)
+            add_strip(wall.place, {opening.ceiling, room.ceiling},
+                      wall_look(scene_, wall, portal.upper, WallPart::upper));
+        if (wall.parts.lower)
+            add_strip(wall.place, {room.floor, opening.floor}, wall_look(scene_, wall, portal.lower, WallPart::lower));
     }
 
     /// What one sees through a portal: as a mask, or filled where its chain ends.
-    void add_opening(const Exit& exit, bool filled) {
-        WallOnScreen place = exit.wall;
-        if (!fit_to_layer(place)) return;
-        const SeenWall seen{layer_.eye, place,
-                            parts_of(scene_.map, scene_.snapshot, scene_.map[place.wall], layer_.eye.z)};
-        add_strip(place, seen.parts.opening.floor, seen.parts.opening.ceiling,
-                  filled ? end_look(scene_, seen) : plain_look(scene_, place));
+    void add_opening(WallId portal, bool filled) {
+        const auto place = place_in_layer(portal);
+        if (!place) return;
+        const SeenWall wall = seen(*place);
+        add_strip(*place, wall.parts.opening, filled ? end_look(scene_, wall) : plain_look(scene_, *place));
     }
 
-    void add_pane(const WallOnScreen& place) {
-        const Wall& wall = scene_.map[place.wall];
-        const SeenWall seen{layer_.eye, place, parts_of(scene_.map, scene_.snapshot, wall, layer_.eye.z)};
-        const Surface& surface = wall.middle;
-        const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
-        const double hung = peg_height(seen.parts, surface.peg) + (stands ? surface.tile_m.y : 0);
-        const double top = hung - surface.offset_tiles.y * surface.tile_m.y, bottom = top - surface.tile_m.y;
-        const Heights opening = seen.parts.opening;
-        const Look look = pane_look(scene_, seen, top);
-        add_strip(place, std::max(bottom, opening.floor), std::min(top, opening.ceiling), look);
+    void add_pane(const ThingOnScreen& thing) { add_strip(thing.place, thing.shown, thing_look(scene_, thing)); }
+
+    void add_pane(const PanelOnScreen& panel) {
+        add_strip(panel.place, panel.shown, panel_look(scene_, panel, layer_.pose));
     }
 
-    void add(const Pane& pane) {
-        const Range range = added([&] {
-            if (const auto* thing = std::get_if<ThingOnScreen>(&pane))
-                add_strip(thing->place, thing->floor, thing->ceiling, thing_look(scene_, *thing));
-            else if (WallOnScreen place = std::get<WallOnScreen>(pane); fit_to_layer(place))
-                add_pane(place);
-        });
-        if (!range.is_empty()) out_.panes.push_back(range);
+    void add_pane(const Hanging& hanging) {
+        const SeenWall wall = seen(hanging.place);
+        const Heights picture =
+            picture_in(wall.parts, picture_now(scene_.map(), scene_.world.snapshot, hanging.place.wall,
+                                               scene_.map()[hanging.place.wall].middle));
+        const Heights opening = wall.parts.opening;
+        add_strip(hanging.place, {std::max(picture.floor, opening.floor), std::min(picture.ceiling, opening.ceiling)},
+                  hanging_look(scene_, wall, picture.ceiling));
     }
 
     Mesh& mesh_;

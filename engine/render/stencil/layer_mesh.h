@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "render/stencil/mesh.h"
 #include "render/stencil/surfaces.h"
 
 namespace enfilade::stencil {
@@ -10,7 +11,7 @@ namespace enfilade::stencil {
 struct LayerRanges {
     Range surfaces;            ///< what hides everything behind it
     std::vector<Range> exits;  ///< by Layer::exits: the portal's opening
-    std::vector<Range> panes;  ///< farthest first
+    Range panes;               ///< farthest first
 };
 
 /// Adds the polygons of all layers to the mesh. Cost: the walls of the layers' sectors.

@@ -8,6 +8,11 @@
 namespace enfilade::stencil {
 namespace {
 
+/// A horizon that is farther outside the picture than this is not looked for [px].
+constexpr double kFarHorizon = 1e6;
+
+constexpr GLuint kOpaque = 255;  ///< alpha
+
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
 void float_attribute(GLuint index, GLint count, std::size_t at) {
@@ -18,12 +23,25 @@ void float_attribute(GLuint index, GLint count, std::size_t at) {
 void describe_vertices() {
     constexpr std::size_t kLook = offsetof(Vertex, look);
     float_attribute(0, 2, offsetof(Vertex, x));
-    float_attribute(1, 4, kLook + offsetof(Look, from_px));
-    float_attribute(2, 4, kLook + offsetof(Look, nearest));
-    float_attribute(3, 4, kLook + offsetof(Look, a));
-    float_attribute(4, 4, kLook + offsetof(Look, b));
-    glEnableVertexAttribArray(5);
-    glVertexAttribIPointer(5, 4, GL_UNSIGNED_INT, sizeof(Vertex), offset(kLook + offsetof(Look, id_and_paint)));
+    float_attribute(1, 4, kLook + offsetof(Look, from));
+    float_attribute(2, 4, kLook + offsetof(Look, span));
+    float_attribute(3, 4, kLook + offsetof(Look, nearest));
+    float_attribute(4, 4, kLook + offsetof(Look, a));
+    float_attribute(5, 4, kLook + offsetof(Look, b));
+    float_attribute(6, 4, kLook + offsetof(Look, c));
+    glEnableVertexAttribArray(7);
+    glVertexAttribIPointer(7, 4, GL_UNSIGNED_INT, sizeof(Vertex), offset(kLook + offsetof(Look, id_and_paint)));
+    float_attribute(8, 3, kLook + offsetof(Look, left_edge));
+    float_attribute(9, 3, kLook + offsetof(Look, right_edge));
+}
+
+/// The whole point nearest to the picture's middle where rays are nearly level; straight up or down, the middle.
+Corner near_horizon(const RayField& rays) {
+    const Even& up = rays.up;
+    const double x = rays.is_tilted ? rays.width * 0.5 : 0, y = rays.is_tilted ? rays.height * 0.5 : 0;
+    const double steepness = up.per_x * up.per_x + up.per_y * up.per_y, away = up.at(x, y) / steepness;
+    if (!(std::fabs(away * std::sqrt(steepness)) < kFarHorizon)) return {std::floor(x), std::floor(y)};
+    return {std::floor(x - up.per_x * away), std::floor(y - up.per_y * away)};
 }
 
 /// Only pixels of this level; what happens to it where depth passes.
@@ -57,7 +75,7 @@ void LayerPainter::paint(const Target& target, const Scene& scene, const Plan& p
     glDisable(GL_CULL_FACE);
     glDisable(GL_DITHER);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    paint_layer({target, scene.screen, plan, ranges, with_facts}, 0);
+    paint_layer({target, scene, plan, ranges, with_facts}, 0);
 }
 
 void LayerPainter::upload(const Mesh& mesh) {
@@ -70,20 +88,26 @@ void LayerPainter::upload(const Mesh& mesh) {
 }
 
 void LayerPainter::set_uniforms(const Scene& scene) {
-    const double whole = std::floor(scene.screen.horizon);
+    const RayField& rays = scene.rays;
+    const Corner level = near_horizon(rays);
+    glUseProgram(masks_.program.id());
+    glUniform1i(masks_.is_tilted, rays.is_tilted);
     glUseProgram(surfaces_.program.id());
-    glUniform2f(surfaces_.horizon, static_cast<float>(whole), static_cast<float>(scene.screen.horizon - whole));
-    glUniform1f(surfaces_.per_focal, static_cast<float>(1 / scene.screen.focal_y));
-    glUniform1i(surfaces_.is_classic, scene.map.render.light == LightModel::classic);
+    glUniform1i(surfaces_.is_tilted, rays.is_tilted);
+    glUniform2f(surfaces_.level, static_cast<float>(level.x), static_cast<float>(level.y));
+    glUniform3f(surfaces_.climb, static_cast<float>(rays.up.at(level.x, level.y)), static_cast<float>(rays.up.per_x),
+                static_cast<float>(rays.up.per_y));
+    glUniform1i(surfaces_.is_classic, scene.map().render.light == LightModel::classic);
     glUniform1i(surfaces_.texels, 0);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, scene.store.texture());
 }
 
-/// slope * forward - right: on which side of it a vertex lies exactly on the ray counts (see column_of()).
-void LayerPainter::set_normal(GLint uniform, const Job& job, const Eye& eye) const {
-    const Vec2 at_0 = eye.forward * job.screen.slope_at(0) - eye.right;
-    const Vec2 per_px = eye.forward * job.screen.slope_per_px;
+/// slope * forward - right: on which side of it a vertex lies exactly on the ray counts (render/edge_function.h).
+void LayerPainter::set_normal(GLint uniform, const Job& job, const Pose& pose) const {
+    if (job.scene.rays.is_tilted) return;
+    const Vec2 at_0 = pose.forward * job.scene.screen.slope_at(0) - pose.right;
+    const Vec2 per_px = pose.forward * job.scene.screen.slope_per_px;
     glUniform4f(uniform, static_cast<float>(at_0.x), static_cast<float>(at_0.y), static_cast<float>(per_px.x),
                 static_cast<float>(per_px.y));
 }
@@ -94,13 +118,13 @@ void LayerPainter::paint_layer(const Job& job, std::size_t index) {
     use_layer(layer);
     job.target.write_all();
     glUseProgram(surfaces_.program.id());
-    set_normal(surfaces_.normal, job, layer.eye);
-    glUniform1ui(surfaces_.least_alpha, 0);
+    set_normal(surfaces_.normal, job, layer.pose);
+    glUniform2ui(surfaces_.alphas, 0, kOpaque);
     glDepthFunc(GL_GREATER);
     draw(ranges.surfaces);
     for (std::size_t i = 0; i < layer.exits.size(); ++i)
         if (layer.exits[i].layer != Exit::kCut) look_through(job, layer, layer.exits[i], ranges.exits[i]);
-    if (!ranges.panes.empty()) paint_panes(job, layer, ranges);
+    if (!ranges.panes.is_empty()) paint_panes(job, layer, ranges);
 }
 
 void LayerPainter::use_layer(const Layer& layer) {
@@ -113,7 +137,7 @@ void LayerPainter::use_layer(const Layer& layer) {
 void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening) {
     use_layer(layer);
     glUseProgram(masks_.program.id());
-    set_normal(masks_.normal, job, layer.eye);
+    set_normal(masks_.normal, job, layer.pose);
     glUniform1i(masks_.is_far, 0);  // the level above is at its own reset
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     // Mark: what of the portal is not hidden rises by one level.
@@ -132,7 +156,7 @@ void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& 
     // Restore: the portal's own depth, and the level it had.
     use_layer(layer);
     glUseProgram(masks_.program.id());
-    set_normal(masks_.normal, job, layer.eye);
+    set_normal(masks_.normal, job, layer.pose);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_ALWAYS);
     at_level(layer.level + 1, GL_DECR);
@@ -141,23 +165,32 @@ void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& 
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-/// Facts first, of those that hide more than half of what is behind; then colours, mixed.
 void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges) {
     use_layer(layer);
     glUseProgram(surfaces_.program.id());
-    set_normal(surfaces_.normal, job, layer.eye);
+    set_normal(surfaces_.normal, job, layer.pose);
     glDepthFunc(GL_GEQUAL);
+    if (job.scene.rays.is_tilted) paint_opaque_parts(job, ranges.panes);
     glDepthMask(GL_FALSE);
+    // Facts first, of what hides more than half of what is behind; then colours, mixed.
     if (job.with_facts) {
         job.target.write_facts();
-        glUniform1ui(surfaces_.least_alpha, kSolidAlpha);
-        for (const Range& pane : ranges.panes) draw(pane);
+        glUniform2ui(surfaces_.alphas, kSolidAlpha, kOpaque);
+        draw(ranges.panes);
     }
     job.target.write_color();
-    glUniform1ui(surfaces_.least_alpha, 1);
+    glUniform2ui(surfaces_.alphas, 1, kOpaque);
     glEnable(GL_BLEND);
-    for (const Range& pane : ranges.panes) draw(pane);
+    draw(ranges.panes);
     glDisable(GL_BLEND);
+}
+
+/// Their order is not known for every pixel, so they hide each other by their depth. What is drawn afterwards only
+/// mixes what is before them, and once more, to no effect, themselves.
+void LayerPainter::paint_opaque_parts(const Job& job, const Range& panes) {
+    job.target.write_all();
+    glUniform2ui(surfaces_.alphas, kOpaque, kOpaque);
+    draw(panes);
 }
 
 void LayerPainter::draw(const Range& range) {

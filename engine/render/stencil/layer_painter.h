@@ -26,7 +26,7 @@ public:
 private:
     struct Job {
         const Target& target;
-        const Screen& screen;
+        const Scene& scene;
         const Plan& plan;
         const std::vector<LayerRanges>& ranges;
         bool with_facts;
@@ -34,10 +34,11 @@ private:
 
     void upload(const Mesh& mesh);
     void set_uniforms(const Scene& scene);
-    void set_normal(GLint uniform, const Job& job, const Eye& eye) const;
+    void set_normal(GLint uniform, const Job& job, const Pose& pose) const;
     void paint_layer(const Job& job, std::size_t index);
     void look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening);
     void paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges);
+    void paint_opaque_parts(const Job& job, const Range& panes);
     void use_layer(const Layer& layer);
     void draw(const Range& range);
 

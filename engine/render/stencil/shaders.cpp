@@ -11,64 +11,96 @@ namespace {
 
 constexpr const char* kVertexShader = R"(
 layout(location = 0) in vec2 position;
-layout(location = 1) in vec4 in_line;
-layout(location = 2) in vec4 in_bounds;
-layout(location = 3) in vec4 in_a;
-layout(location = 4) in vec4 in_b;
-layout(location = 5) in uvec4 in_what;
+layout(location = 1) in vec4 in_place;
+layout(location = 2) in vec4 in_line;
+layout(location = 3) in vec4 in_bounds;
+layout(location = 4) in vec4 in_a;
+layout(location = 5) in vec4 in_b;
+layout(location = 6) in vec4 in_c;
+layout(location = 7) in uvec4 in_what;
+layout(location = 8) in vec3 in_left_edge;
+layout(location = 9) in vec3 in_right_edge;
+flat out vec4 place;
 flat out vec4 line;
 flat out vec4 bounds;
 flat out vec4 a;
 flat out vec4 b;
+flat out vec4 c;
 flat out uvec4 what;
+flat out vec3 left_edge;
+flat out vec3 right_edge;
 void main() {
     gl_Position = vec4(position, 0.0, 1.0);
+    place = in_place;
     line = in_line;
     bounds = in_bounds;
     a = in_a;
     b = in_b;
+    c = in_c;
     what = in_what;
+    left_edge = in_left_edge;
+    right_edge = in_right_edge;
 }
 )";
 
 constexpr const char* kWallDepth = R"(
-flat in vec4 line;    // from_px, cross, span at from_px, span per column
+flat in vec4 place;   // from x, from y, cross, where the wall begins from there [px]
+flat in vec4 line;    // span there, per column, per row; where the wall ends
 flat in vec4 bounds;  // nearest, farthest, light, contrast
+flat in vec3 left_edge;
+flat in vec3 right_edge;
 uniform vec4 normal;  // of the ray through column 0 and its change per column, both x, y
-float column() { return gl_FragCoord.x - line.x; }
-float span(float t) { return line.z + line.w * t; }
-float wall_depth(float t) {
-    float s = span(t);
-    return s > 0.0 ? clamp(line.y / s, bounds.x, bounds.y) : bounds.y;
+uniform int is_tilted;
+vec2 way() { return gl_FragCoord.xy - place.xy; }
+float even(vec3 number, vec2 t) { return number.x + number.y * t.x + number.z * t.y; }
+float wall_depth(vec2 t) {
+    float s = even(line.xyz, t);
+    return s > 0.0 ? clamp(place.z / s, bounds.x, bounds.y) : bounds.y;
 }
-// Which wall is nearer is asked where the tie rule moves the ray to: as far aside as edges are drawn the other way.
+// Between columns the edges of polygons are exact. Tilted there are no columns: each pixel asks the edge functions of
+// the wall's ends, which neighbours share.
+bool is_beside() {
+    return is_tilted != 0 && (even(left_edge, gl_FragCoord.xy) < 0.0 || even(right_edge, gl_FragCoord.xy) >= 0.0);
+}
+// Which of two walls that share a vertex is nearer is asked a little beside the ray: where the tie rule moves it to, or
+// to the other side where the wall has no room there.
 float tested_depth() {
-    vec2 n = normal.xy + normal.zw * gl_FragCoord.x;
-    bool runs_right = n.x != 0.0 ? n.x < 0.0 : n.y < 0.0;
-    return 1.0 / (1.0 + wall_depth(column() + (runs_right ? 0.00390625 : -0.00390625)));
+    const float aside = 0.00390625;
+    vec2 t = way();
+    if (is_tilted == 0) {
+        vec2 n = normal.xy + normal.zw * gl_FragCoord.x;
+        bool runs_right = n.x != 0.0 ? n.x < 0.0 : n.y < 0.0;
+        float x = t.x + (runs_right ? aside : -aside);
+        if (x < place.w || x > line.w) x = t.x - (runs_right ? aside : -aside);
+        t.x = clamp(x, place.w, line.w);
+    }
+    return 1.0 / (1.0 + wall_depth(t));
 }
 )";
 
 constexpr const char* kMaskShader = R"(
 uniform int is_far;
-void main() { gl_FragDepth = is_far != 0 ? 0.0 : tested_depth(); }
+void main() {
+    if (is_beside()) discard;
+    gl_FragDepth = is_far != 0 ? 0.0 : tested_depth();
+}
 )";
 
 // Light as in render/shade.cpp, sky and texels as in render/shade.h.
 constexpr const char* kSurfaceShader = R"(
 flat in vec4 a;
 flat in vec4 b;
+flat in vec4 c;
 flat in uvec4 what;  // id and paint, place in the store, width, height
 layout(location = 0) out vec4 out_color;
 layout(location = 1) out uvec4 out_facts;
-uniform vec2 horizon;
-uniform float per_focal;
+uniform vec2 level;  // a point at or near the horizon, so that rows next to it keep their precision
+uniform vec3 climb;  // what the ray climbs there, per column, per row
 uniform int is_classic;
-uniform uint least_alpha;
+uniform uvec2 alphas;  // least and most that are shown
 uniform usampler2D texels;
 
 const uint kWall = 0u, kFlat = 1u, kSky = 2u, kPicture = 4u;
-const float kBelowOne = 0.99999994;
 const uint kInfinity = 0x7F800000u;
 
 float part(float x) {
@@ -101,35 +133,36 @@ uint shade_at(float depth) {
 }
 
 void main() {
-    // Above the horizon positive; whole and fractional part apart, so that rows next to it keep their precision.
-    float climb = (horizon.x - gl_FragCoord.y + horizon.y) * per_focal;
-    float met = wall_depth(column()), depth = met;
+    if (is_beside()) discard;
+    vec2 t = way();
+    float up = even(climb, gl_FragCoord.xy - level);
+    float met = wall_depth(t), depth = met;
     uint paint = what.x >> 24u;
     uint shade = 256u;
     vec2 tile = vec2(0.0);
     uvec4 color;
     if (paint == kWall || paint == kPicture) {
-        float along = clamp((a.x + a.y * column()) / max(span(column()), 1e-30), 0.0, kBelowOne);
-        float v = b.x - climb * met * b.y;
-        tile = vec2(part(along * a.z - a.w), part(paint == kWall ? v : max(v, 0.0)));  // nothing is above a picture
+        float along = clamp(even(a.xyz, t) / max(even(line.xyz, t), 1e-30), 0.0, 1.0);
+        float v = b.y - up * met * b.z;
+        tile = vec2(part(along * a.w - b.x), part(paint == kWall ? v : max(v, 0.0)));  // nothing is above a picture
         shade = shade_at(depth);
         color = texel(tile);
     } else if (paint == kFlat) {
-        depth = climb == 0.0 ? met : clamp(b.z / climb, 0.0, met);
-        vec2 place = b.xy + depth * (a.xy + a.zw * column());
-        tile = vec2(part(place.x), part(place.y));
+        depth = up == 0.0 ? met : clamp(c.z / up, 0.0, met);
+        vec2 spot = c.xy + depth * vec2(even(a.xyz, t), even(b.xyz, t));
+        tile = vec2(part(spot.x), part(spot.y));
         shade = shade_at(depth);
         color = texel(tile);
     } else if (paint == kSky) {
-        vec2 way = a.xy + a.zw * column();
-        float turns = part(atan(way.y, way.x) * 0.15915494309189535);
-        tile = vec2(part(turns * b.x - b.z), clamp(1.0 - climb / length(way) / b.y - b.w, 0.0, 1.0));
+        vec2 ahead = vec2(even(a.xyz, t), even(b.xyz, t));
+        float turns = part(atan(ahead.y, ahead.x) * 0.15915494309189535);
+        tile = vec2(part(turns * c.x - c.z), clamp(1.0 - up / length(ahead) / c.y - c.w, 0.0, 1.0));
         color = texel(tile);
     } else {
         color = uvec4(what.y & 255u, what.y >> 8u & 255u, what.y >> 16u & 255u, 255u);
     }
-    if (color.a < least_alpha) discard;
-    uint alpha = least_alpha > 0u ? color.a : 255u;
+    if (color.a < alphas.x || color.a > alphas.y) discard;
+    uint alpha = alphas.x > 0u ? color.a : 255u;
     out_color = vec4(uvec4(color.rgb * shade >> 8u, alpha)) / 255.0;
     uint depth_bits = paint == kSky ? kInfinity : floatBitsToUint(depth);
     out_facts = uvec4(what.x & 0xFFFFFFu, depth_bits, floatBitsToUint(tile.x), floatBitsToUint(tile.y));
@@ -185,12 +218,14 @@ Status build(SurfaceProgram& surface, MaskProgram& mask) {
         return glGetUniformLocation(program.id(), name);
     };
     surface.normal = uniform(surface.program, "normal");
-    surface.horizon = uniform(surface.program, "horizon");
-    surface.per_focal = uniform(surface.program, "per_focal");
+    surface.is_tilted = uniform(surface.program, "is_tilted");
+    surface.level = uniform(surface.program, "level");
+    surface.climb = uniform(surface.program, "climb");
     surface.is_classic = uniform(surface.program, "is_classic");
-    surface.least_alpha = uniform(surface.program, "least_alpha");
+    surface.alphas = uniform(surface.program, "alphas");
     surface.texels = uniform(surface.program, "texels");
     mask.normal = uniform(mask.program, "normal");
+    mask.is_tilted = uniform(mask.program, "is_tilted");
     mask.is_far = uniform(mask.program, "is_far");
     return {};
 }

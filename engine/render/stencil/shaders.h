@@ -8,19 +8,20 @@ namespace enfilade::stencil {
 /// Draws surfaces: colours to output 0, facts (id, depth, texel) to output 1.
 struct SurfaceProgram {
     GlProgram program;
-    GLint normal = -1;       ///< of the ray through column 0 [x, y] and its change per column
-    GLint horizon = -1;      ///< whole and fractional part [px]
-    GLint per_focal = -1;    ///< 1 / focal length [1/px]
-    GLint is_classic = -1;   ///< light model
-    GLint least_alpha = -1;  ///< pixels of a picture with less alpha are left out, 0..255
+    GLint normal = -1;      ///< of the ray through column 0 [x, y] and its change per column; not if tilted
+    GLint is_tilted = -1;   ///< 0 or 1
+    GLint level = -1;       ///< a point at or near the horizon [px]
+    GLint climb = -1;       ///< what the ray climbs there, per column, per row
+    GLint is_classic = -1;  ///< light model
+    GLint alphas = -1;  ///< pixels of a picture with less than the first or more than the second are left out, 0..255
     GLint texels = -1;
 };
 
 /// Draws only depth: for masks.
 struct MaskProgram {
     GlProgram program;
-    GLint normal = -1;  ///< as above
-    GLint is_far = -1;  ///< 1: infinitely far, 0: where the portal is
+    GLint normal = -1, is_tilted = -1;  ///< as above
+    GLint is_far = -1;                  ///< 1: infinitely far, 0: where the portal is
 };
 
 /// Compiles them for the current context. An error says what the driver said.

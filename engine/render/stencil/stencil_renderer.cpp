@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "base/hash.h"
 #include "render/stencil/layer_painter.h"
+#include "render/stencil/panorama.h"
 #include "space/overlap.h"
 
 namespace enfilade {
@@ -84,9 +85,12 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
     const bool with_facts = frame_facts != nullptr;
     if (Status failed = objects->store.hold(textures)) return failed;
     if (Status failed = objects->target.prepare(frame.width, frame.height, with_facts)) return failed;
-    const Screen screen(Projection(view, frame.width, frame.height));
-    const Plan plan = make_plan(map, facts, textures, snapshot, screen, view);
-    const Scene scene{map, textures, snapshot, objects->store, screen};
+    const Projection projection(view, frame.width, frame.height);
+    const RayField rays(view, projection);
+    const Screen screen = view.tilt ? panorama_screen() : Screen(projection);
+    const World world{map, facts, textures, snapshot};
+    const Plan plan = make_plan(world, screen, rays, view);
+    const Scene scene{world, objects->store, screen, rays};
     mesh.clear();
     const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
     objects->target.clear();

@@ -1,7 +1,7 @@
 // What the parts of walls look like: from surfaces, pegs and light to what the shader is told.
 #pragma once
 #include "map/textures.h"
-#include "render/stencil/mesh.h"
+#include "render/stencil/look.h"
 #include "render/stencil/plan.h"
 #include "render/stencil/texel_store.h"
 
@@ -9,16 +9,17 @@ namespace enfilade::stencil {
 
 /// What there is to see, and where its pictures are kept.
 struct Scene {
-    const Map& map;
-    const TextureSet& textures;
-    const Snapshot& snapshot;
+    const World& world;
     const TexelStore& store;
-    const Screen& screen;
+    const Screen& screen;  ///< of the picture; of a tilted one: of its panorama
+    const RayField& rays;
+
+    const Map& map() const { return world.map; }
 };
 
 /// Everything about one wall of a layer that its parts have in common.
 struct SeenWall {
-    const Eye& eye;
+    const Pose& pose;
     const WallOnScreen& place;
     WallParts parts;
 };
@@ -27,7 +28,9 @@ struct SeenWall {
 Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& surface, WallPart part);
 
 /// A picture with holes in a portal, shown once from top to bottom. top: above the eye [m].
-Look pane_look(const Scene& scene, const SeenWall& wall, double top);
+Look hanging_look(const Scene& scene, const SeenWall& wall, double top);
+
+Look panel_look(const Scene& scene, const PanelOnScreen& panel, const Pose& pose);
 
 /// A floor or ceiling, or the sky: above and below a wall everything up to the picture's edge shows it, because there
 /// a ray has left the room's heights before it reached the wall. height: of the flat above the eye [m].
@@ -39,10 +42,6 @@ Look end_look(const Scene& scene, const SeenWall& wall);
 /// Only where it is: for masks.
 Look plain_look(const Scene& scene, const WallOnScreen& place);
 
-/// A thing.
 Look thing_look(const Scene& scene, const ThingOnScreen& thing);
-
-/// Height above the eye that a surface hangs from [m].
-double peg_height(const WallParts& parts, Peg peg);
 
 }  // namespace enfilade::stencil

@@ -4,25 +4,27 @@
 
 #include "render/sprite.h"
 #include "render/stencil/wall_on_screen.h"
+#include "render/stencil/wall_parts.h"
 #include "render/surface_id.h"
 
 namespace enfilade::stencil {
 
 /// A picture that is met in a room. Its place is like a wall's that faces the eye squarely: all of it has one depth.
 struct ThingOnScreen {
-    WallOnScreen place;  ///< its columns are whole ones
+    WallOnScreen place;
     SurfaceId id = kNothing;
     TextureId texture;
     double light = 1;
-    double depth = 0;               ///< [m]
-    double top = 0, height = 0;     ///< of the whole picture; top: above the eye [m]
-    double floor = 0, ceiling = 0;  ///< the part of it that is inside the room, above the eye [m]
+    double depth = 0;            ///< along `forward`; in tilted pictures maybe behind the eye, below 0 [m]
+    double top = 0, height = 0;  ///< of the whole picture; top: above the eye [m]
+    Heights shown;               ///< the part of it that is inside the room, above the eye
 };
 
-/// none: too near, or no picture, or none of it in the room's heights or the picture's columns.
-/// room_floor, room_ceiling: above the eye [m].
-std::optional<ThingOnScreen> on_screen(const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-                                       const Presence& presence, const Eye& eye, const Screen& screen,
-                                       double room_floor, double room_ceiling);
+/// In no column yet. none: too near, or no picture, or none of it in the room's heights. room: above the eye.
+std::optional<ThingOnScreen> in_view(const Map& map, const TextureSet& textures, const Snapshot& snapshot,
+                                     const Presence& presence, const Pose& pose, const Heights& room);
+
+/// Finds the columns of a thing ahead of the eye. False: there are none.
+bool put_on_screen(ThingOnScreen& thing, const Screen& screen);
 
 }  // namespace enfilade::stencil

@@ -1,6 +1,7 @@
 #include "render/stencil/wall_on_screen.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "math/predicates.h"
@@ -8,49 +9,39 @@
 namespace enfilade::stencil {
 namespace {
 
-/// The tie rule for an eye that stands on a vertex: the eye counts as (e, e^2) farther, so the vertex lies in the
-/// direction -(1, e). 2^-40 is flatter than any wall of the vertex grid, and 2^-64 [m] is nothing beside any wall.
-constexpr Vec2 kVertexAtEye{-0x1p-64, -0x1p-104};
-
 /// Stands for 1 / 0 and still leaves room for products with any height and focal length [1/m].
 constexpr double kNoDistance = 1e100;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Vec2 to_view(Vec2 vertex, const Eye& eye) {
-    Vec2 d = vertex - eye.place;
-    if (d == Vec2{}) d = kVertexAtEye;
-    return {dot(eye.right, d), dot(eye.forward, d) + 0.0};  // + 0: turns -0, which would be behind, into 0
+/// A range of rays is only left out if it is missed by more than rounding, behind a link, too [px].
+constexpr double kRangeSlack = 1.0 / 64;
+
+/// Ends of walls this near to the ends of the doorway one looks in through are in line with them [1]: behind a link the
+/// eye is rounded onto its grid, and a wall might stop a rounding short of the doorway.
+constexpr double kSameLine = 0x1p-16;
+
+/// Whether two vertices in view space are in one direction.
+bool are_in_line(Vec2 p, Vec2 q) {
+    return std::fabs(cross(p, q)) <= kSameLine * std::sqrt(dot(p, p) * dot(q, q)) && dot(p, q) > 0;
 }
 
-/// Column of a vertex in view space, moved by the tie rule: to the left where the ray through it counts as running to
-/// its right. With the eye at eye + (e, e^2) all edge functions change by -(n.x e + n.y e^2), n = slope forward -
-/// right.
-double column_of(Vec2 v, const Eye& eye, const Screen& screen) {
-    const double slope = v.x / v.y;
-    const Vec2 normal = eye.forward * slope - eye.right;
-    const bool runs_right = normal.x != 0 ? normal.x < 0 : normal.y < 0;
-    return screen.px_of(slope) + (runs_right ? -kTieShift : kTieShift);
+double column_of(Vec2 v, const Screen& screen) {
+    return screen.px_of(v.x / (v.y + 0.0));  // + 0: turns -0, which would be behind, into 0
 }
 
 /// Behind the eye a vertex bounds the columns from the other side: there its edge function falls with the slope.
-void set_columns(WallOnScreen& w, const Eye& eye, const Screen& screen) {
-    const double left = column_of(w.left_v, eye, screen), right = column_of(w.right_v, eye, screen);
+void set_ends(WallOnScreen& w, const Screen& screen) {
+    const double left = column_of(w.left_v, screen), right = column_of(w.right_v, screen);
     const bool left_ahead = w.left_v.y >= 0, right_ahead = w.right_v.y >= 0;
     const double begin = std::max(left_ahead ? left : -kInfinity, right_ahead ? -kInfinity : right);
     const double end = std::min(left_ahead ? kInfinity : left, right_ahead ? right : kInfinity);
-    w.begin_px = std::max(begin, -kMargin);
-    w.end_px = std::min(end, screen.width + kMargin);
+    w.begin_px = std::clamp(begin, -kMargin, screen.width + kMargin);
+    w.end_px = std::clamp(end, -kMargin, screen.width + kMargin);
+    if (w.begin_px - kRangeSlack < w.end_px) w.end_px = std::max(w.begin_px, w.end_px);  // seen from its end
 }
 
 }  // namespace
-
-Screen::Screen(const Projection& projection)
-    : width(projection.width()),
-      height(projection.height()),
-      slope_per_px(2 * projection.half_fov_tangent() / projection.width()),
-      focal_y(projection.focal_y()),
-      horizon(projection.horizon()) {}
 
 double WallOnScreen::inverse_depth(double slope) const {
     return cross > 0 ? std::min(span(slope) / cross, kNoDistance) : kNoDistance;
@@ -59,46 +50,65 @@ double WallOnScreen::inverse_depth(double slope) const {
 double WallOnScreen::nearest() const { return std::max(std::min(left_v.y, right_v.y), 0.0); }
 double WallOnScreen::farthest() const { return std::max({left_v.y, right_v.y, 0.0}); }
 
-std::optional<WallOnScreen> on_screen(const Map& map, WallId id, const Eye& eye, const Screen& screen) {
-    const Wall& wall = map[id];
-    if (side_of_line(wall.a, wall.b, eye.place) < 0) return {};
+WallOnScreen in_view(const Segment& facing, const Pose& pose) {
     WallOnScreen w;
-    w.wall = id;
-    w.swapped = eye.flip < 0;
-    w.left_v = to_view(w.swapped ? wall.b : wall.a, eye);
-    w.right_v = to_view(w.swapped ? wall.a : wall.b, eye);
-    w.cross = std::max(exact_cross(wall.a, wall.b, eye.place), 0.0);
-    set_columns(w, eye, screen);
-    if (!(w.begin_px < w.end_px)) return {};
+    w.swapped = pose.flip < 0;
+    w.left_v = w.shown_left_v = to_view(w.swapped ? facing.b : facing.a, pose);
+    w.right_v = w.shown_right_v = to_view(w.swapped ? facing.a : facing.b, pose);
+    w.cross = std::max(exact_cross(facing.a, facing.b, pose.eye), 0.0);
     return w;
 }
 
+std::optional<WallOnScreen> in_view(const Map& map, WallId id, const Pose& pose) {
+    const Wall& wall = map[id];
+    if (side_of_line(wall.a, wall.b, pose.eye) < 0) return {};
+    WallOnScreen w = in_view(wall, pose);
+    w.wall = id;
+    return w;
+}
+
+bool put_on_screen(WallOnScreen& w, const Pose& pose, const Screen& screen) {
+    set_ends(w, screen);
+    if (screen.has_ranges) {
+        w.begin = std::max(static_cast<int>(std::floor(w.begin_px - kRangeSlack)), 0);
+        w.end = std::min(static_cast<int>(std::ceil(w.end_px + kRangeSlack)), screen.width);
+    } else {
+        const CoveredColumns exact = covered_columns(w.left_v, w.right_v, pose, {screen.slopes, screen.per_slope()});
+        w.begin = exact.begin;
+        w.end = exact.end;
+    }
+    return w.begin < w.end;
+}
+
+std::optional<WallOnScreen> on_screen(const Map& map, WallId id, const Pose& pose, const Screen& screen,
+                                      const WallOnScreen* doorway) {
+    auto wall = in_view(map, id, pose);
+    if (!wall) return {};
+    put_on_screen(*wall, pose, screen);
+    if (doorway) extend_beyond(*wall, *doorway);
+    if (wall->begin >= wall->end) return {};
+    return wall;
+}
+
+void extend_beyond(WallOnScreen& wall, const WallOnScreen& doorway) {
+    if (are_in_line(wall.left_v, doorway.left_v)) {
+        if (wall.left_v.y > 0) --wall.begin;  // behind the eye it begins nowhere
+        wall.is_open_left = true;
+    }
+    if (are_in_line(wall.right_v, doorway.right_v)) {
+        if (wall.right_v.y > 0) ++wall.end;
+        wall.is_open_right = true;
+    }
+}
+
+CoveredColumns surely_covered(const WallOnScreen& wall, const Screen& screen) {
+    if (!screen.has_ranges) return {wall.begin, wall.end};
+    return {std::max(static_cast<int>(std::ceil(wall.begin_px + kRangeSlack)), 0),
+            std::min(static_cast<int>(std::floor(wall.end_px - kRangeSlack)), screen.width)};
+}
+
 double row_of(const Screen& screen, const WallOnScreen& wall, double height, double px) {
-    return screen.horizon + kTieShift - height * screen.focal_y * wall.inverse_depth(screen.slope_at(px));
-}
-
-bool cut_at_entry(const Map& map, const Wall& entry, const Eye& eye, const Screen& screen, WallOnScreen& wall) {
-    const Wall& w = map[wall.wall];
-    const int a = corner(entry.a, entry.b, w.a), b = corner(entry.a, entry.b, w.b);
-    if (a <= 0 && b <= 0) return false;
-    if (a >= 0 && b >= 0) return true;
-    const Vec2 along = entry.b - entry.a;
-    const double at_a = dot(right_of(along), w.a - entry.a), at_b = dot(right_of(along), w.b - entry.a);
-    const Vec2 cut = to_view(w.a + (w.b - w.a) * (at_a / (at_a - at_b)), eye);
-    WallOnScreen rest = wall;
-    const bool cuts_left = (a < 0) != wall.swapped;
-    (cuts_left ? rest.left_v : rest.right_v) = cut;
-    set_columns(rest, eye, screen);
-    wall.begin_px = std::max(wall.begin_px, rest.begin_px);
-    wall.end_px = std::min(wall.end_px, rest.end_px);
-    return wall.begin_px < wall.end_px;
-}
-
-bool is_beyond(const Wall& wall, const Wall& entry) {
-    const int a = corner(entry.a, entry.b, wall.a), b = corner(entry.a, entry.b, wall.b);
-    if (a <= 0 && b <= 0) return false;
-    if (a >= 0 && b >= 0) return true;
-    return corner(wall.a, wall.b, entry.a) >= 0 && corner(wall.a, wall.b, entry.b) >= 0;
+    return screen.horizon - height * screen.focal_y * wall.inverse_depth(screen.slope_at(px));
 }
 
 }  // namespace enfilade::stencil

@@ -1,45 +1,28 @@
-// Where one wall stands on the screen: between which columns, how far away, and where its heights are drawn.
+// Where one wall stands on the screen: in which columns, how far away, and where its heights are drawn.
 #pragma once
 #include <optional>
 
 #include "map/map.h"
-#include "render/stencil/eye.h"
-#include "render/view.h"
+#include "render/edge_function.h"
+#include "render/pose.h"
+#include "render/segment.h"
+#include "render/stencil/screen.h"
 
 namespace enfilade::stencil {
-
-/// From slopes and heights to pixels, as real numbers: column x has its centre at x + 1/2.
-struct Screen {
-    int width = 0, height = 0;
-    double slope_per_px = 1;
-    double focal_y = 1;  ///< [px]
-    double horizon = 0;  ///< [px] from the top
-
-    explicit Screen(const Projection& projection);
-
-    double px_of(double slope) const { return slope / slope_per_px + width * 0.5; }
-    double slope_at(double px) const { return (px - width * 0.5) * slope_per_px; }
-};
 
 /// How far beyond the picture's edges shapes are kept [px].
 inline constexpr double kMargin = 1;
 
-/// Edges are drawn this much aside [px]: graphics cards put vertices on a grid of 1/256 px or finer, so what goes
-/// exactly through a pixel's centre, as often happens where maps and players are lined up, falls on the side that the
-/// other renderers' tie rule says.
-inline constexpr double kTieShift = 1.0 / 256;
-
-/// A wall that faces the eye. With e_V(s) = s V.y - V.x (V in view space: x right, y depth) the ray with slope s runs
-/// to the right of its left end L and to the left of its right end R where e_L(s) > 0 > e_R(s). Neighbours share a
-/// vertex and compute its column from it alone, so that they meet exactly; there is no near plane, and nothing special
-/// when the eye stands on the wall's line.
+/// An upright edge that faces the eye: a wall, a panel or a thing's picture (render/edge_function.h).
 struct WallOnScreen {
-    WallId wall;
-    Vec2 left_v, right_v;  ///< L and R
-    double cross = 0;      ///< cross(L, R), >= 0: exactly 0 where the eye is on the wall's line [m^2]
-    double begin_px = 0;   ///< where it is drawn: columns [begin_px, end_px), within the margin of the picture
-    double end_px = 0;
-    bool swapped = false;  ///< L is the wall's b: it is seen in a mirror
+    WallId wall;                       ///< none: a panel or a thing
+    Vec2 left_v, right_v;              ///< L and R, its ends in view space
+    Vec2 shown_left_v, shown_right_v;  ///< tilted pictures show only what is between these, on the same line
+    double cross = 0;                  ///< of R and L, >= 0: exactly 0 where the eye is on the wall's line [m^2]
+    bool swapped = false;              ///< L is the wall's b: it is seen in a mirror, or a panel from behind
+    bool is_open_left = false, is_open_right = false;  ///< tilted pictures show up to a pixel more there
+    int begin = 0, end = 0;           ///< columns: those that show it, decided exactly; or of ranges those that may
+    double begin_px = 0, end_px = 0;  ///< its ends, within the margin of the picture
 
     /// e_L - e_R: positive where the wall is seen.
     double span(double slope) const { return slope * (left_v.y - right_v.y) - (left_v.x - right_v.x); }
@@ -51,19 +34,28 @@ struct WallOnScreen {
     double farthest() const;
 };
 
-/// none: the wall does not face the eye (decided exactly), or is seen at no slope of the picture.
-std::optional<WallOnScreen> on_screen(const Map& map, WallId wall, const Eye& eye, const Screen& screen);
+/// The edge, which faces the eye, in no column yet.
+WallOnScreen in_view(const Segment& facing, const Pose& pose);
 
-/// Row of a height above the eye on the wall [px], real, what lies exactly on it counting as above; may lie far outside
-/// of the picture, but is always finite.
+/// none: the wall does not face the eye, decided exactly.
+std::optional<WallOnScreen> in_view(const Map& map, WallId wall, const Pose& pose);
+
+/// Finds its columns. False: there are none.
+bool put_on_screen(WallOnScreen& wall, const Pose& pose, const Screen& screen);
+
+/// none: the wall does not face the eye, or is in no column.
+/// doorway: null, or what one looks in through, from its other side. Its ends are authoritative: a wall behind it that
+/// ends there, or in line with it, is extended by a column, which the doorway hides unless rounding left it to nobody.
+std::optional<WallOnScreen> on_screen(const Map& map, WallId wall, const Pose& pose, const Screen& screen,
+                                      const WallOnScreen* doorway);
+
+/// Extends it so.
+void extend_beyond(WallOnScreen& wall, const WallOnScreen& doorway);
+
+/// Columns in which all rays meet the wall.
+CoveredColumns surely_covered(const WallOnScreen& wall, const Screen& screen);
+
+/// Row of a height above the eye on the wall [px], real; may lie far outside of the picture, but is always finite.
 double row_of(const Screen& screen, const WallOnScreen& wall, double height, double px);
-
-/// Takes away what lies before the line of `entry`, the wall one looks in through: of walls of the same space only what
-/// is on its right. Exact for walls that end on the line. False where nothing is left.
-bool cut_at_entry(const Map& map, const Wall& entry, const Eye& eye, const Screen& screen, WallOnScreen& wall);
-
-/// True where `wall` is beyond `entry`, the wall of the same sector through which the look came in: both cover a
-/// common column and do not cross. Exact.
-bool is_beyond(const Wall& wall, const Wall& entry);
 
 }  // namespace enfilade::stencil

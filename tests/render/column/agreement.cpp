@@ -51,19 +51,6 @@ MapFile palace() {
     return file;
 }
 
-Texture lattice() {
-    Texture texture;
-    texture.name = "lattice";
-    texture.width = texture.height = 64;
-    texture.has_holes = true;
-    for (std::uint32_t x = 0; x < 64; ++x)
-        for (std::uint32_t y = 0; y < 64; ++y) {
-            const std::uint32_t square = x / 8 + y / 8;
-            texture.pixels.push_back(square % 2 ? 0xFF4080C0u : square % 3 ? 0 : 0x60FF2010u);
-        }
-    return texture;
-}
-
 View random_view(const Map& map, Random& random) {
     View view;
     const Sector* sector = nullptr;

@@ -5,6 +5,7 @@
 #include "base/random.h"
 #include "render/frame.h"
 #include "render/view.h"
+#include "support/furnish.h"
 #include "support/map_builder.h"
 #include "world/snapshot.h"
 
@@ -21,9 +22,6 @@ struct World {
 
 /// Nine rooms of different heights, a pillar, a pit, a closed door, a window and a yard under the sky.
 MapFile palace();
-
-/// A lattice: every other square of 8 x 8 is a hole, some squares are coloured glass.
-Texture lattice();
 
 /// Anywhere in the map; half of the eyes on a lattice of half metres, half of the looks along eighths of a turn.
 View random_view(const Map& map, Random& random);

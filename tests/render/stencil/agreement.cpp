@@ -50,6 +50,8 @@ const Texture& texture_of(const Map& map, const TextureSet& textures, SurfaceId 
         return textures[(id % 2 ? sector.floor : sector.ceiling).surface.texture];
     }
     const auto first_thing = first_wall + static_cast<SurfaceId>(3 * map.walls.size());
+    const auto first_panel = first_thing + static_cast<SurfaceId>(map.things.size());
+    if (id >= first_panel) return textures[map.panels[id - first_panel].surface.texture];
     if (id >= first_thing) return textures[map[map.things[id - first_thing].sprite].frames[0].views[0]];
     const Wall& wall = map.walls[(id - first_wall) / 3];
     const Surface& middle = wall.kind == WallKind::portal ? wall.middle : wall.texture;
@@ -65,6 +67,20 @@ bool is_near_band(const Map& map, double depth) {
 }
 
 bool is_near_edge(double texels) { return std::fabs(texels - std::round(texels)) < kTexelSlack; }
+
+bool is_near_texels_edge(const Map& map, const TextureSet& textures, const FrameFacts& facts, std::size_t pixel) {
+    const Texture& texture = texture_of(map, textures, facts.ids[pixel]);
+    const TexelPosition at = facts.texels[pixel];
+    return is_near_edge(static_cast<double>(at.u) * texture.width) ||
+           is_near_edge(static_cast<double>(at.v) * texture.height);
+}
+
+/// The surface is a picture with holes, and a neighbouring texel may be one, or none.
+bool is_at_rim(const Map& map, const TextureSet& textures, const FrameFacts& facts, std::size_t pixel) {
+    const SurfaceId id = facts.ids[pixel];
+    if (id == kNothing || id == kRecursionEnd) return false;
+    return texture_of(map, textures, id).has_holes && is_near_texels_edge(map, textures, facts, pixel);
+}
 
 /// A pixel between different surfaces, or beside one.
 bool is_at_edge(const Picture& p, int x, int y) {
@@ -116,9 +132,7 @@ std::unique_ptr<StencilRenderer> software_stencil(GlApi api) {
 }
 
 Sight::Sight(const Map& map, const TextureSet& textures, GlApi api)
-    : map_(map), textures_(textures), snapshot_(at_rest(map)), stencil_(software_stencil(api)) {
-    snapshot_.things = {};  // the stencil renderer shows rooms only, so rooms are what is compared
-}
+    : map_(map), textures_(textures), snapshot_(at_rest(map)), stencil_(software_stencil(api)) {}
 
 namespace {
 Picture blank(PictureSize size) {
@@ -180,16 +194,17 @@ Agreement Sight::compare(const View& view, PictureSize size) {
         const SurfaceId id = truth.facts.ids[i];
         result.undrawn += shown.facts.ids[i] == kNothing;
         bool is_fault = shown.facts.ids[i] == kNothing;
-        if (shown.facts.ids[i] != id) {
+        if (shown.facts.ids[i] != id &&
+            (is_at_rim(map_, textures_, shown.facts, i) || is_at_rim(map_, textures_, truth.facts, i))) {
+            ++result.other_texel;
+        } else if (shown.facts.ids[i] != id) {
             const bool at_edge = is_at_edge(truth, x, y) || is_hair_aside(view, size, i, shown);
             ++(at_edge ? result.at_edges : result.elsewhere);
             is_fault |= !at_edge;
         } else if (id != kRecursionEnd && difference(shown.frame.pixels[i], truth.frame.pixels[i]) > kSameColor) {
-            const Texture& texture = texture_of(map_, textures_, id);
-            const TexelPosition at = truth.facts.texels[i];
-            const bool near =
-                is_near_band(map_, truth.facts.depths[i]) || is_near_edge(static_cast<double>(at.u) * texture.width) ||
-                is_near_edge(static_cast<double>(at.v) * texture.height) || is_hair_aside(view, size, i, shown);
+            const bool near = is_near_band(map_, truth.facts.depths[i]) ||
+                              is_near_texels_edge(map_, textures_, truth.facts, i) ||
+                              is_hair_aside(view, size, i, shown);
             ++(near ? result.other_texel : result.wrong_color);
             is_fault |= !near;
         }

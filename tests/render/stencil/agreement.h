@@ -17,7 +17,8 @@ struct Agreement {
     std::uint64_t undrawn = 0;      ///< shows nothing
     std::uint64_t at_edges = 0;     ///< another surface, within a pixel of an edge
     std::uint64_t elsewhere = 0;    ///< another surface, and no edge near
-    std::uint64_t other_texel = 0;  ///< same surface, another colour, but next to a texel's or a light band's edge
+    std::uint64_t other_texel = 0;  ///< same surface, another colour, but next to a texel's or a light band's edge; or
+                                    ///< another surface, but next to a hole of a picture
     std::uint64_t wrong_color = 0;  ///< same surface, more than 2/255 off, and no such excuse
     double worst_share = 0;         ///< largest share of differing surfaces in one picture
     std::string worst_view, first_fault;

@@ -19,17 +19,13 @@ std::vector<std::string> authored_maps() {
     return names;
 }
 
-/// Where a vertex is nearer than 1/512 px to the middle of a column, the card's grid may put the column on its other
-/// side, and a room that begins there shows in it: one column of one picture in forty.
-constexpr double kOneColumn = 2e-5;
-
 class StencilMap : public testing::TestWithParam<std::string> {};
 
 TEST_P(StencilMap, LooksAsInTheColumnRenderer) {
     const LoadedMap loaded = load_map(ENFILADE_SOURCE_DIR "/maps/" + GetParam() + ".toml", {}, read_file);
     ASSERT_TRUE(loaded.map);
     const Agreement agreement = Sight(*loaded.map, loaded.textures).compare_poses(20, {320, 200}, 1);
-    expect_agreement(agreement, 5e-5, kOneColumn);
+    expect_agreement(agreement);
     RecordProperty("agreement", describe(agreement));
 }
 

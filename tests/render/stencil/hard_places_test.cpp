@@ -108,7 +108,6 @@ TEST(StencilCorridor, CostsNoMoreOnceLevelsAreBelowAPixel) {
     EXPECT_EQ(layers(200), layers(1000));
 }
 
-/// Four links in view, each of them leading to four more.
 /// Two pillars whose faces are doors into each other, and the room goes on behind them: at every level something has
 /// been drawn where the next door is to be marked.
 TEST(StencilDoors, ThatFaceEachOtherBeforeAFarWallRepeatTheRoom) {
@@ -121,6 +120,7 @@ TEST(StencilDoors, ThatFaceEachOtherBeforeAFarWallRepeatTheRoom) {
     EXPECT_GT(place.sight.counts().deepest, 20);
 }
 
+/// Four links in view, each of them leading to four more.
 TEST(StencilCrossing, IsDrawnOnceForEachViewportAndNotFourToTheSixteenth) {
     MapFile file = map_of({box_room("crossing", 0, 0, 8, 8, 0, 3)});
     link(file, "crossing", {8, 0}, {8, 8}, "crossing", {0, 8}, {0, 0});

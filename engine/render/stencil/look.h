@@ -1,0 +1,25 @@
+// What a polygon shows, as the graphics card is told.
+#pragma once
+#include <cstdint>
+
+namespace enfilade::stencil {
+
+/// How a polygon's pixels are painted; numbers known to the shader.
+enum class Paint : std::uint32_t { wall, flat, sky, color, picture };
+
+/// Numbers that change evenly over the picture are given as three: at the point `from`, per column and per row.
+struct Look {
+    float from[2]{}, cross = 0, begin = 0;  ///< begin, end: of the wall, counted from from[0] [px]; not if tilted
+    float span[3]{}, end = 0;               ///< depth = cross / span
+    float nearest = 0, farthest = 0;        ///< bounds of that depth [m]
+    float light = 1, contrast = 1;
+    float a[4]{};  ///< by Paint, see shaders.cpp
+    float b[4]{};
+    float c[4]{};
+    std::uint32_t id_and_paint = 0;       ///< id in the low 24 bits
+    std::uint32_t texels = 0;             ///< where the picture begins in the texel store; Paint::color: 0xAABBGGRR
+    std::uint32_t width = 1, height = 1;  ///< of the picture [px]
+    float left_edge[3]{1, 0, 0}, right_edge[3]{-1, 0, 0};  ///< tilted: shown where left >= 0 > right; from the corner
+};
+
+}  // namespace enfilade::stencil

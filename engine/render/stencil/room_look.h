@@ -1,0 +1,61 @@
+// One sector seen through one chain of plain doorways: which of its walls, how near, and what is open behind them.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "render/stencil/wall_on_screen.h"
+#include "render/stencil/wall_parts.h"
+#include "render/stencil/window.h"
+
+namespace enfilade::stencil {
+
+/// A look into a sector. Past a plain doorway nothing is transformed.
+struct Visit {
+    SectorId sector;
+    WallId entry;          ///< none for the eye's own sector
+    WallOnScreen doorway;  ///< the portal looked through, from its other side; where there is an entry
+    Window window;
+    std::size_t face = 0;  ///< of the panorama
+};
+
+/// Holds the scratch memory for one visit at a time.
+class RoomLook {
+public:
+    RoomLook(const Map& map, const Screen& screen) : map_(map), screen_(screen) {}
+
+    /// Looks into the visit's sector, which is valid as long as questions are asked.
+    void look(const Visit& visit, const Pose& pose);
+
+    const Visit& visit() const { return *visit_; }
+
+    /// Those walls of the sector that face the eye beyond the visit's entry in its columns.
+    std::span<const WallOnScreen> walls() const { return walls_; }
+
+    /// The wall that column x meets first, and its inverse depth there; of ranges, one that all their rays meet, and
+    /// the inverse depth where it is farthest. none, 0: no wall.
+    WallId nearest_at(int x) const { return nearest_[index_of(x)].wall; }
+    double inverse_depth_at(int x) const { return nearest_[index_of(x)].inverse_depth; }
+
+    /// What of the visit's window is open through the portal; empty: nothing. Never less than what is seen.
+    /// nearest: becomes the portal's largest inverse depth there [1/m].
+    Window open_behind(const WallOnScreen& portal, const Heights& opening, double& nearest) const;
+
+private:
+    struct Nearest {
+        WallId wall;
+        double inverse_depth = 0;
+    };
+
+    std::size_t index_of(int x) const { return static_cast<std::size_t>(x - visit_->window.begin); }
+    void offer(const WallOnScreen& wall);
+    bool is_nearer_at(const WallOnScreen& wall, double inverse, const Nearest& other) const;
+    OpenRows rows_behind(const WallOnScreen& portal, const Heights& opening, int x) const;
+
+    const Map& map_;
+    const Screen& screen_;
+    const Visit* visit_ = nullptr;
+    std::vector<WallOnScreen> walls_;
+    std::vector<Nearest> nearest_;
+};
+
+}  // namespace enfilade::stencil

@@ -1,0 +1,103 @@
+#include "render/stencil/room_panes.h"
+
+#include <algorithm>
+
+namespace enfilade::stencil {
+
+void RoomPanes::note(Layer& layer, const RoomLook& room) {
+    find_boards(layer.pose, room);
+    if (boards_.empty()) return;
+    const Window& window = room.visit().window;
+    run_.clear();
+    for (int x = window.begin, begin = window.begin; x <= window.end(); ++x) {
+        met_.clear();
+        if (x < window.end() && !window.at(x).is_closed()) meet(room, x);
+        if (met_ == run_) continue;
+        add_run(layer, begin, x);
+        begin = x;
+        std::swap(met_, run_);
+    }
+}
+
+void RoomPanes::find_boards(const Pose& pose, const RoomLook& room) {
+    const SectorId home = room.visit().sector;
+    const Heights heights = heights_of(world_.snapshot, home, pose.eye_z);
+    boards_.clear();
+    for (const Presence& presence : world_.snapshot.things.in(home)) {
+        auto thing = in_view(world_.map, world_.textures, world_.snapshot, presence, pose, heights);
+        if (thing && put_on_screen(*thing, screen_)) boards_.push_back({*thing, {{}, {}}, {}, thing->depth});
+    }
+    things_ = boards_.size();
+    std::stable_sort(boards_.begin(), boards_.end(),
+                     [](const Board& a, const Board& b) { return depth_steps(a.depth) < depth_steps(b.depth); });
+    const Sector& sector = world_.map[home];
+    for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i)
+        add_panel(pose, room, PanelId(i));
+}
+
+void RoomPanes::add_panel(const Pose& pose, const RoomLook& room, PanelId id) {
+    const Panel& panel = world_.map[id];
+    if (!panel.surface.texture) return;
+    const Segment seen = facing(panel, pose.eye);
+    if (room.visit().entry && !is_panel_beyond(seen, world_.map[room.visit().entry])) return;
+    PanelOnScreen shown = in_view(world_.map, world_.snapshot, id, pose);
+    if (shown.shown.is_empty() || !put_on_screen(shown.place, pose, screen_)) return;
+    boards_.push_back({shown, seen, id, 0});
+}
+
+/// Which boards column x meets between the entry to the room and the wall behind, the nearest first.
+void RoomPanes::meet(const RoomLook& room, int x) {
+    const double slope = screen_.slopes[static_cast<std::size_t>(x)];
+    const double entry = room.visit().entry ? 1 / room.visit().doorway.inverse_depth(slope) : 0;
+    const double exit = 1 / room.inverse_depth_at(x);
+    meet_panels(room, x);
+    std::size_t thing = 0;
+    const auto meet_things = [&](std::int64_t until) {
+        for (; thing < things_ && depth_steps(boards_[thing].depth) <= until; ++thing) {
+            const WallOnScreen& place = place_of(boards_[thing].pane);
+            const bool covers = x >= place.begin && x < place.end;
+            if (covers && is_met_between(boards_[thing].depth, entry, exit)) met_.push_back(thing);
+        }
+    };
+    double depth = 0;
+    for (const std::size_t panel : met_panels_) {
+        depth = std::max(depth, 1 / place_of(boards_[panel].pane).inverse_depth(slope));  // in order despite rounding
+        meet_things(depth_steps(depth));
+        met_.push_back(panel);
+    }
+    meet_things(depth_steps(exit));
+}
+
+void RoomPanes::meet_panels(const RoomLook& room, int x) {
+    met_panels_.clear();
+    for (std::size_t i = things_; i < boards_.size(); ++i) {
+        const WallOnScreen& place = place_of(boards_[i].pane);
+        if (x < place.begin || x >= place.end || !is_before_wall(room, boards_[i], x)) continue;
+        const auto nearer_than_it = [&](std::size_t other) { return is_before(boards_[other], boards_[i]); };
+        met_panels_.insert(std::find_if_not(met_panels_.begin(), met_panels_.end(), nearer_than_it), i);
+    }
+}
+
+/// Of panels on one line the first in the map is the nearer.
+bool RoomPanes::is_before(const Board& a, const Board& b) const {
+    return is_nearer(a.facing, b.facing) && (a.panel < b.panel || !is_nearer(b.facing, a.facing));
+}
+
+bool RoomPanes::is_before_wall(const RoomLook& room, const Board& panel, int x) const {
+    const WallId wall = room.nearest_at(x);
+    if (wall.is_none()) return true;
+    const double to_wall = room.inverse_depth_at(x);
+    const double to_panel = place_of(panel.pane).inverse_depth(screen_.slopes[static_cast<std::size_t>(x)]);
+    return are_telling(to_panel, to_wall) ? to_panel > to_wall : is_nearer(panel.facing, world_.map[wall]);
+}
+
+/// The boards of run_ in the columns [begin, end), in which all of them are met.
+void RoomPanes::add_run(Layer& layer, int begin, int end) {
+    for (const std::size_t board : run_) {
+        layer.panes.push_back(boards_[board].pane);
+        place_of(layer.panes.back()).begin = begin;
+        place_of(layer.panes.back()).end = end;
+    }
+}
+
+}  // namespace enfilade::stencil

@@ -1,0 +1,44 @@
+// What stands in a room, in the order in which each column meets it.
+#pragma once
+#include <vector>
+
+#include "render/stencil/plan.h"
+#include "render/stencil/room_look.h"
+
+namespace enfilade::stencil {
+
+/// Finds the things and panels of one visit at a time. A room without them costs a look at two empty lists.
+class RoomPanes {
+public:
+    RoomPanes(const World& world, const Screen& screen) : world_(world), screen_(screen) {}
+
+    /// Adds what stands in the room that is looked into, and is seen, to the layer's panes: for every run of columns
+    /// that meet the same pictures in the same order these pictures, the nearest first; of a thing and a panel at one
+    /// depth, in steps (render/sprite.h), the thing.
+    void note(Layer& layer, const RoomLook& room);
+
+private:
+    struct Board {
+        Pane pane;
+        Segment facing{{}, {}};  ///< panels only
+        PanelId panel;           ///< none: a thing
+        double depth = 0;        ///< things only [m]
+    };
+
+    void find_boards(const Pose& pose, const RoomLook& room);
+    void add_panel(const Pose& pose, const RoomLook& room, PanelId id);
+    void meet(const RoomLook& room, int x);
+    void meet_panels(const RoomLook& room, int x);
+    bool is_before(const Board& a, const Board& b) const;
+    bool is_before_wall(const RoomLook& room, const Board& panel, int x) const;
+    void add_run(Layer& layer, int begin, int end);
+
+    const World& world_;
+    const Screen& screen_;
+    std::vector<Board> boards_;            ///< things first, the nearest of them first; then panels
+    std::size_t things_ = 0;               ///< how many of them are things
+    std::vector<std::size_t> met_, run_;   ///< by the present column, and by those before it: numbers of boards
+    std::vector<std::size_t> met_panels_;  ///< by the present column
+};
+
+}  // namespace enfilade::stencil

@@ -1,0 +1,72 @@
+#include "support/furnish.h"
+
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+#include "math/grid.h"
+#include "space/locate.h"
+
+namespace enfilade::test {
+
+PanelRecord panel(Vec2 a, Vec2 b, double bottom, double top) {
+    PanelRecord record;
+    record.a = a;
+    record.b = b;
+    record.bottom = bottom;
+    record.top = top;
+    record.texture = spec("lattice");
+    record.texture.offset_tx = {3.3, 1.7};  // rims not on the lattice of the eyes
+    return record;
+}
+
+void scatter_panels(MapFile& file, int tries, std::uint64_t seed) {
+    const Map rooms = built(file);
+    Random random(seed);
+    for (int i = 0; i < tries; ++i) {
+        const std::size_t home = random.below(file.sectors.size());
+        const Sector& sector = rooms.sectors[home];
+        const bool on_lattice = random.below(2) == 0;
+        const auto place = [&] {
+            const Vec2 p{random.uniform(sector.min.x, sector.max.x), random.uniform(sector.min.y, sector.max.y)};
+            return on_lattice ? Vec2{double(int(p.x * 2)) / 2, double(int(p.y * 2)) / 2} : snap_to_vertex_grid(p);
+        };
+        const double bottom = random.uniform(sector.floor.z - 1, sector.ceiling.z);
+        file.sectors[home].panels.push_back(panel(place(), place(), bottom, bottom + random.uniform(0.5, 3)));
+        if (has_errors(findings_of(file))) file.sectors[home].panels.pop_back();
+    }
+    EXPECT_GE(built(file).panels.size(), std::size_t(tries) / 4);
+}
+
+void scatter_things(MapFile& file, int count, std::uint64_t seed) {
+    const Map rooms = built(file);
+    Random random(seed);
+    while (count > 0) {
+        const SectorId home(random.below(rooms.sectors.size()));
+        const Sector& sector = rooms[home];
+        Vec2 p{random.uniform(sector.min.x, sector.max.x), random.uniform(sector.min.y, sector.max.y)};
+        if (random.below(2) == 0) p = {double(int(p.x * 2)) / 2, double(int(p.y * 2)) / 2};
+        if (!contains(rooms, home, snap_to_point_grid(p))) continue;
+        ThingRecord thing;
+        thing.position = p;
+        thing.sector = sector.name;
+        thing.frames = {{"lattice", 0, {31.3, 60}}};
+        thing.size = 40;
+        file.things.push_back(thing);
+        --count;
+    }
+}
+
+Texture lattice() {
+    Texture texture;
+    texture.name = "lattice";
+    texture.width = texture.height = 64;
+    texture.has_holes = true;
+    for (std::uint32_t x = 0; x < 64; ++x)
+        for (std::uint32_t y = 0; y < 64; ++y) {
+            const std::uint32_t square = x / 8 + y / 8;
+            texture.pixels.push_back(square % 2 ? 0xFF4080C0u : square % 3 ? 0 : 0x60FF2010u);
+        }
+    return texture;
+}
+
+}  // namespace enfilade::test

@@ -1,0 +1,20 @@
+// Panels and things in the rooms of maps made in code, at random and where they touch.
+#pragma once
+#include "support/map_builder.h"
+
+namespace enfilade::test {
+
+/// With the picture "lattice", a little off the lattice on which things and eyes are put.
+PanelRecord panel(Vec2 a, Vec2 b, double bottom = 0.25, double top = 1.75);
+
+/// As many panels as find a place among the rooms' walls and each other; half of them on a lattice of half metres, so
+/// that they touch walls, corners and each other.
+void scatter_panels(MapFile& file, int tries, std::uint64_t seed);
+
+/// Things with the picture "lattice" that nothing but their place tells apart, anywhere or on a lattice.
+void scatter_things(MapFile& file, int count, std::uint64_t seed);
+
+/// A lattice: every other square of 8 x 8 is a hole, some squares are coloured glass.
+Texture lattice();
+
+}  // namespace enfilade::test
