@@ -1,4 +1,27 @@
 // Where the program starts.
+#if defined(__GLIBC__) || __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 #include "app/command_line.h"
 
-int main(int argc, char** argv) { return enfilade::run_command_line(argc, argv); }
+namespace {
+
+/// Reading a large map takes and gives back some ten MiB in small pieces. By default every few KiB of it are a system
+/// call; this many bytes at once, kept until the end, make a map load in three quarters of the time. Memory that is
+/// not touched is not taken.
+void take_memory_in_large_pieces() {
+#if defined(__GLIBC__)
+    constexpr int kMiB = 1 << 20;
+    mallopt(M_TOP_PAD, 64 * kMiB);
+    mallopt(M_TRIM_THRESHOLD, 1024 * kMiB);
+    mallopt(M_MMAP_THRESHOLD, 32 * kMiB);
+#endif
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    take_memory_in_large_pieces();
+    return enfilade::run_command_line(argc, argv);
+}

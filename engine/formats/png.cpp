@@ -45,7 +45,24 @@ Bytes encode(PngHolder& png, const void* pixels, const void* palette) {
     return bytes;
 }
 
+/// Where the header has the width; the height follows (PNG specification, §5.2 and §11.2.2) [bytes].
+constexpr std::size_t kWidthAt = 16;
+
+std::uint32_t big_endian(std::span<const std::byte> bytes, std::size_t at) {
+    std::uint32_t number = 0;
+    for (const std::byte b : bytes.subspan(at, 4)) number = number << 8 | std::to_integer<std::uint32_t>(b);
+    return number;
+}
+
 }  // namespace
+
+std::optional<ImageSize> png_size(std::span<const std::byte> bytes) {
+    if (bytes.size() < kWidthAt + 8 || png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) != 0)
+        return {};
+    const ImageSize size{big_endian(bytes, kWidthAt), big_endian(bytes, kWidthAt + 4)};
+    const auto is_side = [](std::uint32_t side) { return side >= 1 && side <= kMaxImageSide; };
+    return is_side(size.width) && is_side(size.height) ? std::optional(size) : std::nullopt;
+}
 
 Result<Image> read_png(std::span<const std::byte> bytes) {
     PngHolder png;

@@ -1,6 +1,7 @@
 // PNG files to pixels and back.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,13 @@ inline constexpr std::uint32_t kMaxImageSide = 16384;
 
 /// Most pixels that are read: 8192 * 4096 fit; 128 MiB as RGBA.
 inline constexpr std::uint64_t kMaxImagePixels = std::uint64_t{1} << 25;
+
+/// What the header of a PNG says about its size, each 1..kMaxImageSide; none where it is no header or says more.
+/// Whether the rest is an image is not looked at.
+struct ImageSize {
+    std::uint32_t width = 0, height = 0;
+};
+std::optional<ImageSize> png_size(std::span<const std::byte> bytes);
 
 /// Any PNG (grey, palette, 16 bit, …) as 8-bit RGBA. Hostile bytes give an Error without a `where`, and
 /// memory is only taken for as many pixels as the bytes can hold.

@@ -55,6 +55,9 @@ const T& as(const void* node) {
     return static_cast<const T&>(*static_cast<const toml::node*>(node));
 }
 
+/// Fewer members of an array than this are not worth a thread of their own.
+constexpr std::size_t kLeastMembersPerThread = 512;
+
 Finding syntax_error(TextPlace place, std::string_view description) {
     std::string sentence(description);
     if (sentence.starts_with('E')) sentence.front() = 'e';  // the library's sentences start with "Error while"
@@ -70,6 +73,24 @@ struct TomlAccess {
 
 struct TomlDocument::Tree {
     toml::table root;
+
+    explicit Tree(toml::table&& table) : root(std::move(table)) {}
+    Tree(const Tree&) = delete;
+    Tree& operator=(const Tree&) = delete;
+    /// A tree is a million small pieces of memory, and giving them back takes a tenth of the time that making them did.
+    ~Tree() {
+        for (auto&& [key, value] : root)
+            if (toml::array* const array = value.as_array()) empty(*array);
+    }
+
+private:
+    static void empty(toml::array& array) {
+        const std::size_t parts = array.size() / kLeastMembersPerThread + 1;
+        parallel_for(parts, hardware_threads(), [&](std::size_t part, std::size_t) {
+            for (std::size_t i = part * array.size() / parts; i < (part + 1) * array.size() / parts; ++i)
+                if (toml::table* const table = array[i].as_table()) table->clear();
+        });
+    }
 };
 
 std::string_view name_of(TomlKind kind) {
@@ -217,8 +238,8 @@ std::optional<TomlDocument> TomlDocument::parse(std::string_view text, const Tom
     try {
         const auto cuts = spread(scan.cuts, workers - 1);
         if (auto root = cuts.empty() ? std::nullopt : parse_in_parts(text, cuts))
-            return TomlDocument(std::make_unique<Tree>(Tree{std::move(*root)}));
-        return TomlDocument(std::make_unique<Tree>(Tree{toml::parse(text)}));
+            return TomlDocument(std::make_unique<Tree>(std::move(*root)));
+        return TomlDocument(std::make_unique<Tree>(toml::parse(text)));
     } catch (const toml::parse_error& error) {
         findings.push_back(syntax_error(place_of(error.source().begin), error.description()));
     } catch (const std::logic_error& error) {

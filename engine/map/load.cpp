@@ -3,6 +3,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/parallel.h"
 #include "formats/map_toml.h"
 #include "map/build.h"
 
@@ -31,10 +32,31 @@ std::vector<std::string> texture_folders(const MapFile& file, const std::string&
     return folders;
 }
 
+void leave_out_things(MapFile& file, int skill) {
+    std::erase_if(file.things,
+                  [&](const ThingRecord& thing) { return thing.multiplayer || !(thing.skills & 1u << (skill - 1)); });
+}
+
+/// Building needs the pictures' sizes only, so they are unpacked meanwhile.
+void build_and_unpack(const MapFile& file, TextureLoader loader, LoadedMap& loaded) {
+    const TextureSet sizes = loader.sizes();
+    Findings findings = loaded.findings;
+    parallel_for(loader.count() + 1, hardware_threads(), [&](std::size_t i, std::size_t) {
+        if (i == 0)
+            loaded.map = build_map(file, sizes, findings);
+        else
+            loader.unpack(i - 1);
+    });
+    const auto built = findings.begin() + static_cast<std::ptrdiff_t>(loaded.findings.size());
+    loaded.textures = loader.take(loaded.findings);
+    loaded.findings.insert(loaded.findings.end(), built, findings.end());
+    if (has_errors(loaded.findings)) loaded.map.reset();
+}
+
 }  // namespace
 
 LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
-                   const FileReader& read) {
+                   const FileReader& read, std::optional<int> skill) {
     LoadedMap loaded;
     Result<Bytes> bytes = read(path);
     if (!bytes) {
@@ -45,9 +67,9 @@ LoadedMap load_map(const std::string& path, const std::vector<std::string>& more
     bytes = Bytes();  // a large file need not stay in memory beside the map
     loaded.findings = std::move(reading.findings);
     if (reading.map.name.empty()) reading.map.name = name_of(path);
+    if (skill) leave_out_things(reading.map, *skill);
     const auto folders = texture_folders(reading.map, path, more_texture_folders);
-    loaded.textures = load_textures(reading.map, folders, read, loaded.findings);
-    loaded.map = build_map(reading.map, loaded.textures, loaded.findings);
+    build_and_unpack(reading.map, TextureLoader(reading.map, folders, read), loaded);
     sort_by_place(loaded.findings);
     return loaded;
 }

@@ -95,38 +95,6 @@ Result<Bytes> read_from_folders(const std::string& written, const std::vector<st
     return Error{"", "not found"};
 }
 
-/// A picture on its way: its file's bytes, then what became of them.
-struct Loading {
-    std::string name;
-    const FirstUse* use = nullptr;
-    std::string path;
-    std::optional<Bytes> bytes;  ///< none: in no folder
-    Texture texture;
-    std::string fault;  ///< why it is not an image; empty: it is one
-};
-
-void decode(Loading& loading) {
-    loading.texture = make_placeholder();
-    if (loading.bytes) {
-        const Result<Image> image = read_png(*loading.bytes);
-        if (image)
-            loading.texture = by_columns(image.value());
-        else
-            loading.fault = image.error().what;
-    }
-    loading.texture.missing = !loading.bytes;
-    loading.texture.name = loading.name;
-}
-
-void report(const Loading& loading, Findings& findings) {
-    if (!loading.bytes)
-        findings.push_back(
-            {loading.use->place, Severity::warning, "missing-texture",
-             "texture '" + loading.use->written + "' is in none of the texture folders; a placeholder is drawn"});
-    if (!loading.fault.empty())
-        findings.push_back({loading.use->place, Severity::error, "bad-texture", loading.path + ": " + loading.fault});
-}
-
 }  // namespace
 
 std::string sprite_picture_name(const ThingRecord& thing, const SpriteFrameRecord& frame, int view) {
@@ -153,24 +121,69 @@ Texture make_placeholder() {
     return texture;
 }
 
-TextureSet load_textures(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read,
-                         Findings& findings) {
-    const Names names = names_used(file);
-    std::vector<Loading> loadings;
-    for (const auto& [name, use] : names) {
-        Loading& loading = loadings.emplace_back(Loading{name, &use, {}, {}, {}, {}});
-        if (Result<Bytes> bytes = read_from_folders(use.written, folders, read, loading.path))
-            loading.bytes = std::move(bytes).value();
+TextureLoader::TextureLoader(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read) {
+    for (auto& [name, use] : names_used(file)) {
+        Picture& picture = pictures_.emplace_back();
+        picture.name = name;
+        picture.written = use.written;
+        picture.place = use.place;
+        if (Result<Bytes> bytes = read_from_folders(use.written, folders, read, picture.path))
+            picture.bytes = std::move(bytes).value();
     }
-    // Unpacking pictures is most of the time it takes to start a map.
-    parallel_for(loadings.size(), hardware_threads(), [&](std::size_t i, std::size_t) { decode(loadings[i]); });
+}
+
+TextureSet TextureLoader::sizes() const {
     TextureSet set;
     set.placeholder = make_placeholder();
-    for (Loading& loading : loadings) {
-        report(loading, findings);
-        set.textures.push_back(std::move(loading.texture));
+    for (const Picture& picture : pictures_) {
+        Texture& texture = set.textures.emplace_back();
+        const auto size = picture.bytes ? png_size(*picture.bytes) : std::nullopt;
+        texture.name = picture.name;
+        texture.width = size ? size->width : set.placeholder.width;
+        texture.height = size ? size->height : set.placeholder.height;
     }
     return set;
+}
+
+void TextureLoader::unpack(std::size_t i) {
+    Picture& picture = pictures_[i];
+    picture.texture = make_placeholder();
+    if (picture.bytes) {
+        const Result<Image> image = read_png(*picture.bytes);
+        if (image)
+            picture.texture = by_columns(image.value());
+        else
+            picture.fault = image.error().what;
+    }
+    picture.texture.missing = !picture.bytes;
+    picture.texture.name = picture.name;
+}
+
+void TextureLoader::report(const Picture& picture, Findings& findings) {
+    if (!picture.bytes)
+        findings.push_back(
+            {picture.place, Severity::warning, "missing-texture",
+             "texture '" + picture.written + "' is in none of the texture folders; a placeholder is drawn"});
+    if (!picture.fault.empty())
+        findings.push_back({picture.place, Severity::error, "bad-texture", picture.path + ": " + picture.fault});
+}
+
+TextureSet TextureLoader::take(Findings& findings) {
+    TextureSet set;
+    set.placeholder = make_placeholder();
+    for (Picture& picture : pictures_) {
+        report(picture, findings);
+        set.textures.push_back(std::move(picture.texture));
+    }
+    pictures_.clear();
+    return set;
+}
+
+TextureSet load_textures(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read,
+                         Findings& findings) {
+    TextureLoader loader(file, folders, read);
+    parallel_for(loader.count(), hardware_threads(), [&](std::size_t i, std::size_t) { loader.unpack(i); });
+    return loader.take(findings);
 }
 
 }  // namespace enfilade

@@ -1,6 +1,7 @@
 // The pictures of a map, ready for drawing.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,38 @@ Texture make_placeholder();
 
 /// Loads every picture the file names ("-" is none) as FOLDER/NAME.png, the first folder that has it winning.
 /// What no folder has becomes the placeholder and a warning at its first use; what is not an image is an error.
+/// Unpacking takes longer than anything else in starting a map, so it is a step of its own, to be done on several cores
+/// beside other work.
+class TextureLoader {
+public:
+    /// Reads the files. `file` may go afterwards.
+    TextureLoader(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read);
+
+    /// Every picture as large as its file says, without pixels: enough to build a map (map/build.h).
+    TextureSet sizes() const;
+
+    std::size_t count() const { return pictures_.size(); }
+    /// Unpacks the i-th picture, i < count(). Different ones may be unpacked at once.
+    void unpack(std::size_t i);
+
+    /// All pictures, once all are unpacked; the loader is empty afterwards.
+    TextureSet take(Findings& findings);
+
+private:
+    struct Picture {
+        std::string name, written;   ///< in lower case, and as in the file
+        TextPlace place;             ///< of its first use
+        std::string path;            ///< where it was found
+        std::optional<Bytes> bytes;  ///< none: in no folder
+        Texture texture;
+        std::string fault;  ///< why it is not an image; empty: it is one
+    };
+    static void report(const Picture& picture, Findings& findings);
+
+    std::vector<Picture> pictures_;  ///< sorted by name
+};
+
+/// All of it, on all cores.
 TextureSet load_textures(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read,
                          Findings& findings);
 
