@@ -42,6 +42,15 @@ void give_frames(Workbench& bench, const ThingType& type, std::size_t index, Thi
     if (is_bright) record.light = 1;
 }
 
+/// Whether a thing is there to be met. Starts and exits are places, and no skill takes them away.
+bool is_place(const ThingType& type) { return type.sprite.empty(); }
+
+std::uint8_t skills_of(std::uint16_t flags) {
+    constexpr std::uint8_t kOfEasy = 0b00011, kOfMedium = 0b00100, kOfHard = 0b11000;
+    return static_cast<std::uint8_t>((flags & kEasy ? kOfEasy : 0) | (flags & kMedium ? kOfMedium : 0) |
+                                     (flags & kHard ? kOfHard : 0));
+}
+
 void convert_thing(Workbench& bench, std::size_t index) {
     const DoomThing& thing = bench.doom.things[index];
     const ThingType* type = find_thing_type(thing.type);
@@ -59,6 +68,10 @@ void convert_thing(Workbench& bench, std::size_t index) {
     record.hanging = type->hangs;
     record.size = kUnitsPerMetre;
     record.doom = DoomRecord{thing.type, 0, thing.flags};
+    if (!is_place(*type)) {
+        record.skills = skills_of(thing.flags);
+        record.multiplayer = (thing.flags & kMultiplayer) != 0;
+    }
     give_frames(bench, *type, index, record);
     bench.file.things.push_back(std::move(record));
     ++bench.report.placed_things;

@@ -19,6 +19,9 @@ inline constexpr std::uint16_t kNoSide = 0xFFFF;
 /// Bits of a linedef's flags that decide how it looks.
 inline constexpr std::uint16_t kBlocking = 0x0001, kTwoSided = 0x0004, kUpperUnpegged = 0x0008, kLowerUnpegged = 0x0010;
 
+/// Bits of a thing's flags: for which skills it stands (1 and 2, 3, 4 and 5), and that it does so in company only.
+inline constexpr std::uint16_t kEasy = 0x0001, kMedium = 0x0002, kHard = 0x0004, kMultiplayer = 0x0010;
+
 struct Vertex {
     std::int16_t x, y;  ///< [map units], y UP
 };

@@ -35,6 +35,12 @@ void declare_textures(CLI::App& command, std::vector<std::string>& folders) {
         ->allow_extra_args(false);
 }
 
+void declare_skill(CLI::App& command, int& skill) {
+    command.add_option("--skill", skill, "Which things stand in the map, as it says itself; 3 if not given")
+        ->type_name("1..5")
+        ->check(number_within(1, kMostSkill));
+}
+
 void declare_threads(CLI::App& command, std::size_t& threads) {
     command.add_option("--threads", threads, "Threads to draw with; else one for each core")
         ->type_name("N")
@@ -50,6 +56,7 @@ CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     command->add_flag("--fullscreen", request.fullscreen, "Fill the screen");
     command->add_option("--record", request.tape, "Write down all input, to play it again")->type_name("TAPE");
     declare_textures(*command, request.texture_folders);
+    declare_skill(*command, request.skill);
     command->footer(
         "Keys: WASD or up/down walk, mouse or left/right turn, Shift runs, C crouches, E uses, Tab shows the map\n"
         "(+ and - zoom), F2 changes between the column and the stencil renderer, F3 shows times and viewports, F11\n"
@@ -85,6 +92,7 @@ void declare_pictures(CLI::App& command, RenderRequest& request) {
     command.add_option("--accuracy", request.accuracy, "exact")->type_name("NAME");
     declare_threads(command, request.threads);
     declare_textures(command, request.texture_folders);
+    declare_skill(command, request.skill);
     command.add_option("--out", request.out, "One picture, or a folder for 000000.png onward")
         ->type_name("FILE.png|DIR")
         ->required();
@@ -115,6 +123,7 @@ void declare_drawing(CLI::App& command, FlyRequest& request) {
         ->type_name("NAME");
     declare_threads(command, request.threads);
     declare_textures(command, request.texture_folders);
+    declare_skill(command, request.skill);
 }
 
 void declare_tests(CLI::App& command, FlyRequest& request) {

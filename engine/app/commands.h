@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "map/load.h"
 
 namespace enfilade {
 
 struct PlayRequest {
     std::string map, renderer = "column", size, tape;  ///< map, size, tape: empty where not given
     std::vector<std::string> texture_folders;
+    int skill = kUsualSkill;
     bool fullscreen = false;
 };
 
@@ -20,6 +22,7 @@ struct RenderRequest {
     std::optional<double> stretch;
     std::size_t threads = hardware_threads();
     std::vector<std::string> texture_folders;
+    int skill = kUsualSkill;
     std::string out, ids, timing;
 };
 
@@ -27,6 +30,7 @@ struct FlyRequest {
     std::string script, out, renderer, frames, size, against;
     std::vector<std::string> texture_folders;
     std::size_t threads = hardware_threads();
+    int skill = kUsualSkill;
     double tolerance_percent = 0;
     int keep_every = 0;
     bool check = false, record = false;

@@ -138,7 +138,7 @@ Status work(const FlyRequest& request, const OpenFlight& open, const DrawPlan& p
 int run_fly(const FlyRequest& request) {
     const auto choices = choices_of(request);
     if (!choices.ok()) return refuse_usage(choices.error());
-    const auto open = open_flight(request.script, request.texture_folders);
+    const auto open = open_flight(request.script, request.texture_folders, request.skill);
     if (!open) return kFailed;
     auto plan = plan_of(choices.value(), *open);
     if (!plan.ok()) return refuse_usage(plan.error());

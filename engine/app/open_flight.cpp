@@ -57,10 +57,11 @@ std::optional<Flight> plan(const std::string& script_path, const ScriptFile& scr
 
 }  // namespace
 
-std::optional<OpenFlight> open_flight(const std::string& script_path, const std::vector<std::string>& texture_folders) {
+std::optional<OpenFlight> open_flight(const std::string& script_path, const std::vector<std::string>& texture_folders,
+                                      int skill) {
     auto script = open_script(script_path);
     if (!script) return {};
-    auto map = open_map(beside(script_path, script->map), texture_folders);
+    auto map = open_map(beside(script_path, script->map), texture_folders, skill);
     if (!map) return {};
     Findings findings;
     auto flight = plan(script_path, *script, map->map, findings);

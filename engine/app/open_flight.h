@@ -16,7 +16,8 @@ struct OpenFlight {
     Flight flight;
 };
 
-/// Reads the script, and the map and tape it names, which are seen from the script's folder.
-std::optional<OpenFlight> open_flight(const std::string& script_path, const std::vector<std::string>& texture_folders);
+/// Reads the script, and the map and tape it names, which are seen from the script's folder; `skill` as for open_map.
+std::optional<OpenFlight> open_flight(const std::string& script_path, const std::vector<std::string>& texture_folders,
+                                      int skill);
 
 }  // namespace enfilade

@@ -24,8 +24,8 @@ void mention_warnings(const std::string& path, const Findings& findings) {
 
 }  // namespace
 
-std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders) {
-    LoadedMap loaded = load_map(path, texture_folders, read_file);
+std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders, int skill) {
+    LoadedMap loaded = load_map(path, texture_folders, read_file, skill);
     if (!loaded.map) {
         print_errors(path, loaded.findings);
         return {};

@@ -15,6 +15,7 @@ struct OpenMap {
 };
 
 /// Where there are errors, they are printed and there is no map. Warnings are counted in one line.
-std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders);
+/// skill : 1..kMostSkill; things that do not stand at it are left out
+std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders, int skill);
 
 }  // namespace enfilade

@@ -80,7 +80,7 @@ int run_render(const RenderRequest& request) {
         if (!list) return kFailed;
         places = std::move(*list);
     }
-    const auto map = open_map(request.map, request.texture_folders);
+    const auto map = open_map(request.map, request.texture_folders, request.skill);
     if (!map) return kFailed;
     const bool from_start = request.view.empty() && request.views.empty();
     auto views = from_start ? view_of_player(map->map, request) : views_in(map->map, places, request);

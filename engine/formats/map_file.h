@@ -109,6 +109,12 @@ struct SpriteFrameRecord {
     bool operator==(const SpriteFrameRecord&) const = default;
 };
 
+/// Skills are counted from 1, the easiest, as in Doom.
+inline constexpr int kMostSkill = 5;
+
+/// Stands at every skill.
+inline constexpr std::uint8_t kAllSkills = (1u << kMostSkill) - 1;
+
 struct ThingRecord {
     std::string name;    ///< empty: none
     std::string kind;    ///< `class`: what it is, e.g. "Barrel"
@@ -120,8 +126,10 @@ struct ThingRecord {
     bool solid = false, hanging = false;
     int rotations = 1;  ///< 1 or 8
     std::vector<SpriteFrameRecord> frames;
-    double size = 32;             ///< texels per metre
-    std::optional<double> light;  ///< its own light instead of the sector's
+    double size = 32;                  ///< texels per metre
+    std::optional<double> light;       ///< its own light instead of the sector's
+    std::uint8_t skills = kAllSkills;  ///< bit n - 1: it stands at skill n
+    bool multiplayer = false;          ///< stands only where several play
     std::vector<TriggerRecord> triggers;
     std::string gives_key;           ///< picked up by touch: the key of this name; empty: none
     int gives_health = 0;            ///< picked up by touch [points]

@@ -17,6 +17,25 @@ constexpr Range kFrameSeconds{0, 86400};
 /// A thing's radius and height [m].
 constexpr Range kThingSizes{0, 1024};
 
+/// "skills = [1, 2, 5]".
+void read_skills(Reading& reading, const NamedValue& value, Range range, ThingRecord& thing) {
+    if (!expect(reading, value, TomlKind::array)) return;
+    thing.skills = 0;
+    for (std::size_t i = 0; i < value.node.size() && !reading.is_full(); ++i) {
+        int skill = 0;
+        read_value(reading, {value.name, value.node.at(i)}, range, skill);
+        if (skill > 0) thing.skills = static_cast<std::uint8_t>(thing.skills | 1u << (skill - 1));
+    }
+}
+
+void write_skills(TableText& table, const Key<ThingRecord>& key, const ThingRecord& thing, const ThingRecord& usual) {
+    if (thing.skills == usual.skills) return;
+    std::string list;
+    for (int skill = 1; skill <= kMostSkill; ++skill)
+        if (thing.skills & 1u << (skill - 1)) list += (list.empty() ? "" : ", ") + std::to_string(skill);
+    table.add(key.name, "[" + list + "]");
+}
+
 constexpr std::array kFrameKeys{
     key<&SpriteFrameRecord::texture>("texture", kNew, Need::required),
     key<&SpriteFrameRecord::seconds>("seconds", kNew, Need::optional, kFrameSeconds),
@@ -38,6 +57,8 @@ constexpr std::array kThingKeys{
     key<&ThingRecord::rotations>("rotations", kNew, Need::optional, {1, 8}),
     key<&ThingRecord::size>("size", kNew, Need::optional, kTexelsPerMetre),
     key<&ThingRecord::light>("light", kNew, Need::optional, kLight),
+    Key<ThingRecord>{"skills", kNew, Need::optional, {1, kMostSkill}, read_skills, write_skills},
+    key<&ThingRecord::multiplayer>("multiplayer", kNew),
     key<&ThingRecord::frames>("frames", kNew),
     key<&ThingRecord::triggers>("triggers", kNew),
     key<&ThingRecord::gives_key>("gives_key", kNew),

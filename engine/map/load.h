@@ -18,10 +18,15 @@ struct LoadedMap {
     Findings findings;  ///< errors and warnings, sorted by place
 };
 
+/// The skill of a game where nobody chooses one: Doom's "Hurt me plenty".
+inline constexpr int kUsualSkill = 3;
+
 /// Reads, builds and checks the map at `path` and loads its pictures: from `more_texture_folders` first, then from the
 /// folders the map names, which are seen from the map's own folder. A file that cannot be read at all is one finding
 /// without a place. A map without a name is called like its file.
+///
+/// skill : 1..kMostSkill: the map holds only the things that stand there when one plays alone; none: all things
 LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
-                   const FileReader& read);
+                   const FileReader& read, std::optional<int> skill = {});
 
 }  // namespace enfilade

@@ -195,6 +195,8 @@ private:
         thing.triggers = triggers();
         thing.gives_key = maybe_text();
         thing.gives_health = whole(0, 99);
+        thing.skills = static_cast<std::uint8_t>(flip() ? kAllSkills : whole(0, kAllSkills));
+        thing.multiplayer = flip();
         thing.doom = doom();
         return thing;
     }

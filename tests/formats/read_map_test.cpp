@@ -200,7 +200,19 @@ INSTANTIATE_TEST_SUITE_P(
         TopCase{"things = [{ x = 1, y = 1, frames = [{}] }]", "missing-key 2:37"},
         TopCase{"things = [{ x = 1, y = 1, frames = [{ texture = 'A', origin = [1] }] }]", "wrong-type 2:63"},
         TopCase{"things = [{ x = 1, y = 1, frames = [{ texture = 'A', seconds = -1 }] }]", "out-of-range 2:64"},
+        TopCase{"things = [{ x = 1, y = 1, skills = 3 }]", "wrong-type 2:36"},
+        TopCase{"things = [{ x = 1, y = 1, skills = [3, 6] }]", "out-of-range 2:40"},
+        TopCase{"things = [{ x = 1, y = 1, multiplayer = 1 }]", "wrong-type 2:41"},
         TopCase{"things = {}", "wrong-type 2:10"}));
+
+TEST(ReadMap, ReadsTheSkillsAThingStandsAt) {
+    const auto skills_of = [](const std::string& keys) {
+        return read_map(room("{}", "things = [{ x = 1, y = 1" + keys + " }]")).map.things.at(0).skills;
+    };
+    EXPECT_EQ(skills_of(""), kAllSkills);
+    EXPECT_EQ(skills_of(", skills = [1, 4, 1]"), 0b01001);
+    EXPECT_EQ(skills_of(", skills = []"), 0);
+}
 
 TEST(ReadMap, ReadsAColourGivenAsANumber) {
     EXPECT_EQ(read_map(room("{}", "render = { recursion_color = 0x102030 }")).map.render.recursion_color, 0x102030u);

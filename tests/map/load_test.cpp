@@ -54,6 +54,28 @@ TEST(LoadMap, LooksForPicturesBesideTheMap) {
     EXPECT_EQ(loaded.textures[loaded.map->walls[0].texture.texture].width, 2u);
 }
 
+TEST(LoadMap, LeavesOutThingsOfOtherSkillsAndOfCompany) {
+    const std::string things = R"(
+things = [
+  { class = "always", x = 3, y = 1 },
+  { class = "easy", x = 3, y = 1, skills = [1, 2] },
+  { class = "hard", x = 3, y = 1, skills = [4, 5] },
+  { class = "company", x = 3, y = 1, multiplayer = true },
+]
+)";
+    Folder folder{
+        {{"hall.toml", "format = 1" + things + kRoom.substr(kRoom.find('\n'))}}, {"./textures/Brick.png"}, {}};
+    const auto kinds_at = [&](std::optional<int> skill) {
+        const LoadedMap loaded = load_map("hall.toml", {}, folder.reader(), skill);
+        std::vector<std::string> kinds;
+        for (const Thing& thing : loaded.map.value().things) kinds.push_back(thing.kind);
+        return kinds;
+    };
+    EXPECT_THAT(kinds_at(4), ElementsAre("always", "hard"));
+    EXPECT_THAT(kinds_at(1), ElementsAre("always", "easy"));
+    EXPECT_THAT(kinds_at({}), ElementsAre("always", "easy", "hard", "company"));
+}
+
 TEST(LoadMap, LooksInTheCallersFoldersFirst) {
     Folder folder{{{"hall.toml", kRoom}}, {"mine/brick.png", "./textures/brick.png"}, {}};
     load_map("hall.toml", {"mine"}, folder.reader());

@@ -440,6 +440,25 @@ TEST(ConvertThings, TurnByEighthsRightWhereDoomTurnsLeft) {
     EXPECT_THAT(yaws, ElementsAre(0, 315, 270, 180, 45, 45, 0, 0));
 }
 
+TEST(ConvertThings, SayForWhichSkillsTheyStand) {
+    Level level = small_level();
+    for (int flags : {1, 2, 4, 6, 0, 23}) level.thing(32, 32, 3004, 0, flags);
+    const Converted c(level);
+    std::vector<int> skills;
+    for (const ThingRecord& thing : c.file.things) skills.push_back(thing.skills);
+    EXPECT_THAT(skills, ElementsAre(kAllSkills, kAllSkills, kAllSkills, 0b00011, 0b00100, 0b11000, 0b11100, 0, kAllSkills));
+    EXPECT_FALSE(c.file.things[7].multiplayer);
+    EXPECT_TRUE(c.file.things[8].multiplayer);
+}
+
+TEST(ConvertThings, KeepStartsAtEverySkill) {
+    Level level = small_level();
+    level.thing(32, 32, 11, 0, kMultiplayer);
+    const ThingRecord start = Converted(level).file.things.back();
+    EXPECT_EQ(start.skills, kAllSkills);
+    EXPECT_FALSE(start.multiplayer);
+}
+
 TEST(ConvertThings, LeaveOutUnknownTypesAndThingsInTheVoid) {
     Level level = small_level();
     level.thing(32, 32, 32000);

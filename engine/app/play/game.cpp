@@ -33,11 +33,12 @@ double pitch_tangent(std::int64_t steps) {
 
 }  // namespace
 
-Game::Game(std::string path, std::vector<std::string> texture_folders)
-    : path_(std::move(path)), texture_folders_(std::move(texture_folders)) {}
+Game::Game(std::string path, std::vector<std::string> texture_folders, int skill)
+    : path_(std::move(path)), texture_folders_(std::move(texture_folders)), skill_(skill) {}
 
-Result<std::unique_ptr<Game>> Game::start(const std::string& map_path, std::vector<std::string> texture_folders) {
-    std::unique_ptr<Game> game(new Game(map_path, std::move(texture_folders)));
+Result<std::unique_ptr<Game>> Game::start(const std::string& map_path, std::vector<std::string> texture_folders,
+                                          int skill) {
+    std::unique_ptr<Game> game(new Game(map_path, std::move(texture_folders), skill));
     auto map = game->load();
     if (!map.ok()) return map.error();
     game->map_ = std::move(map).value();
@@ -53,7 +54,7 @@ Result<OpenMap> Game::load() {
         if (bytes.ok() && path == path_) map_hash_ = hash_of_text(as_text(bytes.value()));
         return bytes;
     };
-    LoadedMap loaded = load_map(path_, texture_folders_, read);
+    LoadedMap loaded = load_map(path_, texture_folders_, read, skill_);
     if (!loaded.map) return Error{"", lines_of(path_, loaded.findings)};
     if (!loaded.map->player) return Error{path_, "the map has no player to start as; give it a [player] to play it"};
     return OpenMap{std::move(*loaded.map), std::move(loaded.textures)};

@@ -19,7 +19,9 @@ namespace enfilade {
 class Game {
 public:
     /// Loads a map and puts the player at its start. An error where the map is refused: all its findings, a line each.
-    static Result<std::unique_ptr<Game>> start(const std::string& map_path, std::vector<std::string> texture_folders);
+    /// skill : 1..kMostSkill
+    static Result<std::unique_ptr<Game>> start(const std::string& map_path, std::vector<std::string> texture_folders,
+                                               int skill = kUsualSkill);
 
     /// Lets a tick pass and, while recording, writes it down.
     void tick(const TickInput& input);
@@ -51,7 +53,7 @@ public:
     Tape tape() const;
 
 private:
-    Game(std::string path, std::vector<std::string> texture_folders);
+    Game(std::string path, std::vector<std::string> texture_folders, int skill);
 
     /// The map as it is on disk now.
     Result<OpenMap> load();
@@ -60,6 +62,7 @@ private:
 
     std::string path_;
     std::vector<std::string> texture_folders_;
+    int skill_;
     MapWatch watch_;
     std::uint64_t map_hash_ = 0;  ///< of the map's text
     OpenMap map_;

@@ -58,7 +58,7 @@ Result<std::unique_ptr<Window>> window_for(const Game& game, const PlayOptions& 
 int run_play(const PlayRequest& request) {
     const auto options = options_of(request);
     if (!options.ok()) return refuse_usage(options.error());
-    auto game = Game::start(request.map.empty() ? default_map() : request.map, request.texture_folders);
+    auto game = Game::start(request.map.empty() ? default_map() : request.map, request.texture_folders, request.skill);
     if (!game.ok()) return fail(game.error());
     auto window = window_for(*game.value(), options.value());
     if (!window.ok()) return fail(window.error());

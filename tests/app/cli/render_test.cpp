@@ -50,6 +50,15 @@ TEST_F(Render, TakesAViewThatBeginsWithAMinus) {
     EXPECT_THAT(ended.err, HasSubstr("(-1, 3)"));
 }
 
+TEST_F(Render, DrawsTheThingsOfTheSkill) {
+    const std::string statue = "[[things]]\nx = 4\ny = 3\nskills = [5]\nframes = [{ texture = \"statue\" }]\n";
+    program_.write("map.toml", test::kTwoRooms + std::string("\n") + statue);
+    render({"--out", "usual.png"});
+    EXPECT_EQ(render({"--skill", "5", "--out", "hard.png"}).exit_code, 0);
+    EXPECT_NE(picture("usual.png").pixels, picture("hard.png").pixels);
+    EXPECT_EQ(render({"--skill", "6", "--out", "no.png"}).exit_code, 2);
+}
+
 TEST_F(Render, DrawsAList) {
     program_.write("views.csv", "x,y,z,yaw,pitch,sector\n2,3,1.5,0,0,\n9,3,1.5,180,10,niche\n");
     EXPECT_EQ(render({"--views", "views.csv", "--out", "pictures/of/it"}).exit_code, 0);
