@@ -1,8 +1,7 @@
 #include "wadconv/freedoom/explorer.h"
 
 #include <algorithm>
-#include <functional>
-#include <optional>
+#include <cmath>
 
 #include "math/grid.h"
 #include "world/body.h"
@@ -10,11 +9,15 @@
 namespace enfilade::test {
 namespace {
 
-constexpr int kPatience = 240;   ///< for one portal [ticks]: across a hall of 30 m at a run
-constexpr int kStrayTicks = 90;  ///< of going anywhere
+constexpr int kPatience = 60;    ///< for one point of the way [ticks]
+constexpr int kStrayTicks = 40;  ///< of going anywhere
 constexpr int kStrayTurn = 20;   ///< between turns while straying [ticks]
-constexpr std::uint8_t kMaxFailures = 3;
-constexpr double kBeyondPortal = 0.5;  ///< how far behind its line a portal is aimed at [m]
+constexpr std::uint8_t kMaxTries = 4;
+constexpr double kNear = 0.4;             ///< who is so near to a point has passed it [m]
+constexpr double kLost = 1.25;            ///< who is so far from the next point has left the way [m]
+constexpr std::size_t kAim = 2;           ///< how far ahead it looks where it walks [points]
+constexpr std::size_t kRunAhead = 6;      ///< how much of the way has to be straight for a run [points]
+constexpr double kStraightCosine = 0.95;  ///< of the bend that is still straight [1]
 
 double headroom(const Sector& s) { return s.ceiling.z - s.floor.z; }
 
@@ -30,36 +33,23 @@ bool is_walkable(const Map& map, const Wall& wall) {
            is_at_most(kCrouchedHeight, opening(map, wall)) && is_at_most(kCrouchedHeight, headroom(map[wall.behind]));
 }
 
-using MayUse = std::function<bool(std::uint32_t wall)>;
-
-/// Breadth first: by sector, the portal it was first reached through; `order` is the order in which they were.
-struct Search {
-    std::vector<WallId> through;
-    std::vector<std::uint32_t> order;
-};
-
-Search search_from(const Map& map, SectorId start, const MayUse& may_use) {
-    Search search{std::vector<WallId>(map.sectors.size()), {start.index}};
-    std::vector<bool> seen(map.sectors.size());
-    seen[start.index] = true;
-    for (std::size_t i = 0; i < search.order.size(); ++i) {
-        const Sector& sector = map.sectors[search.order[i]];
-        for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w) {
-            const Wall& wall = map.walls[w];
-            if (!is_walkable(map, wall) || seen[wall.behind.index] || !may_use(w)) continue;
-            seen[wall.behind.index] = true;
-            search.through[wall.behind.index] = WallId(std::size_t{w});
-            search.order.push_back(wall.behind.index);
-        }
-    }
-    return search;
-}
+double length(Vec2 v) { return std::sqrt(dot(v, v)); }
 
 }  // namespace
 
 std::vector<bool> walkable_from(const Map& map, SectorId start) {
     std::vector<bool> reached(map.sectors.size());
-    for (std::uint32_t s : search_from(map, start, [](std::uint32_t) { return true; }).order) reached[s] = true;
+    std::vector<std::uint32_t> order{start.index};
+    reached[start.index] = true;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Sector& sector = map.sectors[order[i]];
+        for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w) {
+            const Wall& wall = map.walls[w];
+            if (!is_walkable(map, wall) || reached[wall.behind.index]) continue;
+            reached[wall.behind.index] = true;
+            order.push_back(wall.behind.index);
+        }
+    }
     return reached;
 }
 
@@ -75,47 +65,75 @@ std::string ranges_text(const std::vector<bool>& marked) {
 }
 
 Explorer::Explorer(const Map& map, std::uint64_t seed)
-    : map_(map), random_(seed), visited_(map.sectors.size()), failures_(map.walls.size()) {}
+    : map_(map), random_(seed), grid_(map), visited_(map.sectors.size()), tries_(map.sectors.size()) {}
 
 std::size_t Explorer::visited_count() const { return static_cast<std::size_t>(std::ranges::count(visited_, true)); }
 
+std::vector<bool> Explorer::in_reach(const Player& player) {
+    std::vector<bool> reached(map_.sectors.size());
+    const auto mark = [&](SectorId sector) {
+        reached[sector.index] = true;
+        return false;
+    };
+    if (const auto start = grid_.point_near(body_of(map_, player))) grid_.way_to(*start, mark);
+    return reached;
+}
+
 TickInput Explorer::next(const World& world) {
-    const SectorId here = world.player.place.sector;
-    if (!visited_[here.index]) patience_ = kPatience;
-    visited_[here.index] = true;
+    look_around(world.player);
     if (straying_ > 0) return stray();
-    follow_plan(here);
-    if (--patience_ <= 0 && !plan_.empty()) give_up(here);
-    return plan_.empty() || straying_ > 0 ? stray() : walk_to_portal(world.player);
+    follow(world.player);
+    if (way_.empty()) plan(world.player);
+    return straying_ > 0 ? stray() : walk(world.player);
 }
 
-/// Takes off what has been passed; makes a new plan where the old one is done or was left. Patience comes back only
-/// with new sights: who wavers between two sectors gets nowhere, too.
-void Explorer::follow_plan(SectorId here) {
-    if (!plan_.empty() && map_[plan_.front()].behind == here) plan_.pop_front();
-    if (plan_.empty() || map_[plan_.front()].sector != here) plan_from(here);
+/// Notes the sector it is in, and those it passed over in the last tick.
+void Explorer::look_around(const Player& player) {
+    if (last_.sector)
+        for (const Crossing& crossing : trace(map_, last_, player.place.point).crossings)
+            visited_[map_[crossing.portal].behind.index] = true;
+    last_ = player.place;
+    visited_[last_.sector.index] = true;
 }
 
-void Explorer::plan_from(SectorId here) {
-    const Search search = search_from(map_, here, [&](std::uint32_t w) { return failures_[w] < kMaxFailures; });
-    const auto unseen = std::ranges::find_if(search.order, [&](std::uint32_t s) { return !visited_[s]; });
-    std::uint32_t goal = unseen != search.order.end() ? *unseen : search.order[random_.below(search.order.size())];
-    plan_.clear();
-    while (goal != here.index) {
-        plan_.push_front(search.through[goal]);
-        goal = map_[search.through[goal]].sector.index;
-    }
-    if (plan_.empty()) straying_ = kStrayTicks;
-}
-
-void Explorer::give_up(SectorId here) {
-    ++failures_[plan_.front().index];
-    straying_ = kStrayTicks;
+/// Sets out for the nearest sector that is still to be seen; where there is none, for anywhere.
+void Explorer::plan(const Player& player) {
+    at_ = 0;
     patience_ = kPatience;
-    // Nothing is left that may still be tried: forgive everything.
-    if (search_from(map_, here, [&](std::uint32_t w) { return failures_[w] < kMaxFailures; }).order.size() == 1)
-        std::ranges::fill(failures_, std::uint8_t{0});
-    plan_.clear();
+    const auto start = grid_.point_near(body_of(map_, player));
+    if (!start) return give_up();
+    std::vector<std::uint32_t> reached;
+    goal_ = {};
+    const auto is_wanted = [&](SectorId sector) {
+        if (visited_[sector.index] || tries_[sector.index] >= kMaxTries) return false;
+        goal_ = sector;
+        return true;
+    };
+    // Who drops into a pit first sees nothing else any more.
+    way_ = grid_.way_to(*start, is_wanted, Drops::avoided);
+    if (way_.empty()) way_ = grid_.way_to(*start, is_wanted, Drops::taken, &reached);
+    if (goal_) ++tries_[goal_.index];
+    if (way_.empty()) way_ = grid_.way_back(reached[random_.below(reached.size())]);
+    if (way_.size() == 1) give_up();
+}
+
+void Explorer::give_up() {
+    way_.clear();
+    straying_ = kStrayTicks;
+}
+
+/// Takes off what has been passed, and the whole way where its end is reached, its goal seen, or it was left.
+void Explorer::follow(const Player& player) {
+    const auto distance = [&] { return length(grid_[way_[at_]].place.point - player.place.point); };
+    // The last point is where the goal begins; only who has been in it is done.
+    while (at_ + (goal_ ? 1 : 0) < way_.size() && distance() < kNear) {
+        ++at_;
+        patience_ = kPatience;
+    }
+    if (at_ >= way_.size() || (goal_ && visited_[goal_.index]) || distance() > kLost) return way_.clear();
+    if (--patience_ > 0) return;
+    if (at_ > 0 && at_ < way_.size()) grid_.close(way_[at_ - 1], way_[at_]);
+    give_up();
 }
 
 TickInput Explorer::stray() {
@@ -126,15 +144,33 @@ TickInput Explorer::stray() {
     return stray_keys_;
 }
 
-TickInput Explorer::walk_to_portal(const Player& player) const {
-    const Wall& portal = map_[plan_.front()];
-    const Vec2 along = portal.b - portal.a;
-    // The sector lies on the wall's right; what is behind it on the left.
-    const Vec2 behind = Vec2{along.y, -along.x} * (kBeyondPortal / portal.length);
-    const Vec2 target = (portal.a + portal.b) * 0.5 + behind;
-    TickInput keys{.forward = 127, .buttons = kButtonRun};
+/// The point so many further along the way, or a bit beyond its end.
+Vec2 Explorer::ahead(std::size_t points) const {
+    const Vec2 end = grid_[way_.back()].place.point;
+    if (at_ + points + 1 >= way_.size()) return end + (end - grid_[way_[way_.size() - 2]].place.point);
+    return grid_[way_[at_ + points]].place.point;
+}
+
+bool Explorer::goes_straight(const Player& player) const {
+    const Vec2 half = ahead(kRunAhead / 2) - player.place.point, all = ahead(kRunAhead) - player.place.point;
+    return dot(half, all) >= kStraightCosine * length(half) * length(all);
+}
+
+bool Explorer::has_to_crouch() const {
+    const std::size_t begin = at_ > 0 ? at_ - 1 : 0, end = std::min(at_ + kRunAhead, way_.size());
+    return std::any_of(way_.begin() + static_cast<std::ptrdiff_t>(begin),
+                       way_.begin() + static_cast<std::ptrdiff_t>(end),
+                       [&](std::uint32_t point) { return grid_[point].is_low(); });
+}
+
+TickInput Explorer::walk(const Player& player) const {
+    const Vec2 target = ahead(grid_[way_[at_]].is_free() ? kAim : 0);
+    TickInput keys{.forward = 127};
     keys.yaw_steps = static_cast<std::int32_t>((angle_of(target - player.place.point) - player.yaw).steps);
-    if (std::min(opening(map_, portal), headroom(map_[portal.behind])) < kStandingHeight) keys.buttons = kButtonCrouch;
+    if (has_to_crouch())
+        keys.buttons = kButtonCrouch;
+    else if (goes_straight(player))
+        keys.buttons = kButtonRun;
     return keys;
 }
 

@@ -24,6 +24,30 @@ TEST(Explorer, SeesAllThatCanBeReachedOnFoot) {
     EXPECT_EQ(ranges_text(explorer.visited()), "0-2");
 }
 
+TEST(Explorer, FindsItsWayAroundPillarsAndThings) {
+    MapFile file = map_of({box_room("hall", 0, 0, 12, 4, 0, 4), box_room("niche", 12, 1.5, 14, 2.5, 0, 4)});
+    cut_pillar(sector(file, "hall"), 4, 0.125, 5, 3);
+    cut_pillar(sector(file, "hall"), 7, 1, 8, 3.875);
+    ThingRecord& barrel = file.things.emplace_back();
+    barrel.position = {10.5, 2};
+    barrel.solid = true;
+    split_and_join(file);
+    place_player(file, "hall", {2, 2}, kEyeOnFloor);
+    Game game(file);
+    Explorer explorer(game.map, 1);
+    for (int i = 0; i < 900; ++i) game.hold(explorer.next(game.world));
+    EXPECT_EQ(ranges_text(explorer.visited()), "0-1");
+}
+
+TEST(Explorer, KnowsWhatIsInReachOfItsBody) {
+    MapFile file = map_of({box_room("hall", 0, 0, 4, 4), box_room("wide", 4, 0, 8, 1), box_room("slit", 4, 2, 8, 2.5)});
+    split_and_join(file);
+    place_player(file, "hall", {2, 2}, kEyeOnFloor);
+    const Game game(file);
+    Explorer explorer(game.map, 1);
+    EXPECT_EQ(ranges_text(explorer.in_reach(game.player())), "0-1");
+}
+
 TEST(WalkableFrom, KnowsStepsAndOpenings) {
     const Map map = built(four_rooms());
     EXPECT_EQ(ranges_text(walkable_from(map, map.player->sector)), "0-2");

@@ -37,6 +37,8 @@ ConvertedWad::ConvertedWad(const FreeDoomWad& wad, Doors doors, std::vector<std:
     for (const wadconv::Report& report : run.value().reports) maps_.push_back(lower(report.map));
 }
 
-LoadedMap ConvertedWad::load(const std::string& map) const { return load_map(dir_.path(map + ".toml"), {}, read_file); }
+LoadedMap ConvertedWad::load(const std::string& map, std::optional<int> skill) const {
+    return load_map(dir_.path(map + ".toml"), {}, read_file, skill);
+}
 
 }  // namespace enfilade::test

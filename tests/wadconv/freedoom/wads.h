@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,8 +54,8 @@ public:
     /// Lower-case names of the maps, in the order of the WAD; none where the run failed.
     const std::vector<std::string>& maps() const { return maps_; }
     const std::string& error() const { return error_; }
-    /// One of them, read, built and checked from its file.
-    LoadedMap load(const std::string& map) const;
+    /// One of them, read, built and checked from its file; with all things, or as one meets it at a skill.
+    LoadedMap load(const std::string& map, std::optional<int> skill = {}) const;
 
 private:
     enfilade::testing::TempDir dir_;

@@ -37,18 +37,38 @@ private:
     int still_ = 0;
 };
 
-void print_row(const std::string& name, const Map& map, const Explorer& explorer) {
-    const std::vector<bool> reachable = walkable_from(map, map.player->sector);
-    const auto seen = explorer.visited_count();
-    std::printf("%-6s %5zu of %5zu sectors that steps lead to, %5zu in all: %s\n", name.c_str(), seen,
-                static_cast<std::size_t>(std::ranges::count(reachable, true)), map.sectors.size(),
-                ranges_text(explorer.visited()).c_str());
+std::size_t count(const std::vector<bool>& marked) {
+    return static_cast<std::size_t>(std::ranges::count(marked, true));
 }
 
-void walk(const std::string& name, const Map& map) {
+/// What came of a walk: sectors seen, of those a body gets to, of those that steps lead to, of all.
+struct Tally {
+    std::size_t seen = 0, in_reach = 0, up_steps = 0, all = 0;
+
+    void operator+=(const Tally& t) {
+        seen += t.seen;
+        in_reach += t.in_reach;
+        up_steps += t.up_steps;
+        all += t.all;
+    }
+};
+
+/// Looking over the whole floor takes longer than a short walk; only a long one is meant to see all of it.
+std::string in_reach_text(const Tally& tally) {
+    return is_long_run() ? " of " + std::to_string(tally.in_reach) + " in reach," : "";
+}
+
+void print_row(const std::string& name, const Tally& tally, const std::string& sectors) {
+    std::printf("%-6s %5zu%s of %5zu sectors that steps lead to, %5zu in all%s\n", name.c_str(), tally.seen,
+                in_reach_text(tally).c_str(), tally.up_steps, tally.all, sectors.c_str());
+}
+
+void walk(const std::string& name, const Map& map, Tally& total) {
     std::optional<World> world = start_of(map);
     ASSERT_TRUE(world) << name << " has no start";
     Explorer explorer(map, 1);
+    Tally tally;
+    if (is_long_run()) tally.in_reach = count(Explorer(map, 1).in_reach(world->player));
     StuckWatch watch;
     const int ticks = is_long_run() ? kTicksOfALongRun : kTicks;
     for (int tick = 0; tick < ticks; ++tick) {
@@ -59,18 +79,24 @@ void walk(const std::string& name, const Map& map) {
             << name << ", tick " << tick << ": in sector " << map[place.sector].name << " at " << place.point.x << ", "
             << place.point.y;
     }
-    print_row(name, map, explorer);
+    tally.seen = explorer.visited_count();
+    tally.up_steps = count(walkable_from(map, map.player->sector));
+    tally.all = map.sectors.size();
+    print_row(name, tally, ": " + ranges_text(explorer.visited()));
+    total += tally;
 }
 
 TEST_P(FreeDoomWalks, LeadThroughEveryMap) {
     if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
     const ConvertedWad wad(GetParam(), Doors::open);
     ASSERT_EQ(wad.maps().size(), GetParam().maps) << wad.error();
+    Tally total;
     for (const std::string& name : wad.maps()) {
-        const LoadedMap loaded = wad.load(name);
+        const LoadedMap loaded = wad.load(name, kUsualSkill);
         ASSERT_TRUE(loaded.map) << name;
-        walk(name, *loaded.map);
+        walk(name, *loaded.map, total);
     }
+    print_row("all", total, "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Wads, FreeDoomWalks, freedoom_wads(), name_of);
