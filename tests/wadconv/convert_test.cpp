@@ -1,11 +1,9 @@
-// Doom's maps as ours: how textures hang, what floors and skies become, where things stand, what is kept.
-#include "wadconv/convert.h"
-
+// Doom's maps as ours: how textures hang, what floors and skies become, what is kept.
 #include <gmock/gmock.h>
 
 #include "formats/map_toml.h"
 #include "map/build.h"
-#include "wadconv/wad_builder.h"
+#include "wadconv/converted.h"
 
 namespace enfilade::wadconv {
 namespace {
@@ -14,59 +12,6 @@ using namespace test;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-/// A level converted with the pictures of picture_wad().
-struct Converted {
-    WadPile pile = pile_of({picture_wad().finish()});
-    Pictures pictures = Pictures::list(pile, {"POSSA", "POSSB", "BAR1A", "BAR1B"}).value();
-    MapFile file;
-    Report report;
-
-    explicit Converted(const Level& level, const ConvertOptions& options = {}, const std::string& name = "MAP01") {
-        DoomMap doom = level.map;
-        doom.name = name;
-        Conversion conversion = convert_map(doom, pictures, options);
-        EXPECT_EQ(conversion.report.refused, "");
-        file = conversion.file.value_or(MapFile{});
-        report = std::move(conversion.report);
-    }
-
-    std::vector<std::uint32_t> noted(Kind kind) const {
-        const auto found = report.found.find(kind);
-        return found == report.found.end() ? std::vector<std::uint32_t>{} : found->second;
-    }
-
-    /// The wall of the sector that starts at the given place, in Doom's units.
-    const WallRecord& wall(const std::string& sector, double x, double y) const {
-        for (const SectorRecord& s : file.sectors)
-            for (const LoopRecord& loop : s.loops)
-                for (std::size_t i = 0; i < loop.vertices.size(); ++i)
-                    if (s.name == sector && loop.vertices[i] == Vec2{x / 32, -y / 32}) return loop.walls[i];
-        ADD_FAILURE() << "no wall of " << sector << " at " << x << ", " << y;
-        return file.sectors.at(0).loops.at(0).walls.at(0);
-    }
-};
-
-/// Two rooms, "s0" from x = 0 to 64 and "s1" to 128, with the doorway (64, 64) -> (64, 0), line 2, between them.
-struct Doorway {
-    Level level;
-    Doorway(int floor = 16, int ceiling = 96, const std::string& flat = "CEIL1_1") {
-        level.sector(0, 128, "FLOOR0_1", flat);
-        level.sector(floor, ceiling, "FLOOR0_1", flat);
-        level.line({0, 0}, {0, 64}, 0);
-        level.line({0, 64}, {64, 64}, 0);
-        level.line({64, 64}, {64, 0}, 0, 1);
-        level.line({64, 0}, {0, 0}, 0);
-        level.line({64, 64}, {128, 64}, 1);
-        level.line({128, 64}, {128, 0}, 1);
-        level.line({128, 0}, {64, 0}, 1);
-        for (std::string* name : {&right().upper, &right().lower, &right().middle}) *name = "WALL";
-        level.thing(32, 32, 1);
-    }
-
-    Linedef& line() { return level.map.lines[2]; }
-    Sidedef& right() { return level.map.sides[line().right]; }
-};
 
 const WallRecord& front(const Converted& c) { return c.wall("s0", 64, 64); }
 const WallRecord& back(const Converted& c) { return c.wall("s1", 64, 0); }
@@ -402,104 +347,6 @@ TEST(OpenDoors, OpenOnlyWhenAsked) {
     Doorway d(0, 0);
     d.line().special = 1;
     EXPECT_EQ(Converted(d.level).file.sectors[1].ceiling.z, 0);
-}
-
-TEST(ConvertThings, TellWhatStandsWhere) {
-    const Converted c(small_level());
-    ASSERT_THAT(c.file.things, SizeIs(3));
-    const ThingRecord& thing = c.file.things[1];
-    EXPECT_EQ(thing.kind, "Zombieman");
-    EXPECT_EQ(thing.sector, "s0");
-    EXPECT_EQ(thing.position, (Vec2{6.25, -1.25}));
-    EXPECT_EQ(thing.radius, 20 / 32.);
-    EXPECT_EQ(thing.height, 56 / 32.);
-    EXPECT_TRUE(thing.solid);
-    EXPECT_FALSE(thing.hanging);
-    EXPECT_EQ(thing.doom, (DoomRecord{3004, 0, 7}));
-}
-
-TEST(ConvertThings, AnimateThemIdly) {
-    const ThingRecord zombie = Converted(small_level()).file.things[1];
-    EXPECT_EQ(zombie.rotations, 8);
-    ASSERT_THAT(zombie.frames, SizeIs(2));
-    EXPECT_EQ(zombie.frames[0].texture, "sprites/possa");
-    EXPECT_EQ(zombie.frames[0].seconds, 10 / 35.);
-    EXPECT_EQ(zombie.frames[0].origin_tx, (Vec2{1, 3}));
-    const ThingRecord barrel = Converted(small_level()).file.things[2];
-    EXPECT_EQ(barrel.rotations, 1);
-    EXPECT_EQ(barrel.frames[1].texture, "sprites/bar1b");
-}
-
-TEST(ConvertThings, TurnByEighthsRightWhereDoomTurnsLeft) {
-    std::vector<double> yaws;
-    for (int angle : {0, 45, 90, 180, 315, 359, 360, 65535}) {
-        Level level = small_level();
-        level.thing(32, 32, 3004, angle);
-        yaws.push_back(Converted(level).file.things.back().yaw_degrees);
-    }
-    EXPECT_THAT(yaws, ElementsAre(0, 315, 270, 180, 45, 45, 0, 0));
-}
-
-TEST(ConvertThings, SayForWhichSkillsTheyStand) {
-    Level level = small_level();
-    for (int flags : {1, 2, 4, 6, 0, 23}) level.thing(32, 32, 3004, 0, flags);
-    const Converted c(level);
-    std::vector<int> skills;
-    for (const ThingRecord& thing : c.file.things) skills.push_back(thing.skills);
-    EXPECT_THAT(skills, ElementsAre(kAllSkills, kAllSkills, kAllSkills, 0b00011, 0b00100, 0b11000, 0b11100, 0, kAllSkills));
-    EXPECT_FALSE(c.file.things[7].multiplayer);
-    EXPECT_TRUE(c.file.things[8].multiplayer);
-}
-
-TEST(ConvertThings, KeepStartsAtEverySkill) {
-    Level level = small_level();
-    level.thing(32, 32, 11, 0, kMultiplayer);
-    const ThingRecord start = Converted(level).file.things.back();
-    EXPECT_EQ(start.skills, kAllSkills);
-    EXPECT_FALSE(start.multiplayer);
-}
-
-TEST(ConvertThings, LeaveOutUnknownTypesAndThingsInTheVoid) {
-    Level level = small_level();
-    level.thing(32, 32, 32000);
-    level.thing(1000, 1000, 3004);
-    const Converted c(level);
-    EXPECT_THAT(c.file.things, SizeIs(3));
-    EXPECT_THAT(c.noted(Kind::unknown_thing), ElementsAre(3u));
-    EXPECT_THAT(c.noted(Kind::thing_outside), ElementsAre(4u));
-}
-
-TEST(ConvertThings, KeepThoseWithoutSprite) {
-    Level level = small_level();
-    level.thing(32, 32, 68);
-    const Converted c(level);
-    EXPECT_EQ(c.file.things[3].kind, "Arachnotron");
-    EXPECT_THAT(c.file.things[3].frames, IsEmpty());
-    EXPECT_THAT(c.noted(Kind::missing_sprite), ElementsAre(3u));
-}
-
-TEST(ConvertThings, PutThePlayerOnItsStart) {
-    const PlayerRecord player = *Converted(small_level()).file.player;
-    EXPECT_EQ(player.sector, "s0");
-    EXPECT_EQ(player.position, (Vec2{1, -1}));
-    EXPECT_EQ(player.eye_z, 41 / 32.);
-    EXPECT_EQ(player.yaw_degrees, 270);
-}
-
-TEST(ConvertThings, TakeTheLastOfSeveralStarts) {
-    Level level = small_level();
-    level.thing(280, 40, 1);
-    EXPECT_EQ(Converted(level).file.player->sector, "s1");
-}
-
-TEST(ConvertThings, StartADeathmatchMapAtItsFirstStart) {
-    Level level = small_level();
-    level.map.things.clear();
-    level.thing(280, 40, 11);
-    level.thing(32, 32, 11);
-    const Converted c(level);
-    EXPECT_EQ(c.file.player->sector, "s1");
-    EXPECT_THAT(c.noted(Kind::no_start), SizeIs(1));
 }
 
 TEST(ConvertMap, SaysWhyItRefuses) {

@@ -51,7 +51,8 @@ TEST_F(Render, TakesAViewThatBeginsWithAMinus) {
 }
 
 TEST_F(Render, DrawsTheThingsOfTheSkill) {
-    const std::string statue = "[[things]]\nx = 4\ny = 3\nskills = [5]\nframes = [{ texture = \"statue\" }]\n";
+    const std::string statue =
+        "[[things]]\nx = 4\ny = 3\nskills = [5]\nlight = 0.2\nframes = [{ texture = \"statue\", origin = [32, 64] }]\n";
     program_.write("map.toml", test::kTwoRooms + std::string("\n") + statue);
     render({"--out", "usual.png"});
     EXPECT_EQ(render({"--skill", "5", "--out", "hard.png"}).exit_code, 0);
