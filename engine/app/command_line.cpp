@@ -55,11 +55,15 @@ CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
         ->type_name("WxH");
     command->add_flag("--fullscreen", request.fullscreen, "Fill the screen");
     command->add_option("--record", request.tape, "Write down all input, to play it again")->type_name("TAPE");
+    command->add_option("--save", request.save, "Where F5 saves the game and F9 finds it; by default in your home")
+        ->type_name("FILE");
+    command->add_option("--load", request.load, "Go on with a game that was saved")->type_name("FILE");
     declare_textures(*command, request.texture_folders);
     declare_skill(*command, request.skill);
     command->footer(
         "Keys: WASD or up/down walk, mouse or left/right turn, Shift runs, C crouches, E uses, Tab shows the map\n"
-        "(+ and - zoom), F2 changes between the column and the stencil renderer, F3 shows times and viewports, F11\n"
+        "(+ and - zoom), R held goes back in time, F5 saves and F9 loads, F2 changes between the column and the "
+        "stencil renderer, F3 shows times and viewports, F11\n"
         "fills the screen, F12 saves a picture, Esc opens the menu.\nA gamepad works, too. Saving the map's file while "
         "playing loads it again in place.");
     return command;

@@ -10,7 +10,7 @@
 namespace enfilade {
 
 struct PlayRequest {
-    std::string map, renderer = "column", size, tape;  ///< map, size, tape: empty where not given
+    std::string map, renderer = "column", size, tape, save, load;  ///< all but renderer: empty where not given
     std::vector<std::string> texture_folders;
     int skill = kUsualSkill;
     bool fullscreen = false;

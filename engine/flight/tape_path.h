@@ -1,16 +1,13 @@
 // Where the camera of a recorded walk is at any moment: the player's eye, played again.
 #pragma once
-#include <vector>
-
 #include "base/result.h"
 #include "flight/camera_path.h"
 #include "formats/tape.h"
-#include "world/world.h"
+#include "world/timeline.h"
 
 namespace enfilade {
 
-/// A tape that was played through once. Every few ticks the world is kept, so that any moment is found by playing only
-/// a few ticks again. Immutable.
+/// A tape that was played through once, so that any moment is found by playing only a few ticks again. Immutable.
 class TapePath {
 public:
     /// Plays the tape. Errors: the map has no start, the tape's rate is not kTickRate, it is longer than
@@ -23,22 +20,15 @@ public:
     std::int64_t length_us() const;
 
     /// All that happens in the whole of it; of any moment it says what had happened by then.
-    const History& history() const { return history_; }
+    const History& history() const { return timeline_.world().history; }
 
 private:
-    explicit TapePath(Tape tape) : tape_(std::move(tape)) {}
+    explicit TapePath(Timeline played) : timeline_(std::move(played)) {}
 
-    /// The world after so many ticks, at most as many as the tape has.
-    World after(const Map& map, std::size_t ticks) const;
-
-    Tape tape_;
-    History history_;
-    std::vector<World> kept_;  ///< after 0, kBetweenKept, 2 kBetweenKept, … ticks
+    Timeline timeline_;
 };
 
 /// Longest tape that is flown [s]: a day.
 inline constexpr std::size_t kMaxTapeSeconds = 86'400;
-
-inline constexpr std::size_t kBetweenKept = 32;  ///< [ticks]
 
 }  // namespace enfilade

@@ -15,6 +15,7 @@ enum class Key : std::uint8_t {
     c,
     e,
     n,
+    r,
     y,
     up,
     down,
@@ -35,6 +36,8 @@ enum class Key : std::uint8_t {
     minus,
     f2,
     f3,
+    f5,
+    f9,
     f11,
     f12
 };

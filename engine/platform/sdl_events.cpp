@@ -14,6 +14,7 @@ Key key_of(SDL_Scancode code) {
         case SDL_SCANCODE_C: return Key::c;
         case SDL_SCANCODE_E: return Key::e;
         case SDL_SCANCODE_N: return Key::n;
+        case SDL_SCANCODE_R: return Key::r;
         case SDL_SCANCODE_Y: return Key::y;
         case SDL_SCANCODE_UP: return Key::up;
         case SDL_SCANCODE_DOWN: return Key::down;
@@ -37,6 +38,8 @@ Key key_of(SDL_Scancode code) {
         case SDL_SCANCODE_KP_MINUS: return Key::minus;
         case SDL_SCANCODE_F2: return Key::f2;
         case SDL_SCANCODE_F3: return Key::f3;
+        case SDL_SCANCODE_F5: return Key::f5;
+        case SDL_SCANCODE_F9: return Key::f9;
         case SDL_SCANCODE_F11: return Key::f11;
         case SDL_SCANCODE_F12: return Key::f12;
         default: return Key::unknown;

@@ -1,7 +1,7 @@
 #include "world/history.h"
 
 #include <algorithm>
-#include <bit>
+#include <initializer_list>
 
 #include "base/hash.h"
 
@@ -11,6 +11,31 @@ namespace {
 template <class Sorted, class Value, class Less>
 auto place_in(Sorted& sorted, const Value& value, Less less) {
     return std::lower_bound(sorted.begin(), sorted.end(), value, less);
+}
+
+std::uint64_t mixed(std::uint64_t digest, std::initializer_list<std::uint64_t> words) {
+    Hash hash;
+    hash.add(digest);
+    for (const std::uint64_t word : words) hash.add(word);
+    return hash.value();
+}
+
+std::uint64_t mixed(std::uint64_t digest, const Change& change) {
+    Hash hash;
+    hash.add(digest);
+    hash.add(change.sector.index);
+    hash.add(static_cast<std::uint64_t>(change.channel));
+    hash.add(change.course.start);
+    hash.add(change.course.from);
+    for (const Stop& stop : change.course.stops) {
+        hash.add(stop.value);
+        hash.add(stop.per_tick);
+        hash.add(stop.wait);
+    }
+    hash.add(std::uint64_t{change.course.count});
+    hash.add(change.course.loops);
+    hash.add(change.cause.index);
+    return hash.value();
 }
 
 }  // namespace
@@ -41,16 +66,7 @@ void History::add(Change change) {
         if (sector == changed_sectors_.end() || *sector != change.sector)
             changed_sectors_.insert(sector, change.sector);
     }
-    mix(key);
-    mix(change.course.start);
-    mix(std::bit_cast<std::uint64_t>(change.course.from + 0.0));
-    for (const Stop& stop : change.course.stops) {
-        mix(std::bit_cast<std::uint64_t>(stop.value + 0.0));
-        mix(std::bit_cast<std::uint64_t>(stop.per_tick + 0.0));
-        mix(stop.wait);
-    }
-    mix(std::uint64_t{change.course.count} << 1 | std::uint64_t{change.course.loops});
-    mix(change.cause.index);
+    changes_digest_ = mixed(changes_digest_, change);
     changes_.push_back(change);
 }
 
@@ -65,15 +81,16 @@ void History::add(const Firing& firing) {
                                             [this](WallId w, std::uint32_t i) { return w < firings_[i].wall; });
         by_wall_.insert(after, index);
     }
-    mix(firing.tick);
-    mix(std::uint64_t{firing.trigger.index} << 32 | firing.wall.index);
+    firings_digest_ = mixed(firings_digest_, {firing.tick, firing.trigger.index, firing.wall.index});
 }
 
 void History::add(const Taking& taking) {
-    takings_.insert(place_in(takings_, taking, [](const Taking& a, const Taking& b) { return a.thing < b.thing; }),
-                    taking);
-    mix(taking.tick);
-    mix(taking.thing.index);
+    const auto index = static_cast<std::uint32_t>(takings_.size());
+    takings_.push_back(taking);
+    const auto it =
+        place_in(by_thing_, taking.thing, [this](std::uint32_t i, ThingId t) { return takings_[i].thing < t; });
+    by_thing_.insert(it, index);
+    takings_digest_ = mixed(takings_digest_, {taking.tick, taking.thing.index});
 }
 
 bool History::has_fired(TriggerId trigger) const {
@@ -91,15 +108,18 @@ const Firing* History::pressed(WallId wall, double tick) const {
 }
 
 bool History::is_taken(ThingId thing, double tick) const {
-    const auto it = place_in(takings_, thing, [](const Taking& t, ThingId id) { return t.thing < id; });
-    return it != takings_.end() && it->thing == thing && static_cast<double>(it->tick) <= tick;
+    const auto it = place_in(by_thing_, thing, [this](std::uint32_t i, ThingId id) { return takings_[i].thing < id; });
+    return it != by_thing_.end() && takings_[*it].thing == thing && static_cast<double>(takings_[*it].tick) <= tick;
 }
 
-void History::mix(std::uint64_t word) {
-    Hash hash;
-    hash.add(digest_);
-    hash.add(word);
-    digest_ = hash.value();
+std::uint64_t History::digest() const { return mixed(0, {changes_digest_, firings_digest_, takings_digest_}); }
+
+History History::beginning(const Length& length) const {
+    History begun;
+    for (std::size_t i = 0; i < length.changes; ++i) begun.add(changes_[i]);
+    for (std::size_t i = 0; i < length.firings; ++i) begun.add(firings_[i]);
+    for (std::size_t i = 0; i < length.takings; ++i) begun.add(takings_[i]);
+    return begun;
 }
 
 }  // namespace enfilade

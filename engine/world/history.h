@@ -66,8 +66,17 @@ public:
     const std::vector<Firing>& firings() const { return firings_; }
     const std::vector<Taking>& takings() const { return takings_; }
 
-    /// Of all that was ever added, in its order.
-    std::uint64_t digest() const { return digest_; }
+    /// Of all that was ever added, each kind in its order.
+    std::uint64_t digest() const;
+
+    /// How much had happened at some moment, to come back to it.
+    struct Length {
+        std::size_t changes = 0, firings = 0, takings = 0;
+    };
+    Length length() const { return {changes_.size(), firings_.size(), takings_.size()}; }
+
+    /// What had happened when it was that long. Equal, digest and all, to the history of then.
+    History beginning(const Length& length) const;
 
 private:
     /// A value of a sector as one number to sort by.
@@ -78,7 +87,6 @@ private:
         std::uint64_t key;
         std::uint32_t index;  ///< into changes_
     };
-    void mix(std::uint64_t word);
 
     std::vector<Change> changes_;
     std::vector<Newest> newest_;  ///< by key
@@ -86,8 +94,9 @@ private:
     std::vector<Firing> firings_;            ///< in the order they came
     std::vector<std::uint32_t> by_trigger_;  ///< the first of each trigger, by trigger
     std::vector<std::uint32_t> by_wall_;     ///< those with a wall, by wall, then by time
-    std::vector<Taking> takings_;            ///< by thing
-    std::uint64_t digest_ = 0;
+    std::vector<Taking> takings_;            ///< in the order they came
+    std::vector<std::uint32_t> by_thing_;    ///< takings, by thing
+    std::uint64_t changes_digest_ = 0, firings_digest_ = 0, takings_digest_ = 0;
 };
 
 }  // namespace enfilade

@@ -57,11 +57,14 @@ Snapshot at_rest(const Map& map) {
 void show(const Instant& now, Snapshot& snapshot) {
     snapshot.time_s = now.tick * kTickSeconds;
     if (!now.history) return;
+    for (const SectorId id : snapshot.changed) snapshot.sectors[id.index] = sector_now(now, id);
     for (const SectorId id : now.history->changed_sectors()) snapshot.sectors[id.index] = sector_now(now, id);
+    snapshot.changed = now.history->changed_sectors();
     snapshot.pressed = walls_pressed(now);
     snapshot.taken.clear();
     for (const Taking& taking : now.history->takings())
         if (static_cast<double>(taking.tick) <= now.tick) snapshot.taken.push_back(taking.thing);
+    std::sort(snapshot.taken.begin(), snapshot.taken.end());
 }
 
 double light_at(const Snapshot& snapshot, SectorId id) {

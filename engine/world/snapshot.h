@@ -23,8 +23,9 @@ struct Snapshot {
     double time_s = 0;
     Presences things;  ///< which things are to be seen in which sector, and where there
 
-    std::vector<ThingId> taken;   ///< things that are gone, in the order of their numbers
-    std::vector<WallId> pressed;  ///< walls that show the other face of their switch, in the order of their numbers
+    std::vector<ThingId> taken;     ///< things that are gone, in the order of their numbers
+    std::vector<SectorId> changed;  ///< sectors that are not, or lately were not, as at rest
+    std::vector<WallId> pressed;    ///< walls that show the other face of their switch, in the order of their numbers
 
     const SectorSnapshot& operator[](SectorId id) const { return sectors[id.index]; }
 };
@@ -33,7 +34,7 @@ struct Snapshot {
 Snapshot at_rest(const Map& map);
 
 /// Makes the snapshot that of another moment of its map. `snapshot` came from at_rest of the same map.
-/// Cost: what ever changed in the history, however large the map.
+/// Cost: what ever changed in the history, and what had changed in the snapshot, however large the map.
 void show(const Instant& now, Snapshot& snapshot);
 
 /// The light of a sector with its effect, 0..1: worked out when somebody looks.

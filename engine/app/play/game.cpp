@@ -1,13 +1,14 @@
 #include "app/play/game.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <utility>
 
 #include "base/hash.h"
 #include "map/load.h"
 #include "math/grid.h"
 #include "space/locate.h"
 #include "world/camera.h"
-#include "world/step.h"
 
 namespace enfilade {
 namespace {
@@ -61,16 +62,65 @@ Result<OpenMap> Game::load() {
 }
 
 void Game::restart() {
-    world_ = *start_of(map());  // load() made sure that there is a start
+    timeline_ = Timeline(*start_of(map()));  // load() made sure that there is a start
+    from_start_ = true;
     snapshot_ = at_rest(map());
-    recorded_.clear();
     automap_.visit(player().place.sector);
 }
 
 void Game::tick(const TickInput& input) {
-    step(map(), world_, input);
+    if (world().health == 0 && input.buttons & kButtonUse) return restart();
+    timeline_.play(map(), input);
     automap_.visit(player().place.sector);
-    if (recording_) recorded_.push_back(input);
+}
+
+void Game::rewind(std::size_t ticks) {
+    const std::size_t played = timeline_.inputs().size();
+    timeline_.go_back(map(), played - std::min(played, ticks));
+}
+
+Status Game::save(const std::string& path) const {
+    if (!from_start_)
+        return Error{path, "the map was loaded again while it was played; start it anew, then it can be saved"};
+    std::error_code failed;
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    if (!folder.empty()) std::filesystem::create_directories(folder, failed);
+    if (failed) return Error{path, "the folder for it cannot be made: " + failed.message()};
+    return write_file(path, std::span<const std::byte>(write_tape(tape())));
+}
+
+Status Game::load_saved(const std::string& path) {
+    const auto bytes = read_file(path);
+    if (!bytes.ok()) return bytes.error();
+    const auto saved = read_tape(bytes.value());
+    if (!saved.ok()) return Error{path, saved.error().text()};
+    if (saved.value().map_hash != map_hash_)
+        return Error{path, "this game was saved in another map, or in this one before it was changed"};
+    Timeline played(*start_of(map()));
+    for (const TickInput& input : saved.value().ticks) played.play(map(), input);
+    if (hash(played.world()) != saved.value().final_hash)
+        return Error{path, "this game was saved by another version of Enfilade"};
+    timeline_ = std::move(played);
+    from_start_ = true;
+    return {};
+}
+
+Status Game::enter(const std::string& map_path) {
+    const std::string path_before = std::exchange(path_, map_path);
+    const MapWatch watch_before = watch_;
+    const std::uint64_t hash_before = map_hash_;
+    auto next = load();
+    if (!next.ok()) {
+        path_ = path_before;
+        watch_ = watch_before;
+        map_hash_ = hash_before;
+        return next.error();
+    }
+    map_ = std::move(next).value();
+    automap_ = Automap(map());
+    recording_ = false;
+    restart();
+    return {};
 }
 
 Status Game::reload() {
@@ -96,12 +146,15 @@ void Game::keep_player(const Player& before, const std::string& sector_name) {
     const double least_eye_z = map()[sector].floor.z + eye_height(before.height);
     Player player = player_at(map(), {sector, point, std::max(before.eye_z, least_eye_z), before.yaw});
     player.pitch_steps = before.pitch_steps;
-    world_.player = world_.before = player;
+    World world = timeline_.world();
+    world.player = world.before = player;
+    timeline_ = Timeline(std::move(world));
+    from_start_ = false;
     automap_.visit(sector);
 }
 
 View Game::view(double part, const LookSteps& ahead, double fov_degrees) const {
-    const Eye eye = eye_between_ticks(map(), world_, part);
+    const Eye eye = eye_between_ticks(map(), world(), part);
     View view;
     view.sector = eye.place.sector;
     view.eye = eye.place.point;
@@ -114,12 +167,15 @@ View Game::view(double part, const LookSteps& ahead, double fov_degrees) const {
 }
 
 const Snapshot& Game::snapshot(double part) {
-    enfilade::show({map(), world_.history, static_cast<double>(world_.tick) - 1 + part}, snapshot_);
+    enfilade::show({map(), world().history, static_cast<double>(world().tick) - 1 + part}, snapshot_);
     return snapshot_;
 }
 
 void Game::record() { recording_ = true; }
 
-Tape Game::tape() const { return {path_, map_hash_, kTickRate, recorded_, hash(world_)}; }
+Tape Game::tape() const {
+    const std::span<const TickInput> inputs = timeline_.inputs();
+    return {path_, map_hash_, kTickRate, {inputs.begin(), inputs.end()}, hash(world())};
+}
 
 }  // namespace enfilade

@@ -12,7 +12,7 @@
 #include "formats/tape.h"
 #include "render/view.h"
 #include "world/snapshot.h"
-#include "world/world.h"
+#include "world/timeline.h"
 
 namespace enfilade {
 
@@ -29,6 +29,20 @@ public:
     /// The player is at the start again, and a tape that is recorded begins again.
     void restart();
 
+    /// Leaves the map for the start of another; a tape ends here. An error leaves everything as it was.
+    Status enter(const std::string& map_path);
+
+    /// Goes back in time by some ticks, or to the beginning; what came later is forgotten, by a tape as well.
+    void rewind(std::size_t ticks);
+
+    /// Writes down how the game stands, as the tape of all that led there; an error where that cannot be written, or
+    /// where the map was loaded again on the way, so that it does not begin at its start.
+    Status save(const std::string& path) const;
+
+    /// Goes on where a game was saved. An error where there is none, or it is of another map, or of this one as it was
+    /// before it was changed; then everything is as it was. Cost: all ticks that were played.
+    Status load_saved(const std::string& path);
+
     /// True where the map or one of its pictures was saved since it was loaded.
     bool map_changed() const { return watch_.changed(); }
 
@@ -43,7 +57,9 @@ public:
 
     const Map& map() const { return map_.map; }
     const TextureSet& textures() const { return map_.textures; }
-    const Player& player() const { return world_.player; }
+    const World& world() const { return timeline_.world(); }
+    const Player& player() const { return world().player; }
+    const std::string& path() const { return path_; }
     Automap& automap() { return automap_; }
 
     /// From now on everything is written down; only right after start or restart.
@@ -66,10 +82,10 @@ private:
     MapWatch watch_;
     std::uint64_t map_hash_ = 0;  ///< of the map's text
     OpenMap map_;
-    World world_;
+    Timeline timeline_;
     Snapshot snapshot_;
     Automap automap_;
-    std::vector<TickInput> recorded_;
+    bool from_start_ = true;  ///< the timeline begins as the map does
     bool recording_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/exit_codes.h"
 #include "app/play/play_loop.h"
+#include "app/play/saved_game.h"
 #include "base/parallel.h"
 #include "platform/gl_context.h"
 
@@ -60,11 +61,15 @@ int run_play(const PlayRequest& request) {
     if (!options.ok()) return refuse_usage(options.error());
     auto game = Game::start(request.map.empty() ? default_map() : request.map, request.texture_folders, request.skill);
     if (!game.ok()) return fail(game.error());
+    if (!request.load.empty())
+        if (Status failed = game.value()->load_saved(request.load)) return fail(*failed);
     auto window = window_for(*game.value(), options.value());
     if (!window.ok()) return fail(window.error());
     auto renderer = make_renderer(options.value().renderer, hardware_threads(), open_gl_for_play);
     if (!renderer.ok()) return fail(renderer.error());
-    PlayLoop loop(*game.value(), *window.value(), options.value(), std::move(renderer).value());
+    PlayOptions chosen = options.value();
+    chosen.save = request.save.empty() ? saved_game_of(game.value()->path()) : request.save;
+    PlayLoop loop(*game.value(), *window.value(), chosen, std::move(renderer).value());
     if (Status failed = loop.run()) return fail(*failed);
     return kDone;
 }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "app/play/saved_game.h"
 #include "app/play/screenshot.h"
 #include "base/files.h"
 #include "base/parallel.h"
@@ -30,6 +32,9 @@ std::vector<std::string> split_lines(const std::string& text) {
     }
     return lines;
 }
+
+/// While R is held time runs backwards this fast [ticks a tick].
+constexpr std::size_t kRewindSpeed = 2;
 
 /// More findings than fit a screen help nobody.
 constexpr std::size_t kMostLines = 12;
@@ -66,6 +71,7 @@ void PlayLoop::handle(const InputEvent& event) {
     if (const auto* focus = std::get_if<FocusChange>(&event)) window_.grab_mouse(focus->focused && !menu_.is_open());
     if (menu_.is_open()) return obey(menu_.handle(event, settings_));
     input_.handle(event, settings_.mouse_speed, window_.mouse_grabbed());
+    if (const auto* key = std::get_if<KeyChange>(&event); key && key->key == Key::r) rewinding_ = key->down;
     if (const auto* key = std::get_if<KeyChange>(&event); key && key->down && !key->repeat) handle_key(key->key);
     if (const auto* button = std::get_if<GamepadButtonChange>(&event); button && button->down)
         handle_gamepad(button->button);
@@ -81,6 +87,8 @@ void PlayLoop::handle_key(Key key) {
         case Key::minus: return game_.automap().zoom(-1);
         case Key::f2: return change_renderer();
         case Key::f3: readout_open_ = !readout_open_; return;
+        case Key::f5: return save_game();
+        case Key::f9: return load_game();
         case Key::f11: settings_.fullscreen = !settings_.fullscreen; return apply_settings();
         case Key::f12: screenshot_wanted_ = true; return;
         default: return;
@@ -132,7 +140,7 @@ void PlayLoop::reload() {
         const std::size_t all = lines.size();
         lines.resize(std::min(all, kMostLines));
         if (all > kMostLines) lines.push_back(fmt::format("and {} more", all - kMostLines));
-        lines.push_back("The map before is kept until this is put right.");
+        lines.emplace_back("The map before is kept until this is put right.");
         return notices_.pin(std::move(lines));
     }
     notices_.pin({});
@@ -145,8 +153,63 @@ void PlayLoop::pass_time(std::int64_t now) {
     if (menu_.is_open()) ticked_until_ns_ += now - passed_until_ns_;
     passed_until_ns_ = now;
     ticked_until_ns_ = std::max(ticked_until_ns_, now - kMostToCatchUp);
-    for (; now - ticked_until_ns_ >= kTick; ticked_until_ns_ += kTick)
-        game_.tick(input_.take_tick(game_.player().pitch_steps));
+    if (!rewinding_) rewound_ticks_ = 0;
+    for (; now - ticked_until_ns_ >= kTick; ticked_until_ns_ += kTick) {
+        const TickInput input = input_.take_tick(game_.player().pitch_steps);
+        if (rewinding_) {
+            const std::uint64_t before = game_.world().tick;
+            game_.rewind(kRewindSpeed);
+            rewound_ticks_ += before - game_.world().tick;
+        } else {
+            game_.tick(input);
+        }
+    }
+    follow_events();
+}
+
+void PlayLoop::follow_events() {
+    const World& world = game_.world();
+    if (world.tick < told_) told_ = world.tick;
+    if (world.news && world.news->tick > told_) {
+        told_ = world.news->tick;
+        const std::string text = news_text(game_.map(), *world.news);
+        if (!text.empty()) notices_.say(text, seconds(now_ns() - started_ns_));
+    }
+    if (world.left_by) leave_map();
+}
+
+/// The next map lies beside this one; where there is none, one begins again.
+void PlayLoop::leave_map() {
+    namespace fs = std::filesystem;
+    const double now_s = seconds(now_ns() - started_ns_);
+    const std::string left = game_.map().name, next = game_.map()[*game_.world().left_by].leads_to;
+    fs::path path = fs::path(game_.path()).parent_path() / next;
+    if (path.extension() != ".toml") path += ".toml";
+    std::error_code unknown;
+    told_ = 0;
+    if (next.empty() || !fs::exists(path, unknown)) {
+        game_.restart();
+        return notices_.say(next.empty() ? fmt::format("You left {}.", left)
+                                         : fmt::format("You left {}; the next map, {}, is not here.", left, next),
+                            now_s);
+    }
+    if (Status failed = game_.enter(path.string())) {
+        game_.restart();
+        return notices_.pin(split_lines(failed->text()));
+    }
+    options_.save = saved_game_of(game_.path());
+    notices_.say(fmt::format("{} lies behind you. This is {}.", left, game_.map().name), now_s);
+}
+
+void PlayLoop::save_game() {
+    const Status failed = game_.save(options_.save);
+    notices_.say(failed ? failed->text() : "Saved. F9 comes back here.", seconds(now_ns() - started_ns_));
+}
+
+void PlayLoop::load_game() {
+    const Status failed = game_.load_saved(options_.save);
+    told_ = game_.world().tick;
+    notices_.say(failed ? failed->text() : "Back where you saved.", seconds(now_ns() - started_ns_));
 }
 
 void PlayLoop::remember_seen(std::int64_t now) {
@@ -202,6 +265,9 @@ void PlayLoop::draw_over(const View& view, double now_s) {
                       game_.player().yaw.degrees(), game_.player().pitch_steps * degrees_per_step},
                      renderer_->viewports());
     }
+    draw_status(overlay, game_.map(), game_.world());
+    if (game_.world().health == 0) draw_death(overlay);
+    if (rewinding_) draw_rewind(overlay, rewound_ticks_);
     if (screenshot_wanted_) take_screenshot(now_s);
     notices_.draw(overlay, now_s);
     Overlay menu_overlay(frame_, font_, Menu::scale_for(frame_.height));

@@ -9,6 +9,7 @@
 #include "app/play/notices.h"
 #include "app/play/readout.h"
 #include "app/play/settings.h"
+#include "app/play/status.h"
 #include "flight/renderer.h"
 #include "platform/window.h"
 
@@ -19,6 +20,7 @@ struct PlayOptions {
     std::optional<PictureSize> size;  ///< of the picture, scaled to the window; none: as large as the window
     bool fullscreen = false;
     std::string tape;  ///< where to record to; empty: nowhere
+    std::string save;  ///< where F5 saves to and F9 loads from
 };
 
 /// Plays until the player quits. Fixed ticks; drawing is interpolated between them and as often as the display shows.
@@ -39,6 +41,11 @@ private:
     void apply_settings();
     void look_for_changes(std::int64_t now);
     void reload();
+    void save_game();
+    void load_game();
+    /// Tells what has come to be known, and goes on in the next map where this one was left.
+    void follow_events();
+    void leave_map();
     /// From the column to the stencil renderer or back; where there is no OpenGL, a notice says so.
     void change_renderer();
     Status draw_view(const View& view, double part);
@@ -63,6 +70,9 @@ private:
     Notices notices_;
     FrameTimes times_;
     std::int64_t started_ns_ = 0, passed_until_ns_ = 0, ticked_until_ns_ = 0, looked_ns_ = 0, remembered_ns_ = 0;
+    std::uint64_t told_ = 0;         ///< tick of the news that were told last
+    std::size_t rewound_ticks_ = 0;  ///< since R is held
+    bool rewinding_ = false;
     bool readout_open_ = false, screenshot_wanted_ = false, quit_ = false;
 };
 

@@ -153,5 +153,61 @@ TEST(Game, RefusesAMapWithoutPlayer) {
 
 TEST(Game, RefusesAFileThatIsNotThere) { EXPECT_FALSE(Game::start("/no/such/map.toml", {}).ok()); }
 
+TEST_F(GameOnDisk, ComesBackToWhereItWasSaved) {
+    walk(30);
+    const std::uint64_t saved = hash(game_->world());
+    ASSERT_FALSE(game_->save(dir_.path("deep/in/a.save")));
+    walk(60);
+    ASSERT_FALSE(game_->load_saved(dir_.path("deep/in/a.save")));
+    EXPECT_EQ(hash(game_->world()), saved);
+}
+
+TEST_F(GameOnDisk, RefusesAGameThatWasSavedInAnotherMap) {
+    ASSERT_FALSE(game_->save(dir_.path("a.save")));
+    MapFile wider = two_rooms();
+    wider.sectors[0].light = 0.5;
+    save(wider);
+    ASSERT_FALSE(game_->reload());
+    const Status refused = game_->load_saved(dir_.path("a.save"));
+    ASSERT_TRUE(refused);
+    EXPECT_NE(refused->text().find("before it was changed"), std::string::npos) << refused->text();
+}
+
+TEST_F(GameOnDisk, RefusesASavedGameThatIsCutShortAndGoesOn) {
+    walk(10);
+    ASSERT_FALSE(game_->save(dir_.path("a.save")));
+    auto bytes = read_file(dir_.path("a.save"));
+    ASSERT_TRUE(bytes.ok());
+    Bytes cut = bytes.value();
+    cut.resize(cut.size() / 2);
+    ASSERT_FALSE(write_file(dir_.path("a.save"), std::span<const std::byte>(cut)));
+    const std::uint64_t before = hash(game_->world());
+    EXPECT_TRUE(game_->load_saved(dir_.path("a.save")));
+    EXPECT_EQ(hash(game_->world()), before);
+}
+
+TEST_F(GameOnDisk, GoesBackInTime) {
+    walk(20);
+    const std::uint64_t then = hash(game_->world());
+    walk(50);
+    game_->rewind(50);
+    EXPECT_EQ(hash(game_->world()), then);
+    game_->rewind(1000);
+    EXPECT_EQ(game_->world().tick, 0u);
+}
+
+TEST_F(GameOnDisk, EntersAnotherMapAndRefusesOneThatIsNotThere) {
+    walk(20);
+    const std::uint64_t before = hash(game_->world());
+    EXPECT_TRUE(game_->enter(dir_.path("nowhere.toml")));
+    EXPECT_EQ(hash(game_->world()), before);
+    MapFile next = two_rooms();
+    next.player->position = {3, 1};
+    ASSERT_FALSE(write_file(dir_.path("next.toml"), std::string_view(write_map(next))));
+    ASSERT_FALSE(game_->enter(dir_.path("next.toml")));
+    EXPECT_EQ(game_->player().place.point, (Vec2{3, 1}));
+    EXPECT_FALSE(game_->map_changed());
+}
+
 }  // namespace
 }  // namespace enfilade
