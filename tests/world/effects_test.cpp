@@ -15,14 +15,6 @@ using namespace test;
 
 constexpr TickInput kUse{.buttons = kButtonUse};
 
-TriggerRecord on(Occasion occasion, Deed deed, std::vector<std::string> targets = {}) {
-    TriggerRecord trigger;
-    trigger.on = occasion;
-    trigger.deed = deed;
-    trigger.targets = std::move(targets);
-    return trigger;
-}
-
 /// A hall, a passage of 1 m and a room behind it, all 4 m wide, along +x. The player stands at (6, 2) and looks at the
 /// passage, which begins at x = 8.
 MapFile hall_passage_room(double passage_floor = 0, double passage_ceiling = 0) {
@@ -59,21 +51,21 @@ bool is_in_the_open(const Game& game) {
 }
 
 TEST(Door, StaysClosedForWhoOnlyWalksAtIt) {
-    Game game(with_door(on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
     game.hold(kForward, 200);
     EXPECT_EQ(game.room(), "hall");
     EXPECT_EQ(passage(game).ceiling_z, 0);
 }
 
 TEST(Door, OpensAHandBelowTheLowestCeilingAround) {
-    Game game(with_door(on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
     game.hold(kUse);
     game.hold(kNoKeys, 120);
     EXPECT_EQ(passage(game).ceiling_z, 3 - kDoorHead);
 }
 
 TEST(Door, ClosesAgainAfterItsWait) {
-    Game game(with_door(on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
     game.hold(kUse);
     const int up = 87, wait = 240;  // 2.875 m at 2 m/s, then 4 s
     game.hold(kNoKeys, up + wait - 1);
@@ -83,13 +75,13 @@ TEST(Door, ClosesAgainAfterItsWait) {
 }
 
 TEST(Door, IsUsedOnceForEachPressOfTheKey) {
-    Game game(with_door(on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
     game.hold(kUse, 30);
     EXPECT_GT(passage(game).ceiling_z, 0.9);
 }
 
 TEST(Door, UsedAgainWhileItOpensCloses) {
-    Game game(with_door(on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
     game.hold(kUse);
     game.hold(kNoKeys, 30);
     game.hold(kUse);
@@ -98,7 +90,7 @@ TEST(Door, UsedAgainWhileItOpensCloses) {
 }
 
 TEST(Door, UsedAgainWhileItClosesOpens) {
-    Game game(with_door(on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
     game.hold(kUse);
     game.hold(kNoKeys, 87 + 240 + 30);
     const double before = passage(game).ceiling_z;
@@ -108,7 +100,7 @@ TEST(Door, UsedAgainWhileItClosesOpens) {
 }
 
 TEST(Door, OutOfReachIsNotUsed) {
-    MapFile file = with_door(on(Occasion::use, Deed::door));
+    MapFile file = with_door(trigger_on(Occasion::use, Deed::door));
     place_player(file, "hall", {8 - kArm - 0.25, 2}, kEyeOnFloor);
     Game game(file);
     game.hold(kUse);
@@ -117,7 +109,7 @@ TEST(Door, OutOfReachIsNotUsed) {
 }
 
 TEST(Door, BehindTheBackIsNotUsed) {
-    MapFile file = with_door(on(Occasion::use, Deed::door));
+    MapFile file = with_door(trigger_on(Occasion::use, Deed::door));
     file.player->yaw_degrees = 180;
     Game game(file);
     game.hold(kUse);
@@ -126,7 +118,7 @@ TEST(Door, BehindTheBackIsNotUsed) {
 }
 
 TEST(Door, OpensForWhoStandsInItWhenItCloses) {
-    Game game(with_door(on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
     game.hold(kUse);
     game.hold(kNoKeys, 87);
     walk_into_passage(game);
@@ -141,7 +133,7 @@ TEST(Door, OpensForWhoStandsInItWhenItCloses) {
 }
 
 TEST(Door, WithAKeyOpensOnlyForWhoHasIt) {
-    TriggerRecord door = on(Occasion::use, Deed::door);
+    TriggerRecord door = trigger_on(Occasion::use, Deed::door);
     door.key = "red";
     MapFile file = with_door(door);
     ThingRecord key;
@@ -163,7 +155,7 @@ TEST(Door, WithAKeyOpensOnlyForWhoHasIt) {
 }
 
 TEST(Trigger, ThatWorksOnceIsNotSetOffAgain) {
-    TriggerRecord open = on(Occasion::use, Deed::floor);
+    TriggerRecord open = trigger_on(Occasion::use, Deed::floor);
     open.once = true;
     open.by = 0.5;
     MapFile file = hall_passage_room(0, 3);
@@ -179,7 +171,7 @@ TEST(Trigger, ThatWorksOnceIsNotSetOffAgain) {
 TEST(Trigger, OnAPortalGoesOffInBothDirections) {
     for (const bool outward : {false, true}) {
         MapFile file = hall_passage_room(0, 3);
-        TriggerRecord dark = on(Occasion::cross, Deed::light, {"room"});
+        TriggerRecord dark = trigger_on(Occasion::cross, Deed::light, {"room"});
         dark.light = 0.25;
         if (outward)
             wall(file, "passage", {8, 4}, {8, 0}).triggers = {dark};
@@ -193,7 +185,7 @@ TEST(Trigger, OnAPortalGoesOffInBothDirections) {
 
 TEST(Trigger, ThatIsOneWayDoesNotGoOffForWhoComesIn) {
     MapFile file = hall_passage_room(0, 3);
-    TriggerRecord dark = on(Occasion::cross, Deed::light, {"room"});
+    TriggerRecord dark = trigger_on(Occasion::cross, Deed::light, {"room"});
     dark.light = 0.25;
     dark.one_way = true;
     wall(file, "passage", {8, 4}, {8, 0}).triggers = {dark};
@@ -204,7 +196,7 @@ TEST(Trigger, ThatIsOneWayDoesNotGoOffForWhoComesIn) {
 
 TEST(Trigger, CallsAllSectorsOfATag) {
     MapFile file = hall_passage_room(0, 3);
-    TriggerRecord dark = on(Occasion::enter, Deed::light, {"lamps"});
+    TriggerRecord dark = trigger_on(Occasion::enter, Deed::light, {"lamps"});
     dark.light = 0.5;
     sector(file, "passage").triggers = {dark};
     sector(file, "room").tags = sector(file, "hall").tags = {"lamps"};
@@ -218,7 +210,7 @@ TEST(Lift, CarriesWhoStandsOnItDownAndUp) {
     MapFile file = hall_passage_room(0, 3);
     sector(file, "room").floor.z = sector(file, "passage").floor.z = 2;
     sector(file, "room").ceiling.z = sector(file, "passage").ceiling.z = 5;
-    TriggerRecord lift = on(Occasion::use, Deed::lift);
+    TriggerRecord lift = trigger_on(Occasion::use, Deed::lift);
     lift.wait = 2;
     sector(file, "passage").triggers = {lift};
     Game game(file);
@@ -237,7 +229,7 @@ TEST(Lift, CarriesWhoStandsOnItDownAndUp) {
 
 TEST(Lift, TurnsRoundForWhoWouldBeSqueezed) {
     MapFile file = hall_passage_room(2, 3.5);  // up there is room for 1.5 m only
-    TriggerRecord lift = on(Occasion::use, Deed::lift);
+    TriggerRecord lift = trigger_on(Occasion::use, Deed::lift);
     lift.wait = 1;
     sector(file, "passage").triggers = {lift};
     Game game(file);
@@ -256,7 +248,7 @@ TEST(Lift, TurnsRoundForWhoWouldBeSqueezed) {
 
 TEST(Floor, WaitsForWhoWouldBeSqueezedAndThenGoesOn) {
     MapFile file = hall_passage_room(0, 3);
-    TriggerRecord rise = on(Occasion::enter, Deed::floor);
+    TriggerRecord rise = trigger_on(Occasion::enter, Deed::floor);
     rise.z = 2.5;
     sector(file, "passage").triggers = {rise};
     Game game(file);
@@ -274,7 +266,7 @@ TEST(Floor, WaitsForWhoWouldBeSqueezedAndThenGoesOn) {
 
 TEST(Crusher, HurtsWhoIsBelowButLeavesRoom) {
     MapFile file = hall_passage_room(0, 3);
-    sector(file, "passage").triggers = {on(Occasion::enter, Deed::crush)};
+    sector(file, "passage").triggers = {trigger_on(Occasion::enter, Deed::crush)};
     Game game(file);
     walk_into_passage(game);
     for (int i = 0; i < 200; ++i) {
@@ -291,7 +283,7 @@ TEST(Teleport, StandsThePlayerWhereTheThingIs) {
     there.position = {2, 3};
     there.yaw_degrees = 90;
     file.things = {there};
-    wall(file, "hall", {8, 0}, {8, 4}).triggers = {on(Occasion::cross, Deed::teleport, {"there"})};
+    wall(file, "hall", {8, 0}, {8, 4}).triggers = {trigger_on(Occasion::cross, Deed::teleport, {"there"})};
     Game game(file);
     for (int i = 0; i < 60 && game.point().x > 5; ++i) game.hold(kForward);
     EXPECT_EQ(game.point(), (Vec2{2, 3}));
@@ -301,7 +293,7 @@ TEST(Teleport, StandsThePlayerWhereTheThingIs) {
 
 TEST(Exit, IsNoted) {
     MapFile file = hall_passage_room(0, 3);
-    sector(file, "room").triggers = {on(Occasion::enter, Deed::exit, {"next.toml"})};
+    sector(file, "room").triggers = {trigger_on(Occasion::enter, Deed::exit, {"next.toml"})};
     Game game(file);
     EXPECT_FALSE(game.world.left_by.has_value());
     game.hold(kForward, 90);
@@ -340,7 +332,7 @@ TEST(Secret, IsToldOnce) {
 
 TEST(Stairs, RiseOneStepMoreEach) {
     MapFile file = hall_passage_room(0, 3);
-    sector(file, "hall").triggers = {on(Occasion::start, Deed::stairs, {"passage", "room"})};
+    sector(file, "hall").triggers = {trigger_on(Occasion::start, Deed::stairs, {"passage", "room"})};
     Game game(file);
     game.hold(kNoKeys, 60);
     EXPECT_EQ(passage(game).floor_z, 0.25);
@@ -351,8 +343,8 @@ TEST(Shuttle, StopsWhereItIsAndGoesOn) {
     MapFile file = hall_passage_room(1, 5);
     sector(file, "room").floor.z = 2;
     sector(file, "room").ceiling.z = 5;
-    sector(file, "hall").triggers = {on(Occasion::start, Deed::shuttle, {"passage"})};
-    TriggerRecord stop = on(Occasion::use, Deed::stop);
+    sector(file, "hall").triggers = {trigger_on(Occasion::start, Deed::shuttle, {"passage"})};
+    TriggerRecord stop = trigger_on(Occasion::use, Deed::stop);
     sector(file, "passage").triggers = {stop};
     Game game(file);
     game.hold(kNoKeys, 20);
@@ -365,8 +357,8 @@ TEST(Shuttle, StopsWhereItIsAndGoesOn) {
 
 /// What has happened by a tick, and what it makes of the map, asked at once and asked at its time.
 TEST(History, SaysOfThePastWhatWasTrueThen) {
-    MapFile file = with_door(on(Occasion::use, Deed::door));
-    sector(file, "room").triggers = {on(Occasion::start, Deed::shuttle)};
+    MapFile file = with_door(trigger_on(Occasion::use, Deed::door));
+    sector(file, "room").triggers = {trigger_on(Occasion::start, Deed::shuttle)};
     sector(file, "room").floor.z = 0.5;
     Game game(file);
     std::vector<std::pair<Heights, Heights>> seen;
@@ -384,7 +376,7 @@ TEST(History, SaysOfThePastWhatWasTrueThen) {
 }
 
 TEST(World, CopiedAtAnyMomentGoesOnTheSame) {
-    Game game(with_door(on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
     game.hold(kUse);
     game.hold(kForward, 50);
     World copy = game.world;
@@ -394,7 +386,7 @@ TEST(World, CopiedAtAnyMomentGoesOnTheSame) {
 }
 
 TEST(Switch, ShowsItsOtherFaceForASecond) {
-    MapFile file = with_door(on(Occasion::use, Deed::door));
+    MapFile file = with_door(trigger_on(Occasion::use, Deed::door));
     Game game(file);
     Snapshot snapshot = at_rest(game.map);
     game.hold(kUse);

@@ -16,6 +16,14 @@ inline constexpr TickInput kNoKeys{}, kForward{.forward = 127}, kBack{.forward =
 
 inline constexpr double kEyeOnFloor = 1.55;  ///< of one who stands on a floor at 0 [m]
 
+inline TriggerRecord trigger_on(Occasion occasion, Deed deed, std::vector<std::string> targets = {}) {
+    TriggerRecord trigger;
+    trigger.on = occasion;
+    trigger.deed = deed;
+    trigger.targets = std::move(targets);
+    return trigger;
+}
+
 struct Game {
     explicit Game(const MapFile& file) : map(built(file)) {
         const auto start = start_of(map);

@@ -15,9 +15,9 @@ MapFile busy_rooms() {
     MapFile file = map_of({box_room("hall", 0, 0, 8, 4, 0, 3), box_room("gate", 8, 0, 9, 4, 0, 3),
                            box_room("room", 9, 0, 17, 4, 0.5, 3)});
     join_all(file);
-    TriggerRecord door{.on = Occasion::enter, .deed = Deed::close_then_open, .wait = 0.5};
-    sector(file, "gate").triggers = {door};
-    sector(file, "room").triggers = {{.on = Occasion::start, .deed = Deed::shuttle, .wait = 0.25}};
+    sector(file, "gate").triggers = {trigger_on(Occasion::enter, Deed::close_then_open)};
+    sector(file, "room").triggers = {trigger_on(Occasion::start, Deed::shuttle)};
+    for (const char* name : {"gate", "room"}) sector(file, name).triggers[0].wait = 0.25;
     ThingRecord gem;
     gem.position = {4, 2};
     gem.gives_key = "gem";
