@@ -27,6 +27,7 @@ using TextureId = Id<struct TextureTag>;
 using ThingId = Id<struct ThingTag>;
 using SpriteId = Id<struct SpriteTag>;
 using PanelId = Id<struct PanelTag>;
+using SoundId = Id<struct SoundTag>;
 using TriggerId = Id<struct TriggerTag>;
 
 }  // namespace enfilade

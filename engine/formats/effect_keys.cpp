@@ -1,4 +1,4 @@
-// The keys of triggers, light effects, animations and switches.
+// The keys of triggers, light effects, animations, switches and sounds.
 #include <array>
 
 #include "formats/map_keys.h"
@@ -36,6 +36,9 @@ void write_targets(TableText& table, const Key<TriggerRecord>& key, const Trigge
         table.add(key.name, value_text(trigger.targets));
 }
 
+/// How far a sound may reach [m]; the ways to all it reaches are looked at.
+constexpr Range kSoundReaches{0x1p-4, 1024};
+
 constexpr std::array kTriggerKeys{
     key<&TriggerRecord::on>("on", kNew, Need::required),
     key<&TriggerRecord::deed>("do", kNew, Need::required),
@@ -57,6 +60,7 @@ constexpr std::array kTriggerKeys{
     key<&TriggerRecord::light>("light", kNew, Need::optional, kLight),
     key<&TriggerRecord::light_of>("light_of", kNew),
     key<&TriggerRecord::effect>("effect", kNew),
+    key<&TriggerRecord::sound>("sound", kNew),
 };
 
 constexpr std::array kLightEffectKeys{
@@ -77,10 +81,19 @@ constexpr std::array kSwitchKeys{
     key<&SwitchRecord::on>("on", kNew, Need::required),
 };
 
+constexpr std::array kSoundKeys{
+    key<&SoundRecord::name>("name", kNew, Need::required),
+    key<&SoundRecord::file>("file", kNew, Need::required),
+    key<&SoundRecord::volume>("volume", kNew, Need::optional, {0, 1}),
+    key<&SoundRecord::reach>("reach", kNew, Need::optional, kSoundReaches),
+    key<&SoundRecord::loops>("loops", kNew),
+};
+
 constexpr KeyList<TriggerRecord> kTriggerList{"a trigger", kTriggerKeys};
 constexpr KeyList<LightEffectRecord> kLightEffectList{"a light effect", kLightEffectKeys};
 constexpr KeyList<AnimationRecord> kAnimationList{"an animation", kAnimationKeys};
 constexpr KeyList<SwitchRecord> kSwitchList{"a switch", kSwitchKeys};
+constexpr KeyList<SoundRecord> kSoundList{"a sound", kSoundKeys};
 
 }  // namespace
 
@@ -102,6 +115,11 @@ const KeyList<AnimationRecord>& keys_of() {
 template <>
 const KeyList<SwitchRecord>& keys_of() {
     return kSwitchList;
+}
+
+template <>
+const KeyList<SoundRecord>& keys_of() {
+    return kSoundList;
 }
 
 template <>

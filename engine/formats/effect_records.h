@@ -1,5 +1,5 @@
 // What a map may call for beyond rooms that stay as they are, as its author wrote it: triggers, light effects, moving
-// and animated pictures.
+// and animated pictures, sounds.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -35,6 +35,7 @@ enum class Deed : std::uint8_t {
     light,            ///< the light changes
     teleport,         ///< who set it off stands where the target thing is
     exit,             ///< the map is left
+    sound,            ///< nothing but its sound
 };
 
 /// A height that is found when the trigger goes off. "Around" are the sectors behind the target's portals.
@@ -93,6 +94,7 @@ struct TriggerRecord {
     std::optional<double> light;  ///< light: 0..1
     LightLevel light_of = LightLevel::given;  ///< light: that of the sectors around
     std::optional<LightEffectRecord> effect;  ///< light: from now on it changes like this; none: it is steady
+    std::string sound;  ///< heard when it goes off, from the wall, sector or thing it is on; empty: silent
     TextPlace place;
     bool operator==(const TriggerRecord&) const = default;
 };
@@ -110,6 +112,16 @@ struct SwitchRecord {
     std::string off, on;
     TextPlace place;
     bool operator==(const SwitchRecord&) const = default;
+};
+
+/// Something that can be heard.
+struct SoundRecord {
+    std::string name, file;  ///< the file is seen from the map's folder
+    double volume = 1;       ///< at its source, 0..1
+    double reach = 32;       ///< how long the way to it may be before it is silent [m]
+    bool loops = false;      ///< of what moves: over and over, for as long as it moves
+    TextPlace place;
+    bool operator==(const SoundRecord&) const = default;
 };
 
 }  // namespace enfilade

@@ -94,8 +94,9 @@ struct SectorRecord {
     std::vector<std::string> tags;  ///< what triggers may call it besides its name; others may have the same
     std::vector<TriggerRecord> triggers;
     std::optional<LightEffectRecord> light_effect;
-    int damage = 0;       ///< what a second on its floor costs [points of health]
-    bool secret = false;  ///< counted, and told, when it is found
+    int damage = 0;                      ///< what a second on its floor costs [points of health]
+    bool secret = false;                 ///< counted, and told, when it is found
+    std::string move_sound, stop_sound;  ///< when its floor or ceiling moves, and when it arrives; empty: silent
     std::optional<DoomRecord> doom;
     TextPlace place;
     bool operator==(const SectorRecord&) const = default;
@@ -133,6 +134,7 @@ struct ThingRecord {
     std::vector<TriggerRecord> triggers;
     std::string gives_key;           ///< picked up by touch: the key of this name; empty: none
     int gives_health = 0;            ///< picked up by touch [points]
+    std::string sound;               ///< heard from it, over and over; empty: silent
     std::optional<DoomRecord> doom;  ///< special: type number; tag: 0; flags: the thing's
     TextPlace place;
     bool operator==(const ThingRecord&) const = default;
@@ -169,6 +171,7 @@ struct MapFile {
     std::vector<ThingRecord> things;
     std::vector<AnimationRecord> animations;
     std::vector<SwitchRecord> switches;
+    std::vector<SoundRecord> sounds;
     bool operator==(const MapFile&) const = default;
 };
 

@@ -75,6 +75,7 @@ std::vector<KeyInfo> map_keys() {
     add_key_infos<PlayerRecord>(all, "player.");
     add_key_infos<AnimationRecord>(all, "animations.");
     add_key_infos<SwitchRecord>(all, "switches.");
+    add_key_infos<SoundRecord>(all, "sounds.");
     add_key_infos<SectorRecord>(all, "sectors.");
     add_key_infos<FlatRecord>(all, "sectors.floor.");
     add_key_infos<FlatRecord>(all, "sectors.ceiling.");

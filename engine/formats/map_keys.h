@@ -78,6 +78,8 @@ template <>
 const KeyList<AnimationRecord>& keys_of();
 template <>
 const KeyList<SwitchRecord>& keys_of();
+template <>
+const KeyList<SoundRecord>& keys_of();
 
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, WallRecord&);

@@ -63,6 +63,7 @@ constexpr std::array kThingKeys{
     key<&ThingRecord::triggers>("triggers", kNew),
     key<&ThingRecord::gives_key>("gives_key", kNew),
     key<&ThingRecord::gives_health>("gives_health", kNew, Need::optional, {0, 1000}),
+    key<&ThingRecord::sound>("sound", kNew),
     key<&ThingRecord::doom>("doom", kNew),
 };
 

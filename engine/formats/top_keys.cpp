@@ -89,6 +89,7 @@ constexpr std::array kMapKeys{
     header_key<&MapFile::things>("things", kNew),
     header_key<&MapFile::animations>("animations", kNew),
     header_key<&MapFile::switches>("switches", kNew),
+    header_key<&MapFile::sounds>("sounds", kNew),
 };
 
 /// Where the file gives the player no eye height: standing on the floor.

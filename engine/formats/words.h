@@ -16,9 +16,9 @@ inline constexpr std::array<std::string_view, 2> kEaseWords{"smooth", "linear"};
 inline constexpr std::array<std::string_view, 2> kPressWords{"none", "use"};
 inline constexpr std::array<std::string_view, 3> kRendererWords{"column", "stencil", "reference"};
 inline constexpr std::array<std::string_view, 5> kOccasionWords{"use", "cross", "enter", "touch", "start"};
-inline constexpr std::array<std::string_view, 14> kDeedWords{
+inline constexpr std::array<std::string_view, 15> kDeedWords{
     "door",  "open",   "close", "close_then_open", "lift",     "shuttle", "floor", "ceiling",
-    "crush", "stairs", "stop",  "light",           "teleport", "exit"};
+    "crush", "stairs", "stop",  "light",           "teleport", "exit",    "sound"};
 inline constexpr std::array<std::string_view, 9> kLevelWords{
     "here",           "lowest_floor",    "highest_floor", "next_floor_up", "next_floor_down",
     "lowest_ceiling", "highest_ceiling", "floor",         "ceiling"};

@@ -27,6 +27,7 @@ std::string write_map(const MapFile& map) {
     if (map.player) add_under(text, "[player]", *map.player);
     for (const AnimationRecord& animation : map.animations) add_under(text, "[[animations]]", animation);
     for (const SwitchRecord& faces : map.switches) add_under(text, "[[switches]]", faces);
+    for (const SoundRecord& sound : map.sounds) add_under(text, "[[sounds]]", sound);
     for (const SectorRecord& sector : map.sectors) add_sector(text, sector);
     for (const ThingRecord& thing : map.things) add_under(text, "[[things]]", thing);
     return text;

@@ -1,4 +1,5 @@
-// What can happen in a map, resolved: triggers with the sectors they are about, and pictures that change with time.
+// What can happen in a map, resolved: triggers with the sectors they are about, pictures that change with time,
+// and sounds.
 // Nothing of it moves here; world/ says when and how.
 #pragma once
 #include <cstdint>
@@ -32,12 +33,25 @@ struct Trigger {
     std::optional<double> light;
     LightLevel light_of = LightLevel::given;
     std::optional<LightEffectRecord> effect;
+    SoundId sound;  ///< none: silent
+    /// Where it is heard from, what it is on: one of the three, where it has a sound.
+    SectorId on_sector;
+    WallId on_wall;
+    ThingId on_thing;
     static constexpr std::uint32_t kNoKey = 0xFFFFFFFFu;
 };
 
 /// Some of Map::triggers: [first, first + count).
 struct TriggerRange {
     std::uint32_t first = 0, count = 0;
+};
+
+/// Something that can be heard. The fields mean what they mean in SoundRecord.
+struct Sound {
+    std::string name, file;
+    double volume = 1;
+    double reach_m = 0;  ///< > 0 [m]
+    bool loops = false;
 };
 
 /// Pictures that follow one another.

@@ -95,6 +95,7 @@ struct Sector {
     std::optional<LightEffectRecord> light_effect;
     int damage = 0;  ///< of a second on its floor [points of health]
     bool secret = false;
+    SoundId move_sound, stop_sound;  ///< of its floor and ceiling: when they set off, and when they arrive; or none
 };
 
 /// One picture of an animation, from each direction.
@@ -133,6 +134,7 @@ struct Thing {
     TriggerRange triggers;                      ///< touch and start
     std::uint32_t gives_key = Trigger::kNoKey;  ///< index into Map::keys
     int gives_health = 0;                       ///< [points]
+    SoundId sound;                              ///< heard from it for ever; none: silent
 
     /// Taken by whoever touches it.
     bool is_pickup() const { return gives_key != Trigger::kNoKey || gives_health > 0; }
@@ -160,7 +162,10 @@ struct Map {
     std::vector<ThingId> touchables;    ///< by sector, each sector's in the order of their numbers
     std::vector<Trigger> triggers;      ///< first those of sectors, then of walls, then of things
     std::vector<TriggerId> at_start;    ///< those that the start of the map sets off
-    std::vector<std::string> keys;      ///< names of the keys that triggers ask for or things give
+    std::vector<Sound> sounds;
+    std::vector<ThingId> sounding_things;  ///< by sector, each sector's in the order of their numbers
+    double farthest_sound_m = 0;           ///< largest reach among the sounds; 0: there are none
+    std::vector<std::string> keys;         ///< names of the keys that triggers ask for or things give
     PictureChanges pictures;
     std::optional<PlayerStart> player;
     RenderRecord render;
@@ -171,6 +176,7 @@ struct Map {
     const Thing& operator[](ThingId id) const { return things[id.index]; }
     const Sprite& operator[](SpriteId id) const { return sprites[id.index]; }
     const Trigger& operator[](TriggerId id) const { return triggers[id.index]; }
+    const Sound& operator[](SoundId id) const { return sounds[id.index]; }
     /// The link's transform, or the identity.
     Rigid passage(const Wall& wall) const { return wall.link == Wall::kNoLink ? Rigid{} : links[wall.link]; }
     /// Where a point on the point grid comes to lie behind the portal: on the grid, and carried back exactly by the

@@ -111,6 +111,7 @@ private:
     }
 
     void find_targets(const TriggerRecord& record, SectorId usual, Trigger& trigger) {
+        if (record.deed == Deed::sound) return;
         if (record.deed == Deed::exit) {
             if (!record.targets.empty()) trigger.leads_to = record.targets.front();
         } else if (record.deed == Deed::teleport) {

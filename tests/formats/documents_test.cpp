@@ -157,18 +157,17 @@ TEST_P(MapManual, HasTheReadersKeys) {
 
 INSTANTIATE_TEST_SUITE_P(
     Sections, MapManual,
-    testing::Values(Section{"The map", ""}, Section{"The picture", "render."}, Section{"The player", "player."},
-                    Section{"A sector", "sectors."}, Section{"A floor or ceiling", "sectors.floor."},
-                    Section{"A floor or ceiling", "sectors.ceiling."}, Section{"A loop", "sectors.loops."},
-                    Section{"A wall", "sectors.loops.walls."}, Section{"A panel", "sectors.panels."},
-                    Section{"A thing", "things."}, Section{"A sprite's frame", "things.frames."},
-                    Section{"A trigger", "sectors.triggers."}, Section{"A trigger", "sectors.loops.walls.triggers."},
-                    Section{"A trigger", "things.triggers."}, Section{"A light effect", "sectors.light_effect."},
-                    Section{"A light effect", "sectors.triggers.effect."}, Section{"An animation", "animations."},
-                    Section{"A switch", "switches."}, Section{"Left-overs of Doom", "sectors.doom."},
-                    Section{"Left-overs of Doom", "sectors.loops.walls.doom."},
-                    Section{"Left-overs of Doom", "sectors.panels.doom."},
-                    Section{"Left-overs of Doom", "things.doom."}));
+    testing::Values(
+        Section{"The map", ""}, Section{"The picture", "render."}, Section{"The player", "player."},
+        Section{"A sector", "sectors."}, Section{"A floor or ceiling", "sectors.floor."},
+        Section{"A floor or ceiling", "sectors.ceiling."}, Section{"A loop", "sectors.loops."},
+        Section{"A wall", "sectors.loops.walls."}, Section{"A panel", "sectors.panels."}, Section{"A thing", "things."},
+        Section{"A sprite's frame", "things.frames."}, Section{"A trigger", "sectors.triggers."},
+        Section{"A trigger", "sectors.loops.walls.triggers."}, Section{"A trigger", "things.triggers."},
+        Section{"A light effect", "sectors.light_effect."}, Section{"A light effect", "sectors.triggers.effect."},
+        Section{"An animation", "animations."}, Section{"A switch", "switches."}, Section{"A sound", "sounds."},
+        Section{"Left-overs of Doom", "sectors.doom."}, Section{"Left-overs of Doom", "sectors.loops.walls.doom."},
+        Section{"Left-overs of Doom", "sectors.panels.doom."}, Section{"Left-overs of Doom", "things.doom."}));
 
 class FlythroughManual : public testing::TestWithParam<Section> {};
 

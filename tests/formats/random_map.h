@@ -25,6 +25,8 @@ public:
         for (int i = whole(0, 3); i > 0; --i) map.things.push_back(thing());
         for (int i = whole(0, 2); i > 0; --i) map.animations.push_back({{text(), text()}, number(0.1, 9), {}});
         for (int i = whole(0, 2); i > 0; --i) map.switches.push_back({text(), text(), {}});
+        for (int i = whole(0, 2); i > 0; --i)
+            map.sounds.push_back({text(), text(), number(0, 1), number(0.1, 99), flip(), {}});
         return map;
     }
 
@@ -77,7 +79,7 @@ private:
     TriggerRecord trigger() {
         TriggerRecord trigger;
         trigger.on = static_cast<Occasion>(random_.below(5));
-        trigger.deed = static_cast<Deed>(random_.below(14));
+        trigger.deed = static_cast<Deed>(random_.below(15));
         for (int i = whole(0, 2); i > 0; --i) trigger.targets.push_back(text());
         trigger.once = flip();
         trigger.one_way = flip();
@@ -101,6 +103,7 @@ private:
         else
             trigger.light_of = static_cast<LightLevel>(random_.below(3));
         trigger.effect = light_effect();
+        trigger.sound = maybe_text();
         return trigger;
     }
     std::vector<TriggerRecord> triggers() {
@@ -171,6 +174,8 @@ private:
         sector.light_effect = light_effect();
         sector.damage = whole(0, 99);
         sector.secret = flip();
+        sector.move_sound = maybe_text();
+        sector.stop_sound = maybe_text();
         sector.doom = doom();
         return sector;
     }
@@ -197,6 +202,7 @@ private:
         thing.gives_health = whole(0, 99);
         thing.skills = static_cast<std::uint8_t>(flip() ? kAllSkills : whole(0, kAllSkills));
         thing.multiplayer = flip();
+        thing.sound = maybe_text();
         thing.doom = doom();
         return thing;
     }
@@ -238,6 +244,7 @@ inline MapFile without_places(MapFile map) {
     }
     for (AnimationRecord& animation : map.animations) animation.place = {};
     for (SwitchRecord& faces : map.switches) faces.place = {};
+    for (SoundRecord& sound : map.sounds) sound.place = {};
     if (map.player) map.player->place = {};
     return map;
 }

@@ -1,0 +1,98 @@
+// Sounds, and who makes them: names become ids.
+#include <algorithm>
+#include <string>
+
+#include "formats/quoted.h"
+#include "map/draft.h"
+#include "map/names.h"
+
+namespace enfilade {
+namespace {
+
+NameIndex sound_names(const MapFile& file) {
+    std::vector<ScopedName> names;
+    for (std::uint32_t i = 0; i < file.sounds.size(); ++i) names.push_back({0, file.sounds[i].name, i});
+    return NameIndex(std::move(names));
+}
+
+class SoundPlacer {
+public:
+    explicit SoundPlacer(Draft& draft) : draft_(draft), map_(draft.map), names_(sound_names(draft.file)) {}
+
+    void add_sounds() {
+        for (const SoundRecord& record : draft_.file.sounds) {
+            map_.sounds.push_back({record.name, record.file, record.volume, record.reach, record.loops});
+            map_.farthest_sound_m = std::max(map_.farthest_sound_m, record.reach);
+        }
+        for (const auto& [first, again] : names_.duplicates())
+            draft_.error(
+                draft_.file.sounds[again].place, "duplicate-sound",
+                "expected a name no other sound has, found " + quoted(draft_.file.sounds[again].name) + " again");
+    }
+
+    void place_on_sectors() {
+        for (std::size_t i = 0; i < map_.sectors.size(); ++i) {
+            const SectorRecord& record = *draft_.sectors[i].record;
+            Sector& sector = map_.sectors[i];
+            sector.move_sound = found(record.move_sound, record.place);
+            sector.stop_sound = found(record.stop_sound, record.place);
+            place_on_triggers(sector.triggers, record.triggers, [&](Trigger& t) { t.on_sector = SectorId(i); });
+        }
+    }
+
+    void place_on_walls() {
+        for (std::size_t i = 0; i < map_.walls.size(); ++i)
+            place_on_triggers(map_.walls[i].triggers, draft_.walls[i].record->triggers,
+                              [&](Trigger& t) { t.on_wall = WallId(i); });
+    }
+
+    void place_on_things() {
+        for (std::size_t i = 0; i < map_.things.size(); ++i) {
+            const ThingRecord& record = *draft_.things[i];
+            Thing& thing = map_.things[i];
+            thing.sound = found(record.sound, record.place);
+            if (thing.sound) map_.sounding_things.push_back(ThingId(i));
+            place_on_triggers(thing.triggers, record.triggers, [&](Trigger& t) { t.on_thing = ThingId(i); });
+        }
+        std::stable_sort(map_.sounding_things.begin(), map_.sounding_things.end(),
+                         [&](ThingId a, ThingId b) { return map_[a].sector < map_[b].sector; });
+    }
+
+private:
+    /// None where the record names none.
+    SoundId found(const std::string& name, TextPlace place) {
+        if (name.empty()) return {};
+        const auto number = names_.find(0, name);
+        if (number) return SoundId(*number);
+        draft_.error(place, "unknown-sound",
+                     "expected the name of a sound, found " + quoted(name) + names_.suggestion(0, name));
+        return {};
+    }
+
+    template <class PutOn>
+    void place_on_triggers(TriggerRange range, const std::vector<TriggerRecord>& records, PutOn put_on) {
+        for (std::uint32_t i = 0; i < range.count; ++i) {
+            Trigger& trigger = map_.triggers[range.first + i];
+            trigger.sound = found(records[i].sound, records[i].place);
+            if (trigger.sound) put_on(trigger);
+            if (trigger.deed == Deed::sound && records[i].sound.empty())
+                draft_.error(records[i].place, "needs-sound", "expected 'sound', which says what is heard; found none");
+        }
+    }
+
+    Draft& draft_;
+    Map& map_;
+    NameIndex names_;
+};
+
+}  // namespace
+
+void place_sounds(Draft& draft) {
+    SoundPlacer placer(draft);
+    placer.add_sounds();
+    placer.place_on_sectors();
+    placer.place_on_walls();
+    placer.place_on_things();
+}
+
+}  // namespace enfilade
