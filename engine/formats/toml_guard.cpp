@@ -14,10 +14,10 @@ class Scanner {
 public:
     Scanner(std::string_view text, const TomlLimits& limits) : text_(text), limits_(limits) {}
 
-    TomlScan run() {
+    std::optional<Finding> run() {
         if (text_.starts_with(kByteOrderMark)) at_ = line_start_ = kByteOrderMark.size();
         while (at_ < text_.size() && !problem_) step(text_[at_]);
-        return {std::move(problem_), std::move(cuts_)};
+        return std::move(problem_);
     }
 
 private:
@@ -40,7 +40,6 @@ private:
         line_is_empty_ = false;
         if (c == '[' && starts_line && open_count_ == 0) {
             header_ = true;
-            header_at_ = at_;
             base_ = 0;
         }
         if (header_) return header_part(c);
@@ -99,17 +98,10 @@ private:
         line_start_ = at_;
         line_is_empty_ = true;
         if (open_count_ > 0) return;
-        if (header_) end_header();
+        if (header_) base_ = key_dots_ + 2;  // an array of tables and its table
         header_ = false;
         in_value_ = false;
         key_dots_ = 0;
-    }
-
-    void end_header() {
-        base_ = key_dots_ + 2;  // an array of tables and its table
-        const std::size_t last = cuts_.empty() ? 0 : cuts_.back();
-        if (key_dots_ == 0 && text_.substr(header_at_, 2) == "[[" && header_at_ - last >= kLeastTomlPart)
-            cuts_.push_back(header_at_);
     }
 
     void skip_comment() {
@@ -191,7 +183,6 @@ private:
     std::uint32_t line_ = 1;
     bool line_is_empty_ = true;  ///< nothing but white space so far
     bool header_ = false;        ///< inside [header]
-    std::size_t header_at_ = 0;  ///< where it began
     bool in_value_ = false;      ///< right of a '=', or inside an array: a dot belongs to a number
     int base_ = 0;               ///< depth of the container we are in
     int key_dots_ = 0;           ///< dots of the key we are in
@@ -199,19 +190,17 @@ private:
     int open_count_ = 0;
     std::size_t values_ = 0, dotted_keys_ = 0, dotted_headers_ = 0;
     std::optional<Finding> problem_;
-    std::vector<std::size_t> cuts_;
 };
 
 }  // namespace
 
-TomlScan scan_toml(std::string_view text, const TomlLimits& limits) {
+std::optional<Finding> scan_toml(std::string_view text, const TomlLimits& limits) {
     if (text.size() > limits.bytes)
-        return {Finding{{},
-                        Severity::error,
-                        "too-large",
-                        "the file has " + std::to_string(text.size()) + " bytes; at most " +
-                            std::to_string(limits.bytes) + " are read"},
-                {}};
+        return Finding{{},
+                       Severity::error,
+                       "too-large",
+                       "the file has " + std::to_string(text.size()) + " bytes; at most " +
+                           std::to_string(limits.bytes) + " are read"};
     return Scanner(text, limits).run();
 }
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "base/finding.h"
 #include "formats/toml.h"
@@ -23,20 +22,9 @@ inline constexpr std::size_t kMaxDottedKeys = std::size_t{1} << 16;
 /// with two of them each.
 inline constexpr std::size_t kMaxDottedHeaders = std::size_t{1} << 18;
 
-/// Parts of a text that are not worth a thread of their own are not cut off [bytes].
-inline constexpr std::size_t kLeastTomlPart = std::size_t{1} << 18;
-
-/// What one look over a text tells.
-struct TomlScan {
-    /// The first reason not to parse the text: too-large, not-utf8, too-deep, or bad-toml for what the library does
-    /// not survive. A text without one may still be wrong.
-    std::optional<Finding> problem;
-    /// Offsets at which the text may be cut into parts that are TOML on their own, ascending and at least
-    /// kLeastTomlPart apart: headers `[[name]]` without a dot. Only to be trusted where the text before them is valid.
-    std::vector<std::size_t> cuts;
-};
-
-/// Cost: a few ns a byte, no memory but the cuts.
-TomlScan scan_toml(std::string_view text, const TomlLimits& limits);
+/// The first reason not to parse a text: too-large, not-utf8, too-deep, or bad-toml for what the library does not
+/// survive. A text without one may still be wrong.
+/// Cost: a few ns a byte, no memory.
+std::optional<Finding> scan_toml(std::string_view text, const TomlLimits& limits);
 
 }  // namespace enfilade
