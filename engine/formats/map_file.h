@@ -156,6 +156,8 @@ struct RenderRecord {
     LightModel light = LightModel::smooth;
     std::uint32_t recursion_color = 0xFF00FF;  ///< 0xRRGGBB
     int max_depth = 64;                        ///< links followed in one chain
+    std::uint32_t fog_color = 0xC0C8D0;        ///< 0xRRGGBB
+    double fog_reach = 0;                      ///< depth at which fog hides half of everything but sky; 0: no fog [m]
     bool operator==(const RenderRecord&) const = default;
 };
 

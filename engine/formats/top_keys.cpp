@@ -34,10 +34,11 @@ constexpr std::array kPlayerKeys{
 };
 
 /// "#rrggbb", or the number 0xrrggbb.
+template <auto color_member>
 void read_color(Reading& reading, const NamedValue& value, Range, RenderRecord& render) {
     const TomlNode node = value.node;
     if (node.kind() == TomlKind::integer && node.integer() >= 0 && node.integer() <= 0xFFFFFF) {
-        render.recursion_color = static_cast<std::uint32_t>(node.integer());
+        render.*color_member = static_cast<std::uint32_t>(node.integer());
         return;
     }
     const std::string_view text = node.kind() == TomlKind::string ? node.text() : "";
@@ -45,27 +46,36 @@ void read_color(Reading& reading, const NamedValue& value, Range, RenderRecord& 
     if (text.size() == 7 && text[0] == '#') {
         const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, color, 16);
         if (error == std::errc() && end == text.data() + 7) {
-            render.recursion_color = color;
+            render.*color_member = color;
             return;
         }
     }
     reading.error(node.place(), "bad-color", quoted(value.name) + " must be a colour like \"#ff00ff\"");
 }
 
+template <auto color_member>
 void write_color(TableText& table, const Key<RenderRecord>& key, const RenderRecord& render,
                  const RenderRecord& usual) {
-    if (render.recursion_color == usual.recursion_color) return;
+    const std::uint32_t color = render.*color_member;
+    if (color == usual.*color_member) return;
     constexpr std::string_view kDigits = "0123456789abcdef";
     std::string text = "#";
-    for (int shift = 20; shift >= 0; shift -= 4) text += kDigits[(render.recursion_color >> shift) & 15];
+    for (int shift = 20; shift >= 0; shift -= 4) text += kDigits[(color >> shift) & 15];
     table.add(key.name, string_text(text));
+}
+
+template <auto color_member>
+constexpr Key<RenderRecord> color_key(std::string_view name) {
+    return {name, kNew, Need::optional, {}, read_color<color_member>, write_color<color_member>};
 }
 
 constexpr std::array kRenderKeys{
     key<&RenderRecord::stretch>("stretch", kNew, Need::optional, {0.125, 8}),
     key<&RenderRecord::light>("light", kNew),
-    Key<RenderRecord>{"recursion_color", kNew, Need::optional, {}, read_color, write_color},
+    color_key<&RenderRecord::recursion_color>("recursion_color"),
     key<&RenderRecord::max_depth>("max_depth", kNew, Need::optional, {0, 1024}),
+    color_key<&RenderRecord::fog_color>("fog_color"),
+    key<&RenderRecord::fog_reach>("fog_reach", kNew, Need::optional, {0, kWorldLimit}),
 };
 
 void read_format(Reading& reading, const NamedValue& value, Range, MapFile& map) {

@@ -31,7 +31,11 @@ double moved(double offset_tiles, double by) { return offset_tiles + by - std::f
 Flat flat_now(const Map& map, Flat flat, TextureId given, double time_s) {
     Surface& surface = flat.surface;
     surface.texture = animated(map.pictures, given ? given : surface.texture, time_s);
-    if (flat.scroll == Vec2{} || flat.sky) return flat;
+    if (flat.scroll == Vec2{}) return flat;
+    if (flat.sky) {
+        surface.offset_tiles.x = moved(surface.offset_tiles.x, flat.scroll.x / 360 * time_s * surface.tile_m.x);
+        return flat;
+    }
     surface.offset_tiles.x = moved(surface.offset_tiles.x, flat.scroll.x * time_s / surface.tile_m.x);
     surface.offset_tiles.y = moved(surface.offset_tiles.y, flat.scroll.y * time_s / surface.tile_m.y);
     return flat;

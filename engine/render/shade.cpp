@@ -37,6 +37,12 @@ Shade shade_at(LightModel model, double light, double contrast, double depth) {
     return model == LightModel::classic ? classic(light, contrast, depth) : smooth(light, contrast, depth);
 }
 
+Mist mist_at(double reach, double depth) {
+    if (reach == 0) return 0;
+    const double part = std::min(depth, kFarthest) / reach;
+    return static_cast<Mist>(256 * (1 - 1 / (1 + part * part)) + 0.5);
+}
+
 double fraction(double tiles) {
     const double f = tiles - std::floor(tiles);
     return f < 1 ? f : 0;

@@ -30,6 +30,26 @@ constexpr std::uint32_t shaded(std::uint32_t color, Shade shade) {
     return 0xFF000000u | red_blue | green;
 }
 
+/// How much of a colour fog hides, in 1/256: 0 nothing, 256 all.
+using Mist = std::uint32_t;
+
+/// Fog that hides half of everything at the depth `reach` [m], more beyond: depth^2 / (depth^2 + reach^2).
+/// reach: 0 is no fog. depth: >= 0 [m], infinity allowed.
+Mist mist_at(double reach, double depth);
+
+/// The colour 0xAABBGGRR with fog of the colour `fog` before it. Alpha is kept.
+constexpr std::uint32_t misted(std::uint32_t color, std::uint32_t fog, Mist mist) {
+    const std::uint32_t clear = 256 - mist;
+    const std::uint32_t red_blue = ((color & 0x00FF00FFu) * clear + (fog & 0x00FF00FFu) * mist) >> 8 & 0x00FF00FFu;
+    const std::uint32_t green = ((color & 0x0000FF00u) * clear + (fog & 0x0000FF00u) * mist) >> 8 & 0x0000FF00u;
+    return (color & 0xFF000000u) | red_blue | green;
+}
+
+/// 0xRRGGBB, as maps write colours, as a pixel 0xAABBGGRR.
+constexpr std::uint32_t pixel_of(std::uint32_t rgb) {
+    return 0xFF000000u | (rgb & 0xFF) << 16 | (rgb & 0xFF00) | (rgb >> 16 & 0xFF);
+}
+
 /// The colour `above` lying over `below`: its alpha says how much of `below` is hidden, 0 nothing, 255 all.
 /// The result is opaque; each channel is rounded to the nearest.
 constexpr std::uint32_t laid_over(std::uint32_t below, std::uint32_t above) {

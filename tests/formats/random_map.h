@@ -18,8 +18,12 @@ public:
         map.name = maybe_text();
         map.textures = {text(), text()};
         map.size = maybe(1, 64);
-        map.render = {number(0.125, 8), flip() ? LightModel::classic : LightModel::smooth,
-                      static_cast<std::uint32_t>(random_.below(1 << 24)), whole(0, 1024)};
+        map.render = {number(0.125, 8),
+                      flip() ? LightModel::classic : LightModel::smooth,
+                      static_cast<std::uint32_t>(random_.below(1 << 24)),
+                      whole(0, 1024),
+                      static_cast<std::uint32_t>(random_.below(1 << 24)),
+                      number(0, 99)};
         for (int i = whole(1, 4); i > 0; --i) map.sectors.push_back(sector());
         if (flip()) map.player = PlayerRecord{text(), point(), number(-100, 100), number(-360, 360), {}};
         for (int i = whole(0, 3); i > 0; --i) map.things.push_back(thing());

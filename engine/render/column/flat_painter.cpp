@@ -7,6 +7,11 @@
 #include "render/column/kernels.h"
 
 namespace enfilade::column {
+namespace {
+
+bool has_fog(const Scene& scene) { return scene.map.render.fog_reach > 0; }
+
+}  // namespace
 
 void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height,
                         double light, SurfaceId id) {
@@ -36,8 +41,16 @@ void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, do
     if (is_extended_) shade_extended_rows(scene, top, bottom, wall_depth);
     const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
     const Vec2 tile = flat_.surface.tile_m;
-    const FlatRun flat{texture_,           base_u_,           base_v_, ray.x / tile.x, ray.y / tile.y, wall_depth,
-                       row_depths_.data(), row_shades_.data()};
+    const FlatRun flat{texture_,
+                       base_u_,
+                       base_v_,
+                       ray.x / tile.x,
+                       ray.y / tile.y,
+                       wall_depth,
+                       row_depths_.data(),
+                       row_shades_.data(),
+                       has_fog(scene) ? row_mists_.data() : nullptr,
+                       pixel_of(scene.map.render.fog_color)};
     fill_flat(scene.canvas.run(x, top, bottom), flat);
     if (scene.facts == nullptr) return;
     for (int y = top; y < bottom; ++y) {
@@ -69,6 +82,7 @@ void FlatPainter::paint_sky(const Scene& scene, int x, int top, int bottom) {
 void FlatPainter::prepare_rows(const Scene& scene, int top, int bottom) {
     row_depths_.resize(scene.screen.row_depths.size());
     row_shades_.resize(scene.screen.row_depths.size());
+    if (has_fog(scene)) row_mists_.resize(scene.screen.row_depths.size());
     if (prepared_top_ >= prepared_bottom_) prepared_top_ = prepared_bottom_ = top;
     while (prepared_top_ > top) prepare_row(scene, --prepared_top_);
     while (prepared_bottom_ < bottom) prepare_row(scene, prepared_bottom_++);
@@ -79,14 +93,18 @@ void FlatPainter::prepare_row(const Scene& scene, int row) {
     // A level ray meets a level plane at infinity, also one at its own height. Behind the eye (below 0) only where the
     // eye is above the ceiling or below the floor it looks at.
     row_depths_[row] = std::isinf(depth_per_metre) ? depth_per_metre : std::max(height_ * depth_per_metre, 0.0);
-    row_shades_[row] = shade_at(scene.map.render.light, light_, 1, row_depths_[row]);
+    shade_row(scene, row, row_depths_[row]);
+}
+
+void FlatPainter::shade_row(const Scene& scene, int row, double depth) {
+    row_shades_[row] = shade_at(scene.map.render.light, light_, 1, depth);
+    if (has_fog(scene)) row_mists_[row] = mist_at(scene.map.render.fog_reach, depth);
 }
 
 /// A flat seen from its wrong side (past a step that is not drawn, or by an eye outside the room's heights) never comes
 /// nearer than the wall it is stretched to: its rows are lit as far away as they are drawn, column by column.
 void FlatPainter::shade_extended_rows(const Scene& scene, int top, int bottom, double wall_depth) {
-    for (int y = top; y < bottom; ++y)
-        row_shades_[y] = shade_at(scene.map.render.light, light_, 1, std::min(row_depths_[y], wall_depth));
+    for (int y = top; y < bottom; ++y) shade_row(scene, y, std::min(row_depths_[y], wall_depth));
 }
 
 }  // namespace enfilade::column

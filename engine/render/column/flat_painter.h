@@ -25,6 +25,7 @@ private:
     void paint_sky(const Scene& scene, int x, int top, int bottom);
     void prepare_rows(const Scene& scene, int top, int bottom);
     void prepare_row(const Scene& scene, int row);
+    void shade_row(const Scene& scene, int row, double depth);
     void shade_extended_rows(const Scene& scene, int top, int bottom, double wall_depth);
 
     const Pose* pose_ = nullptr;
@@ -36,6 +37,7 @@ private:
     double base_u_ = 0, base_v_ = 0;  ///< tile position under the eye, in [0, 1)
     std::vector<double> row_depths_;  ///< valid for rows [prepared_top_, prepared_bottom_)
     std::vector<Shade> row_shades_;
+    std::vector<Mist> row_mists_;  ///< where there is fog
     int prepared_top_ = 0, prepared_bottom_ = 0;
 };
 

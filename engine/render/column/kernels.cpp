@@ -29,27 +29,16 @@ void fill_wall_as(const Run& run, const WallRun& wall) {
     }
 }
 
-}  // namespace
-
-TileSteps tile_steps(double tiles) { return static_cast<TileSteps>(fraction(tiles) * 0x1p64); }
-
-void fill_wall(const Run& run, const WallRun& wall) {
-    if (wall.shade == kFullBright)
-        fill_wall_as<false>(run, wall);
-    else
-        fill_wall_as<true>(run, wall);
-}
-
-void lay_wall(const Run& run, const WallRun& wall) {
+void fill_wall_in_fog(const Run& run, const WallRun& wall) {
     TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
     for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
         const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
-        const std::uint32_t alpha = texel & 0xFF000000u;
-        if (alpha != 0) run.pixels[i] = laid_over(run.pixels[i], (shaded(texel, wall.shade) & 0x00FFFFFFu) | alpha);
+        run.pixels[i] = misted(shaded(texel, wall.shade), wall.fog, wall.mist);
     }
 }
 
-void fill_flat(const Run& run, const FlatRun& flat) {
+template <bool kHasFog>
+void fill_flat_as(const Run& run, const FlatRun& flat) {
     const Texture& texture = *flat.texture;
     const std::uint32_t* texels = texture.pixels.data();
     const double most =
@@ -60,8 +49,40 @@ void fill_flat(const Run& run, const FlatRun& flat) {
         const double depth = std::min(flat.row_depths[row], farthest);
         const std::uint32_t u = texel_of(fraction_bits(flat.base_u + depth * flat.step_u), texture.width);
         const std::uint32_t v = texel_of(fraction_bits(flat.base_v + depth * flat.step_v), texture.height);
-        run.pixels[i] = shaded(texels[std::size_t{u} * texture.height + v], flat.row_shades[row]);
+        const std::uint32_t color = shaded(texels[std::size_t{u} * texture.height + v], flat.row_shades[row]);
+        run.pixels[i] = kHasFog ? misted(color, flat.fog, flat.row_mists[row]) : color;
     }
+}
+
+}  // namespace
+
+TileSteps tile_steps(double tiles) { return static_cast<TileSteps>(fraction(tiles) * 0x1p64); }
+
+void fill_wall(const Run& run, const WallRun& wall) {
+    if (wall.mist != 0)
+        fill_wall_in_fog(run, wall);
+    else if (wall.shade == kFullBright)
+        fill_wall_as<false>(run, wall);
+    else
+        fill_wall_as<true>(run, wall);
+}
+
+void lay_wall(const Run& run, const WallRun& wall) {
+    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
+    for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
+        const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
+        const std::uint32_t alpha = texel & 0xFF000000u;
+        if (alpha == 0) continue;
+        const std::uint32_t color = misted(shaded(texel, wall.shade), wall.fog, wall.mist);
+        run.pixels[i] = laid_over(run.pixels[i], (color & 0x00FFFFFFu) | alpha);
+    }
+}
+
+void fill_flat(const Run& run, const FlatRun& flat) {
+    if (flat.row_mists)
+        fill_flat_as<true>(run, flat);
+    else
+        fill_flat_as<false>(run, flat);
 }
 
 void fill_sky(const Run& run, const SkyRun& sky) {

@@ -14,11 +14,6 @@ constexpr std::size_t kMostViewports = 1u << 16;
 
 constexpr double kBrightestDepth = 0;
 
-/// 0xRRGGBB as a pixel.
-std::uint32_t pixel_of(std::uint32_t rgb) {
-    return 0xFF000000u | (rgb & 0xFF) << 16 | (rgb & 0xFF00) | (rgb >> 16 & 0xFF);
-}
-
 RelativeHeights heights_above(const SectorSnapshot& sector, double eye_z) {
     return {sector.floor_z - eye_z, sector.ceiling_z - eye_z};
 }

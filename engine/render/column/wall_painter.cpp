@@ -22,7 +22,7 @@ void WallPainter::start_panel(const Scene& scene, const Panel& panel, double top
 /// length: of the wall [m].
 void WallPainter::hang(const Scene& scene, const Surface& surface, double length, double peg) {
     texture_ = &scene.textures[surface.texture];
-    model_ = scene.map.render.light;
+    render_ = &scene.map.render;
     u_per_along_ = length / surface.tile_m.x;
     u_offset_ = surface.offset_tiles.x;
     v_per_m_ = 1 / surface.tile_m.y;
@@ -33,7 +33,7 @@ void WallPainter::start_picture(const Scene& scene, const Texture& texture, doub
                                 SurfaceId id) {
     texture_ = &texture;
     id_ = id;
-    model_ = scene.map.render.light;
+    render_ = &scene.map.render;
     light_ = light;
     contrast_ = 1;
     u_per_along_ = 1;
@@ -49,8 +49,13 @@ WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallH
 
 WallRun WallPainter::run_of(const ColumnTexels& at, const WallHit& hit) const {
     const std::uint32_t column = texel_index(fraction(at.u), texture_->width);
-    return {&texture_->pixels[std::size_t{column} * texture_->height], texture_->height, tile_steps(at.v_at_row_0),
-            tile_steps(at.v_per_row), shade_at(model_, light_, contrast_, hit.depth)};
+    return {&texture_->pixels[std::size_t{column} * texture_->height],
+            texture_->height,
+            tile_steps(at.v_at_row_0),
+            tile_steps(at.v_per_row),
+            shade_at(render_->light, light_, contrast_, hit.depth),
+            mist_at(render_->fog_reach, hit.depth),
+            pixel_of(render_->fog_color)};
 }
 
 void WallPainter::paint(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {

@@ -41,7 +41,7 @@ private:
 
     const Texture* texture_ = nullptr;
     SurfaceId id_ = kNothing;
-    LightModel model_ = LightModel::smooth;
+    const RenderRecord* render_ = nullptr;
     double light_ = 1, contrast_ = 1;
     double u_per_along_ = 1, u_offset_ = 0;  ///< [tiles]
     double v_at_peg_ = 0, v_per_m_ = 1;      ///< v at the eye's height, and tiles per metre downwards

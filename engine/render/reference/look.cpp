@@ -59,8 +59,7 @@ Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, 
     const std::uint32_t color = texel(at.scene.textures[surface.texture], tile_u, tile_v);
     const double light = light_at(at.scene.snapshot, at.hit.sector);
     seen.texel = {static_cast<float>(tile_u), static_cast<float>(tile_v)};
-    const std::uint32_t shade = shade_at(at.scene.map.render.light, light, contrast, depth);
-    seen.color = (color & kAlpha) | (shaded(color, shade) & ~kAlpha);  // a pane still needs its alpha
+    seen.color = lit(at.scene, color, light, contrast, depth);  // a pane still needs its alpha
     return seen;
 }
 
@@ -135,9 +134,7 @@ Seen through_panes(const std::vector<Pane>& panes, Seen seen) {
 }
 
 Seen end_of_chain(const Arrival& at) {
-    const std::uint32_t rgb = at.scene.map.render.recursion_color;
-    const std::uint32_t color = 0xFF000000u | (rgb & 0xFFu) << 16 | (rgb & 0xFF00u) | rgb >> 16;
-    return {kRecursionEnd, at.hit.depth, {}, color, false};
+    return {kRecursionEnd, at.hit.depth, {}, pixel_of(at.scene.map.render.recursion_color), false};
 }
 
 /// Where the ray ends if it ends at this wall: on the flats before it, on the wall, on a step, or because it has

@@ -34,6 +34,14 @@ inline std::uint32_t texel(const Texture& texture, double u, double v) {
     return texture.at(texel_index(u, texture.width), texel_index(v, texture.height));
 }
 
+/// A texel's colour in this light and the map's fog; its alpha is kept.
+inline std::uint32_t lit(const Scene& scene, std::uint32_t color, double light, double contrast, double depth) {
+    const RenderRecord& render = scene.map.render;
+    const std::uint32_t clear = shaded(color, shade_at(render.light, light, contrast, depth));
+    return (color & 0xFF000000u) |
+           (misted(clear, pixel_of(render.fog_color), mist_at(render.fog_reach, depth)) & 0x00FFFFFFu);
+}
+
 /// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round? size_m: of the picture.
 bool is_at_rim_of_hole(const Texture& texture, TexelPosition at, Vec2 size_m);
 

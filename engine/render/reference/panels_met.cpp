@@ -28,13 +28,12 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
     const double v = fraction((top - ray.climb * at.depth) / surface.tile_m.y - surface.offset_tiles.y);
     const std::uint32_t color = texel(texture, u, v);
     const double light = light_at(scene.snapshot, panel.sector);
-    const Shade shade = shade_at(scene.map.render.light, light, panel.contrast, at.depth);
     Pane pane;
     pane.seen.id = panel_id(scene.map, at.panel);
     pane.seen.depth = at.depth;
     pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
     pane.alpha = color >> 24;
-    pane.seen.color = (color & 0xFF000000u) | (shaded(color, shade) & 0x00FFFFFFu);
+    pane.seen.color = lit(scene, color, light, panel.contrast, at.depth);
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, surface.tile_m);
     return pane;
 }

@@ -60,13 +60,12 @@ Pane pane_of(const Scene& scene, const SpritePicture& picture, const Meeting& at
     const Texture& texture = scene.textures[picture.texture];
     const double u = at.place_m.x / picture.size_m.x, v = std::clamp(at.place_m.y / picture.size_m.y, 0.0, 1.0);
     const std::uint32_t color = texel(texture, std::clamp(u, 0.0, 1.0), v);
-    const Shade shade = shade_at(scene.map.render.light, picture.light, 1, at.depth);
     Pane pane;
     pane.seen.id = thing_id(scene.map, at.thing);
     pane.seen.depth = at.depth;
     pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
     pane.alpha = color >> 24;
-    pane.seen.color = (color & 0xFF000000u) | (shaded(color, shade) & 0x00FFFFFFu);
+    pane.seen.color = lit(scene, color, picture.light, 1, at.depth);
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, picture.size_m);
     return pane;
 }

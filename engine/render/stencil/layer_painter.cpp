@@ -97,6 +97,9 @@ void LayerPainter::set_uniforms(const Scene& scene) {
     glUniform2f(surfaces_.level, static_cast<float>(level.x), static_cast<float>(level.y));
     glUniform3f(surfaces_.climb, static_cast<float>(rays.up.at(level.x, level.y)), static_cast<float>(rays.up.per_x),
                 static_cast<float>(rays.up.per_y));
+    const std::uint32_t fog = pixel_of(scene.map().render.fog_color);
+    const auto channel = [&](int shift) { return static_cast<float>(fog >> shift & 0xFF); };
+    glUniform4f(surfaces_.fog, channel(0), channel(8), channel(16), static_cast<float>(scene.map().render.fog_reach));
     glUniform1i(surfaces_.is_classic, scene.map().render.light == LightModel::classic);
     glUniform1i(surfaces_.texels, 0);
     glActiveTexture(GL_TEXTURE0);

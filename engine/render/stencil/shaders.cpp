@@ -97,6 +97,7 @@ layout(location = 1) out uvec4 out_facts;
 uniform vec2 level;  // a point at or near the horizon, so that rows next to it keep their precision
 uniform vec3 climb;  // what the ray climbs there, per column, per row
 uniform int is_classic;
+uniform vec4 fog;  // its colour, 0 to 255, and the depth where it hides half; 0: no fog
 uniform uvec2 alphas;  // least and most that are shown
 uniform usampler2D texels;
 
@@ -132,6 +133,12 @@ uint shade_at(float depth) {
     return is_classic != 0 ? classic_shade(bounds.z, bounds.w, depth) : smooth_shade(bounds.z, bounds.w, depth);
 }
 
+uvec3 in_fog(uvec3 color, float depth) {
+    float part = min(depth, 1e9) / fog.w;
+    uint mist = uint(256.0 * (1.0 - 1.0 / (1.0 + part * part)) + 0.5);
+    return color * (256u - mist) + uvec3(fog.rgb) * mist >> 8u;
+}
+
 void main() {
     if (is_beside()) discard;
     vec2 t = way();
@@ -163,7 +170,10 @@ void main() {
     }
     if (color.a < alphas.x || color.a > alphas.y) discard;
     uint alpha = alphas.x > 0u ? color.a : 255u;
-    out_color = vec4(uvec4(color.rgb * shade >> 8u, alpha)) / 255.0;
+    uvec3 lit = color.rgb * shade >> 8u;
+    bool is_lit = paint == kWall || paint == kPicture || paint == kFlat;
+    if (fog.w > 0.0 && is_lit) lit = in_fog(lit, depth);
+    out_color = vec4(uvec4(lit, alpha)) / 255.0;
     uint depth_bits = paint == kSky ? kInfinity : floatBitsToUint(depth);
     out_facts = uvec4(what.x & 0xFFFFFFu, depth_bits, floatBitsToUint(tile.x), floatBitsToUint(tile.y));
     gl_FragDepth = tested_depth();
@@ -222,6 +232,7 @@ Status build(SurfaceProgram& surface, MaskProgram& mask) {
     surface.level = uniform(surface.program, "level");
     surface.climb = uniform(surface.program, "climb");
     surface.is_classic = uniform(surface.program, "is_classic");
+    surface.fog = uniform(surface.program, "fog");
     surface.alphas = uniform(surface.program, "alphas");
     surface.texels = uniform(surface.program, "texels");
     mask.normal = uniform(mask.program, "normal");

@@ -13,6 +13,7 @@ struct SurfaceProgram {
     GLint level = -1;       ///< a point at or near the horizon [px]
     GLint climb = -1;       ///< what the ray climbs there, per column, per row
     GLint is_classic = -1;  ///< light model
+    GLint fog = -1;         ///< its colour and reach
     GLint alphas = -1;  ///< pixels of a picture with less than the first or more than the second are left out, 0..255
     GLint texels = -1;
 };

@@ -167,9 +167,8 @@ Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, doubl
 
 Look end_look(const Scene& scene, const SeenWall& wall) {
     Look look = plain_look(scene, wall.place);
-    const std::uint32_t rgb = scene.map().render.recursion_color;
     look.id_and_paint = kRecursionEnd | static_cast<std::uint32_t>(Paint::color) << 24;
-    look.texels = (rgb & 0xFFu) << 16 | (rgb & 0xFF00u) | rgb >> 16;
+    look.texels = pixel_of(scene.map().render.recursion_color);
     return look;
 }
 

@@ -40,6 +40,44 @@ TEST(ColumnRenderer, AgreesWithTheReferenceThroughFencesAndColouredGlass) {
     expect_agreement(world, 3, 200);
 }
 
+TEST(ColumnRenderer, AgreesWithTheReferenceInFog) {
+    MapFile file = palace();
+    for (SectorRecord& s : file.sectors)
+        for (WallRecord& w : s.loops[0].walls)
+            if (!w.next.empty()) {
+                w.middle = spec("lattice");
+                w.middle->offset_tx = {3, 5};
+            }
+    file.render.fog_color = 0x4080C0;
+    file.render.fog_reach = 3;
+    World world(file);
+    world.textures.textures[world.textures.find("lattice").index] = lattice();
+    expect_agreement(world, 7, 200);
+}
+
+/// Pictures that scroll and follow one another, lights that change, a sky that turns.
+MapFile restless_palace() {
+    MapFile file = palace();
+    for (SectorRecord& s : file.sectors) {
+        s.floor.scroll = {0.7, -1.3};
+        s.ceiling.scroll = {-2.1, 0.4};
+        s.light_effect = LightEffectRecord{};
+        for (LoopRecord& loop : s.loops)
+            for (WallRecord& w : loop.walls) w.scroll = {1.1, -0.9};
+    }
+    file.animations = {{{"wall", "floor", "ceiling"}, 0.3, {}}};
+    return file;
+}
+
+TEST(ColumnRenderer, AgreesWithTheReferenceWhateverMoves) {
+    World world(restless_palace());
+    for (const double time_s : {0.0, 1.25, 17.3, 86'400.7}) {
+        world.snapshot.time_s = time_s;
+        for (SectorSnapshot& sector : world.snapshot.sectors) sector.ceiling_z += 0.0625;
+        expect_agreement(world, 8, 60);
+    }
+}
+
 TEST(ColumnRenderer, DrawsStripsThatEqualTheWholePicture) {
     const World world(palace());
     Random random(5);

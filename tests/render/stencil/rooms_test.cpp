@@ -30,6 +30,15 @@ TEST(StencilLight, IsTheColumnRenderersInBothModels) {
     }
 }
 
+TEST(StencilFog, IsTheColumnRenderers) {
+    MapFile file = stepped_rooms();
+    file.render.fog_color = 0x4080C0;
+    file.render.fog_reach = 3;
+    const Map map = built(file);
+    const TextureSet textures = textures_for(file);
+    expect_agreement(Sight(map, textures).compare_poses(10, {160, 100}, 3));
+}
+
 std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Plain, StencilRooms, testing::ValuesIn(plain_scenes()), name_of_scene);
