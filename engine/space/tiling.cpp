@@ -1,0 +1,91 @@
+#include "space/tiling.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/check.h"
+#include "math/predicates.h"
+#include "space/triangulate.h"
+
+namespace enfilade {
+namespace {
+
+/// A directed edge by its ends.
+struct Ends {
+    Vec2 a, b;
+    std::uint32_t number;  ///< of the wall or the edge
+    auto key() const { return std::tuple(a.x, a.y, b.x, b.y); }
+};
+
+bool is_before(const Ends& s, const Ends& t) { return s.key() < t.key(); }
+
+const Ends* find_ends(const std::vector<Ends>& sorted, Vec2 a, Vec2 b) {
+    const Ends wanted{a, b, 0};
+    const auto it = std::lower_bound(sorted.begin(), sorted.end(), wanted, is_before);
+    return it == sorted.end() || it->key() != wanted.key() ? nullptr : &*it;
+}
+
+}  // namespace
+
+Tiling::Tiling(const Map& map) : edge_of_wall_(map.walls.size(), kNone), first_(1, 0) {
+    for (std::size_t i = 0; i < map.sectors.size(); ++i) add_sector(map, SectorId(i));
+    group_walls(map);
+}
+
+void Tiling::add_sector(const Map& map, SectorId sector) {
+    const auto begin = static_cast<std::uint32_t>(corners_.size());
+    for (const Triangle& triangle : triangulate(map, sector))
+        corners_.insert(corners_.end(), triangle.begin(), triangle.end());
+    walls_.resize(corners_.size());
+    across_.resize(corners_.size(), kNone);
+    join_edges(map, map[sector], begin);
+    first_.push_back(tile_count());
+}
+
+void Tiling::join_edges(const Map& map, const Sector& sector, std::uint32_t begin) {
+    std::vector<Ends> walls, edges;
+    for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w)
+        walls.push_back({map.walls[w].a, map.walls[w].b, w});
+    for (std::uint32_t e = begin; e < corners_.size(); ++e)
+        edges.push_back({map[corners_[e]].a, map[corners_[next_edge(e)]].a, e});
+    std::sort(walls.begin(), walls.end(), is_before);
+    std::sort(edges.begin(), edges.end(), is_before);
+    for (const Ends& edge : edges) {
+        if (const Ends* wall = find_ends(walls, edge.a, edge.b)) {
+            walls_[edge.number] = WallId(wall->number);
+            edge_of_wall_[wall->number] = edge.number;
+        } else {
+            const Ends* other = find_ends(edges, edge.b, edge.a);
+            ENFILADE_CHECK(other != nullptr);  // triangles cover the sector without gaps
+            across_[edge.number] = other->number;
+        }
+    }
+}
+
+void Tiling::group_walls(const Map& map) {
+    for (std::size_t i = 0; i < map.walls.size(); ++i) by_place_.emplace_back(i);
+    const auto key = [&](WallId id) { return std::pair(map[id].a.x, map[id].a.y); };
+    std::stable_sort(by_place_.begin(), by_place_.end(), [&](WallId s, WallId t) { return key(s) < key(t); });
+    place_.resize(map.walls.size());
+    for (std::uint32_t i = 0; i < by_place_.size(); ++i) {
+        if (i == 0 || key(by_place_[i]) != key(by_place_[i - 1])) places_first_.push_back(i);
+        place_[by_place_[i].index] = static_cast<std::uint32_t>(places_first_.size() - 1);
+    }
+    places_first_.push_back(static_cast<std::uint32_t>(by_place_.size()));
+}
+
+std::span<const WallId> Tiling::around(WallId wall) const {
+    const std::uint32_t place = place_[wall.index];
+    return std::span(by_place_).subspan(places_first_[place], places_first_[place + 1] - places_first_[place]);
+}
+
+std::uint32_t Tiling::find(const Map& map, SectorId sector, Vec2 p, std::uint32_t first) const {
+    const auto is_right_of = [&](std::uint32_t edge) {
+        return exact_cross(map[corners_[edge]].a, map[corners_[next_edge(edge)]].a, p) >= 0;
+    };
+    for (std::uint32_t t = std::max(first, first_[sector.index]); t < first_[sector.index + 1]; ++t)
+        if (is_right_of(3 * t) && is_right_of(3 * t + 1) && is_right_of(3 * t + 2)) return t;
+    return kNone;
+}
+
+}  // namespace enfilade
