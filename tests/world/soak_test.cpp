@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include "base/files.h"
 #include "base/hash.h"
 #include "map/load.h"
 #include "world/camera.h"
+#include "world/deed.h"
 #include "world/random_walks.h"
 
 namespace enfilade {
@@ -20,18 +22,26 @@ bool is_finite(const Player& p) {
            std::isfinite(p.velocity.y) && std::isfinite(p.place.point.x) && std::isfinite(p.place.point.y);
 }
 
-/// Walks for some ticks and checks after each.
-void soak(const Map& map, World world, std::uint64_t seed, int ticks) {
+/// Walks for some ticks, uses what is there, and checks after each. The world in the end.
+World soak(const Map& map, World world, std::uint64_t seed, int ticks) {
     RandomKeys keys(seed);
+    Random hand(seed);
     bool was_free = false;
     for (int i = 0; i < ticks && !testing::Test::HasFatalFailure(); ++i) {
         SCOPED_TRACE(testing::Message() << map.name << ", seed " << seed << ", tick " << i);
-        step(map, world, keys.next());
+        TickInput input = keys.next();
+        if (hand.below(8) == 0) input.buttons |= kButtonUse;
+        step(map, world, input);
+        world.health = kFullHealth;  // who is dead walks no more
         const Player& player = world.player;
         [&] {
             ASSERT_TRUE(is_finite(player));
             ASSERT_TRUE(contains(map, player.place.sector, player.place.point));
-            const Body body = body_of(map, player);
+            const Body body = body_of(now(map, world), player);
+            const Instant at = now(map, world);
+            const Clearance free = clearance(at, body, around(at, body).sectors);
+            ASSERT_TRUE(is_at_most(free.floor_z, player.feet_z)) << free.floor_z << " " << player.feet_z;
+            ASSERT_TRUE(is_at_most(player.height, free.ceiling_z - player.feet_z)) << free.ceiling_z;
             // Who is free of walls stays free of them.
             ASSERT_TRUE(!was_free || body.radius == kBodyRadius);
             was_free = body.radius == kBodyRadius;
@@ -40,6 +50,7 @@ void soak(const Map& map, World world, std::uint64_t seed, int ticks) {
             ASSERT_TRUE(contains(map, eye.place.sector, eye.place.point));
         }();
     }
+    return world;
 }
 
 TEST(Soak, StaysInTheWorldOverMosaicsOfSteps) {
@@ -48,6 +59,60 @@ TEST(Soak, StaysInTheWorldOverMosaicsOfSteps) {
         Random random(seed);
         soak(map, start_somewhere(map, random), seed, 2000);
     }
+}
+
+/// Any deed on any occasion, to any sectors.
+Trigger random_trigger(const Map& map, Occasion occasion, Random& random) {
+    static constexpr Deed kDeeds[] = {Deed::door,  Deed::open,   Deed::close,   Deed::close_then_open,
+                                      Deed::lift,  Deed::floor,  Deed::shuttle, Deed::ceiling,
+                                      Deed::crush, Deed::stairs, Deed::stop,    Deed::teleport};
+    Trigger trigger;
+    trigger.on = occasion;
+    trigger.deed = kDeeds[random.below(std::size(kDeeds))];
+    for (std::uint64_t i = 1 + random.below(3); i > 0; --i)
+        trigger.targets.emplace_back(random.below(map.sectors.size()));
+    if (trigger.deed == Deed::teleport) trigger.destination = ThingId(random.below(map.things.size()));
+    trigger.to = static_cast<Level>(random.below(9));
+    trigger.by = random.uniform(-1, 1);
+    trigger.speed = random.uniform(0.5, 12);
+    trigger.wait_s = random.uniform(0, 2);
+    trigger.step = random.uniform(-0.5, 1);
+    trigger.crushes = random.below(3) == 0;
+    return trigger;
+}
+
+/// Gives every sector two triggers, and things to teleport to and to bump into.
+Map restless(Map map, std::uint64_t seed) {
+    Random random(seed);
+    for (int i = 0; i < 20; ++i) {
+        const World somewhere = start_somewhere(map, random);
+        Thing thing;
+        thing.sector = somewhere.player.place.sector;
+        thing.position = somewhere.player.place.point;
+        thing.radius = 0.25;
+        thing.height = 1;
+        map.things.push_back(thing);
+    }
+    for (Sector& sector : map.sectors) {
+        sector.triggers = {static_cast<std::uint32_t>(map.triggers.size()), 2};
+        for (const Occasion on : {Occasion::enter, Occasion::use})
+            map.triggers.push_back(random_trigger(map, on, random));
+        sector.floor.scroll = {random.uniform(-3, 3), random.uniform(-3, 3)};
+        sector.floor.carries = random.below(4) == 0;
+    }
+    return map;
+}
+
+// With ENFILADE_LONG more than a million ticks.
+TEST(Soak, StaysInTheWorldWhereEverythingMoves) {
+    const int ticks = std::getenv("ENFILADE_LONG") ? 100'000 : 3000;
+    std::size_t changes = 0;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        const Map map = restless(seed % 2 == 0 ? mosaic_of_steps(seed) : octagons_of_links(seed), seed);
+        Random random(seed);
+        changes += soak(map, start_somewhere(map, random), seed, ticks).history.changes().size();
+    }
+    EXPECT_GT(changes, 1000u);  // much has moved
 }
 
 TEST(Soak, StaysInTheWorldWhereEveryDoorwayIsALink) {
