@@ -139,7 +139,7 @@ TEST_F(Doorway, SeesNothingOfARoomWithoutHeightFromInsideButItsFlats) {
 
 TEST_F(Doorway, ShowsTheSkyInItsDirectionWhereverTheEyeIs) {
     MapFile file = two_rooms(0, 2);
-    for (SectorRecord& s : file.sectors) s.ceiling = {2, spec("sky"), {}, false, true, {}};
+    for (SectorRecord& s : file.sectors) s.ceiling = {2, spec("sky"), {}, false, true, {}, false, {}};
     for (SectorRecord& s : file.sectors) s.ceiling.texture->tile_m = Vec2{4, 1.5};
     const Rooms rooms(file);
     const Picture here = rooms.look(look_from(rooms.map, {1.25, 1}, 1, 20), kWidth, kHeight);
