@@ -47,6 +47,12 @@ void declare_threads(CLI::App& command, std::size_t& threads) {
         ->check(number_within(1, kMostThreads));
 }
 
+void declare_true_pitch(CLI::App& command, bool& true_pitch) {
+    command.add_flag("--true-pitch", true_pitch,
+                     "Looking up and down turns the picture, as a head turns, instead of shifting the horizon: upright "
+                     "lines converge. Drawn by stencil and reference");
+}
+
 CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     CLI::App* command = enfilade.add_subcommand("play", "Walk through a map in a window");
     command->add_option("MAP", request.map, "The map file (.toml); if none is given, the tour of Enfilade");
@@ -54,6 +60,7 @@ CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     command->add_option("--size", request.size, "Size of the picture in pixels, scaled to the window")
         ->type_name("WxH");
     command->add_flag("--fullscreen", request.fullscreen, "Fill the screen");
+    declare_true_pitch(*command, request.true_pitch);
     command->add_option("--record", request.tape, "Write down all input, to play it again")->type_name("TAPE");
     command->add_option("--save", request.save, "Where F5 saves the game and F9 finds it; by default in your home")
         ->type_name("FILE");
@@ -89,6 +96,11 @@ void declare_pictures(CLI::App& command, RenderRequest& request) {
     command.add_option("--fov", request.fov_degrees, "Horizontal field of view, 90 if not given")
         ->type_name("DEG")
         ->check(number_within(kMinFov, kMaxFov));
+    declare_true_pitch(command, request.true_pitch);
+    command.add_option("--roll", request.roll_degrees, "With --true-pitch: lean the head to its right")
+        ->type_name("DEG")
+        ->check(number_within(-360, 360))
+        ->needs("--true-pitch");
     command.add_option("--stretch", request.stretch, "Vertical stretch instead of the map's own; Doom's is 1.2")
         ->type_name("S")
         ->check(number_within(kLeastStretch, kMostStretch));

@@ -13,12 +13,13 @@ struct PlayRequest {
     std::string map, renderer = "column", size, tape, save, load;  ///< all but renderer: empty where not given
     std::vector<std::string> texture_folders;
     int skill = kUsualSkill;
-    bool fullscreen = false;
+    bool fullscreen = false, true_pitch = false;
 };
 
 struct RenderRequest {
     std::string map, view, views, sector, size = "1280x800", renderer = "column", accuracy = "exact";
-    double fov_degrees = 90, time_s = 0;
+    double fov_degrees = 90, time_s = 0, roll_degrees = 0;
+    bool true_pitch = false;
     std::optional<double> stretch;
     std::size_t threads = hardware_threads();
     std::vector<std::string> texture_folders;

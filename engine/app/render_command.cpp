@@ -32,6 +32,7 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     if (!size.ok()) return size.error();
     const auto renderer = parse_renderer(request.renderer);
     if (!renderer.ok()) return renderer.error();
+    if (Status refused = refuse_true_pitch(renderer.value(), request.true_pitch)) return *refused;
     if (request.accuracy != "exact")
         return Error{"--accuracy",
                      fmt::format("expected 'exact', the only one there is; found '{}'", request.accuracy)};
@@ -46,8 +47,13 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     return job;
 }
 
+Lens lens_of(const Map& map, const RenderRequest& request) {
+    return {request.fov_degrees, request.stretch.value_or(map.render.stretch), request.true_pitch,
+            request.roll_degrees};
+}
+
 Result<std::vector<View>> views_in(const Map& map, const std::vector<ViewRow>& places, const RenderRequest& request) {
-    const Lens lens{request.fov_degrees, request.stretch.value_or(map.render.stretch)};
+    const Lens lens = lens_of(map, request);
     std::vector<View> views;
     for (const ViewRow& place : places) {
         auto view = view_from(map, place, lens);
@@ -59,7 +65,7 @@ Result<std::vector<View>> views_in(const Map& map, const std::vector<ViewRow>& p
 }
 
 Result<std::vector<View>> view_of_player(const Map& map, const RenderRequest& request) {
-    auto view = view_at_start(map, {request.fov_degrees, request.stretch.value_or(map.render.stretch)});
+    auto view = view_at_start(map, lens_of(map, request));
     if (!view.ok()) return Error{request.map, view.error().what};
     return std::vector{view.value()};
 }

@@ -31,10 +31,14 @@ Result<SectorId> sector_of(const Map& map, const ViewRow& row, Vec2 eye) {
     return named;
 }
 
-View looking(Vec2 forward, double pitch_tangent, const Lens& lens) {
+View looking(Vec2 forward, double pitch_degrees, const Lens& lens) {
     View view;
     view.forward = forward;
-    view.pitch_tangent = pitch_tangent;
+    const Angle pitch = Angle::from_degrees(pitch_degrees);
+    if (lens.true_pitch)
+        view.tilt = Tilt{direction(pitch), direction(Angle::from_degrees(lens.roll_degrees))};
+    else
+        view.pitch_tangent = tangent(pitch);
     view.fov_degrees = lens.fov_degrees;
     view.stretch = lens.stretch;
     return view;
@@ -43,8 +47,7 @@ View looking(Vec2 forward, double pitch_tangent, const Lens& lens) {
 }  // namespace
 
 Result<View> view_from(const Map& map, const ViewRow& row, const Lens& lens) {
-    View view =
-        looking(direction(Angle::from_degrees(row.yaw_degrees)), tangent(Angle::from_degrees(row.pitch_degrees)), lens);
+    View view = looking(direction(Angle::from_degrees(row.yaw_degrees)), row.pitch_degrees, lens);
     view.eye = snap_to_point_grid(Vec2{row.x, row.y});
     view.eye_z = row.z;
     const auto sector = sector_of(map, row, view.eye);
@@ -60,6 +63,13 @@ Result<View> view_at_start(const Map& map, const Lens& lens) {
     view.eye = map.player->position;
     view.eye_z = map.player->eye_z;
     return view;
+}
+
+Status refuse_true_pitch(RendererKind renderer, bool wanted) {
+    if (!wanted || renderer != RendererKind::column) return {};
+    return Error{"--true-pitch",
+                 "the column renderer draws upright columns and can only shift the horizon; add --renderer stencil or "
+                 "--renderer reference"};
 }
 
 }  // namespace enfilade

@@ -1,6 +1,7 @@
 // From numbers somebody typed to a view that is inside the map.
 #pragma once
 #include "base/result.h"
+#include "flight/renderer.h"
 #include "formats/views_csv.h"
 #include "map/map.h"
 #include "render/view.h"
@@ -11,6 +12,8 @@ namespace enfilade {
 struct Lens {
     double fov_degrees = 90;
     double stretch = 1;
+    bool true_pitch = false;  ///< pitch turns the picture instead of shifting its horizon
+    double roll_degrees = 0;  ///< with true_pitch: how far the head leans to its right
 };
 
 /// The view, its eye put onto the point grid. An error where the named sector does not exist or does not hold the eye,
@@ -19,5 +22,8 @@ Result<View> view_from(const Map& map, const ViewRow& row, const Lens& lens);
 
 /// What the player sees at the start, or an error where the map has no player.
 Result<View> view_at_start(const Map& map, const Lens& lens);
+
+/// An error where true pitch is wanted of the column renderer, whose columns stay upright.
+Status refuse_true_pitch(RendererKind renderer, bool wanted);
 
 }  // namespace enfilade

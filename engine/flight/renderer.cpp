@@ -53,6 +53,14 @@ public:
         return renderer_->render(frame, facts, map, textures, snapshot, view);
     }
 
+    std::vector<ViewportShape> viewports() const override {
+        std::vector<ViewportShape> shapes;
+        for (StencilViewport& seen : renderer_->viewports())
+            shapes.push_back(
+                {seen.sector, seen.depth, seen.begin, seen.end, std::move(seen.top), std::move(seen.bottom)});
+        return shapes;
+    }
+
 private:
     std::unique_ptr<StencilRenderer> renderer_;
 };

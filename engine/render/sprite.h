@@ -31,11 +31,15 @@ inline std::int64_t depth_steps(double depth) {
     return static_cast<std::int64_t>(std::clamp(depth, 0.0, kFarthest) / kDepthStep + 0.5);
 }
 
-/// Whether something at `depth` is met in a room that is entered at depth `entry` and left at depth `exit`: at the
-/// entry it is, at the exit it is not, being met in the room behind.
+/// Whether something at `depth` is in a room that is entered at depth `entry` and left at depth `exit`: at the entry it
+/// is, at the exit it is not, being in the room behind.
+inline bool is_between(double depth, double entry, double exit) {
+    return depth_steps(depth) >= depth_steps(entry) && depth_steps(depth) < depth_steps(exit);
+}
+
+/// Whether it is met there, too: a picture that is `depth` ahead of the eye.
 inline bool is_met_between(double depth, double entry, double exit) {
-    return depth >= kNearestSprite && depth_steps(depth) >= depth_steps(entry) &&
-           depth_steps(depth) < depth_steps(exit);
+    return depth >= kNearestSprite && is_between(depth, entry, exit);
 }
 
 /// What is to be seen of a thing from one place.

@@ -62,5 +62,24 @@ TEST(ViewAtStart, RefusesAMapWithoutPlayer) {
     EXPECT_FALSE(view_at_start(test::built(test::map_of({test::box_room("main", 0, 0, 1, 1)})), {}).ok());
 }
 
+TEST(ViewFrom, TiltsTheViewWhereTruePitchIsWanted) {
+    ViewRow row = at(1, 1);
+    row.pitch_degrees = 45;
+    const View view = view_from(three_rooms(), row, {.true_pitch = true, .roll_degrees = 90}).value();
+    ASSERT_TRUE(view.tilt);
+    EXPECT_EQ(view.tilt->pitch.x, view.tilt->pitch.y);
+    EXPECT_EQ(view.tilt->roll, (Vec2{0, 1}));
+    EXPECT_EQ(view.pitch_tangent, 0);
+}
+
+TEST(TruePitch, IsRefusedForTheColumnRendererOnly) {
+    const Status refused = refuse_true_pitch(RendererKind::column, true);
+    ASSERT_TRUE(refused);
+    EXPECT_NE(refused->what.find("upright columns"), std::string::npos);
+    EXPECT_FALSE(refuse_true_pitch(RendererKind::stencil, true));
+    EXPECT_FALSE(refuse_true_pitch(RendererKind::reference, true));
+    EXPECT_FALSE(refuse_true_pitch(RendererKind::column, false));
+}
+
 }  // namespace
 }  // namespace enfilade

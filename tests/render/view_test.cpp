@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace enfilade {
 namespace {
@@ -105,6 +106,51 @@ TEST(ProjectionDeathTest, RefusesAFieldOfViewOutOfRange) {
 TEST(ProjectionDeathTest, RefusesAPictureWithoutPixels) {
     EXPECT_DEATH(projection(0, 200), "broken contract");
     EXPECT_DEATH(projection(320, kMaxPictureSide + 1), "broken contract");
+}
+
+Tilt tilt_of(double pitch_degrees, double roll_degrees) {
+    return {direction(Angle::from_degrees(pitch_degrees)), direction(Angle::from_degrees(roll_degrees))};
+}
+
+/// The ray through the middle of a picture, and the one a pixel to its right.
+std::pair<Ray, Ray> rays_in_the_middle(const Tilt& tilt) {
+    View view;
+    view.tilt = tilt;
+    const Projection p(view, 3, 3);
+    return {p.ray(1, 1), p.ray(2, 1)};
+}
+
+TEST(TiltedProjection, HasTheSameRaysWhereItIsTiltedByNothing) {
+    View view;
+    view.fov_degrees = 77;
+    const Projection upright(view, 31, 17);
+    view.tilt = Tilt{};
+    const Projection tilted(view, 31, 17);
+    for (int y = 0; y < 17; ++y)
+        for (int x = 0; x < 31; ++x) {
+            const Ray ray = tilted.ray(x, y);
+            EXPECT_EQ(ray.ahead, 1);
+            EXPECT_EQ(ray.right, upright.slope(x));
+            EXPECT_EQ(ray.up, upright.climb(y));
+        }
+}
+
+TEST(TiltedProjection, LooksStraightUp) {
+    const Ray middle = rays_in_the_middle(tilt_of(90, 0)).first;
+    EXPECT_EQ(middle.ahead, 0);
+    EXPECT_EQ(middle.right, 0);
+    EXPECT_EQ(middle.up, 1);
+}
+
+TEST(TiltedProjection, ShowsTheGroundToTheRightOfAHeadThatLeansRight) {
+    const Ray right = rays_in_the_middle(tilt_of(0, 90)).second;
+    EXPECT_EQ(right.right, 0);
+    EXPECT_LT(right.up, 0);
+}
+
+TEST(TiltedProjection, KeepsTheRayInTheMiddleALengthOfOne) {
+    const Ray middle = rays_in_the_middle(tilt_of(30, 50)).first;
+    EXPECT_NEAR(middle.ahead * middle.ahead + middle.right * middle.right + middle.up * middle.up, 1, kRounding);
 }
 
 }  // namespace

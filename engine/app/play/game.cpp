@@ -26,10 +26,10 @@ SectorId sector_named(const Map& map, const std::string& name) {
     return found == map.sectors.end() ? SectorId{} : SectorId(static_cast<std::size_t>(found - map.sectors.begin()));
 }
 
-/// An angle of pitch_steps as a tangent. Within ±kMaxPitchSteps.
-double pitch_tangent(std::int64_t steps) {
+/// The angle of pitch_steps, within ±kMaxPitchSteps.
+Angle pitch_of(std::int64_t steps) {
     const std::int64_t within = std::clamp<std::int64_t>(steps, -kMaxPitchSteps, kMaxPitchSteps);
-    return tangent(Angle{static_cast<std::uint32_t>(within)});
+    return Angle{static_cast<std::uint32_t>(within)};
 }
 
 }  // namespace
@@ -153,14 +153,18 @@ void Game::keep_player(const Player& before, const std::string& sector_name) {
     automap_.visit(sector);
 }
 
-View Game::view(double part, const LookSteps& ahead, double fov_degrees) const {
+View Game::view(double part, const LookSteps& ahead, double fov_degrees, bool true_pitch) const {
     const Eye eye = eye_between_ticks(map(), world(), part);
     View view;
     view.sector = eye.place.sector;
     view.eye = eye.place.point;
     view.eye_z = eye.z;
     view.forward = direction(eye.yaw + Angle{static_cast<std::uint32_t>(ahead.yaw)});
-    view.pitch_tangent = pitch_tangent(eye.pitch_steps + ahead.pitch);
+    const Angle pitch = pitch_of(eye.pitch_steps + ahead.pitch);
+    if (true_pitch)
+        view.tilt = Tilt{direction(pitch), {1, 0}};
+    else
+        view.pitch_tangent = tangent(pitch);
     view.fov_degrees = fov_degrees;
     view.stretch = map().render.stretch;
     return view;

@@ -51,7 +51,8 @@ public:
     Status reload();
 
     /// What the player sees, `part` of the way from the tick before to this one, the head turned further by `ahead`.
-    View view(double part, const LookSteps& ahead, double fov_degrees) const;
+    /// true_pitch: for a renderer that turns its picture instead of shifting the horizon.
+    View view(double part, const LookSteps& ahead, double fov_degrees, bool true_pitch = false) const;
     /// The world as renderers see it at that moment.
     const Snapshot& snapshot(double part);
 

@@ -96,6 +96,7 @@ MenuAction Menu::adjust(int steps, PlaySettings& settings) {
             settings.mouse_speed = slide(settings.mouse_speed, steps, kMouseStep, kSlowestMouse, kFastestMouse);
             return MenuAction::settings_changed;
         case Entry::fullscreen: settings.fullscreen = !settings.fullscreen; return MenuAction::settings_changed;
+        case Entry::true_pitch: settings.true_pitch = !settings.true_pitch; return MenuAction::settings_changed;
         default: return MenuAction::none;
     }
 }
@@ -114,6 +115,7 @@ std::string Menu::label(Entry entry, const PlaySettings& settings) {
         case Entry::fov: return fmt::format("Field of view   < {:3.0f} >", settings.fov_degrees);
         case Entry::mouse_speed: return fmt::format("Mouse speed     < {:.1f} >", settings.mouse_speed);
         case Entry::fullscreen: return fmt::format("Full screen     < {:>3} >", settings.fullscreen ? "on" : "off");
+        case Entry::true_pitch: return fmt::format("True pitch (F2) < {:>3} >", settings.true_pitch ? "on" : "off");
         case Entry::quit: return "Quit";
     }
     return {};

@@ -8,6 +8,7 @@
 #include "app/exit_codes.h"
 #include "app/play/play_loop.h"
 #include "app/play/saved_game.h"
+#include "app/viewing.h"
 #include "base/parallel.h"
 #include "platform/gl_context.h"
 
@@ -33,6 +34,8 @@ Result<PlayOptions> options_of(const PlayRequest& request) {
     const auto renderer = parse_renderer(request.renderer);
     if (!renderer.ok()) return renderer.error();
     options.renderer = renderer.value();
+    if (Status refused = refuse_true_pitch(options.renderer, request.true_pitch)) return *refused;
+    options.true_pitch = request.true_pitch;
     if (!request.size.empty()) {
         const auto size = parse_size(request.size);
         if (!size.ok()) return size.error();

@@ -44,6 +44,7 @@ constexpr std::size_t kMostLines = 12;
 PlayLoop::PlayLoop(Game& game, Window& window, const PlayOptions& options, std::unique_ptr<Renderer> renderer)
     : game_(game), window_(window), options_(options), renderer_(std::move(renderer)) {
     settings_.fullscreen = options.fullscreen;
+    settings_.true_pitch = options.true_pitch;
     if (!options_.tape.empty()) game_.record();
 }
 
@@ -228,10 +229,15 @@ void PlayLoop::change_renderer() {
     notices_.say("Drawn by the " + name_of(other) + " renderer.", now_s);
 }
 
+View PlayLoop::view_now(double part) const {
+    const bool tilts = settings_.true_pitch && options_.renderer == RendererKind::stencil;
+    return game_.view(part, input_.ahead(part), settings_.fov_degrees, tilts);
+}
+
 /// A graphics card that fails is no reason to stop playing.
-Status PlayLoop::draw_view(const View& view, double part) {
+Status PlayLoop::draw_view(double part) {
     const auto draw = [&] {
-        return renderer_->render(frame_, nullptr, game_.map(), game_.textures(), game_.snapshot(part), view);
+        return renderer_->render(frame_, nullptr, game_.map(), game_.textures(), game_.snapshot(part), view_now(part));
     };
     const Status failed = draw();
     if (!failed || options_.renderer != RendererKind::stencil) return failed;
@@ -244,12 +250,11 @@ Status PlayLoop::show(std::int64_t now) {
     const PixelSize size = options_.size ? PixelSize{options_.size->width, options_.size->height} : window_.size();
     frame_.resize(size.width, size.height);
     const double part = static_cast<double>(now - ticked_until_ns_) / kTick;
-    const View view = game_.view(part, input_.ahead(part), settings_.fov_degrees);
     const std::int64_t began = now_ns();
-    if (Status failed = draw_view(view, part)) return failed;
+    if (Status failed = draw_view(part)) return failed;
     const std::int64_t drawn = now_ns();
     remember_seen(now);
-    draw_over(view, seconds(now - started_ns_));
+    draw_over(view_now(part), seconds(now - started_ns_));
     Status failed = window_.present(frame_);
     times_.add(drawn - began, now_ns());
     return failed;

@@ -19,6 +19,7 @@ struct PlayOptions {
     RendererKind renderer = RendererKind::column;
     std::optional<PictureSize> size;  ///< of the picture, scaled to the window; none: as large as the window
     bool fullscreen = false;
+    bool true_pitch = false;  ///< the stencil renderer turns its picture when the player looks up or down
     std::string tape;  ///< where to record to; empty: nowhere
     std::string save;  ///< where F5 saves to and F9 loads from
 };
@@ -48,7 +49,8 @@ private:
     void leave_map();
     /// From the column to the stencil renderer or back; where there is no OpenGL, a notice says so.
     void change_renderer();
-    Status draw_view(const View& view, double part);
+    View view_now(double part) const;
+    Status draw_view(double part);
     /// Lets as many ticks pass as time has; none while the menu is open, and the picture then stands still, too.
     void pass_time(std::int64_t now);
     /// The automap learns what is in the picture.

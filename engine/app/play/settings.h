@@ -7,6 +7,7 @@ struct PlaySettings {
     double fov_degrees = 90;  ///< horizontal, kSmallestFov..kLargestFov
     double mouse_speed = 1;   ///< factor, kSlowestMouse..kFastestMouse
     bool fullscreen = false;
+    bool true_pitch = false;  ///< looking up and down turns the picture where the renderer can, else its horizon shifts
 };
 
 // The ends and steps of the menu's sliders.

@@ -27,8 +27,7 @@ struct Arrival {
     const RayHit& hit;
     const Wall& wall;
     const Sector& sector;
-    double slope;
-    double climb;
+    const RayCourse& course;
     Opening own;
     Opening behind;  ///< portal: the neighbour's, else own
 };
@@ -40,20 +39,22 @@ Opening opening_of(const Scene& scene, SectorId sector, double eye_z) {
 /// Is the ray at `height` above the eye, or higher, where it meets the wall? A wall that passes through the eye is met
 /// an instant after the start, so that an eye at the very height of a ceiling still sees only its upper half covered.
 bool reaches(const Arrival& at, double height) {
-    if (at.hit.depth == 0 && height == 0) return at.climb >= 0;
-    return at.climb * at.hit.depth >= height;
+    if (at.hit.depth == 0 && height == 0) return at.course.climb >= 0;
+    return at.course.climb * at.hit.depth >= height;
 }
 
 /// A level ray, or a wall through the eye, is compared with a height without any rounding.
 bool is_close_to(const Arrival& at, double height) {
-    if (at.climb == 0 || at.hit.depth == 0) return false;
-    return std::fabs(at.climb * at.hit.depth - height) < kAmbiguous;
+    if (at.course.climb == 0 || at.hit.depth == 0) return false;
+    return std::fabs(at.course.climb * at.hit.depth - height) < kAmbiguous;
 }
 
 constexpr std::uint32_t kAlpha = 0xFF000000u;
 
+/// ahead: how far, along the course [m].
 Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, double v, double contrast,
-             double depth) {
+             double ahead) {
+    const double depth = ahead * at.course.depth_scale;
     Seen seen{id, depth, {}, 0, false};
     const double tile_u = fraction(u - surface.offset_tiles.x), tile_v = fraction(v - surface.offset_tiles.y);
     const std::uint32_t color = texel(at.scene.textures[surface.texture], tile_u, tile_v);
@@ -65,8 +66,8 @@ Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, 
 
 Seen sky(const Arrival& at, const Surface& surface, SurfaceId id) {
     constexpr Shade kAsPainted = 256;
-    const double elevation = at.climb / std::sqrt(1 + at.slope * at.slope);
-    const double turns = turn_of(at.hit.space.direction(at.slope));
+    const double elevation = at.course.climb / std::sqrt(1 + at.course.slope * at.course.slope);
+    const double turns = turn_of(at.hit.space.direction(at.course.slope));
     const SkyTexel sky = sky_texel(surface.tile_m, surface.offset_tiles, turns, elevation);
     Seen seen{id, std::numeric_limits<double>::infinity(), {}, 0, false};
     seen.texel = {static_cast<float>(sky.u), static_cast<float>(sky.v)};
@@ -78,8 +79,8 @@ Seen sky(const Arrival& at, const Surface& surface, SurfaceId id) {
 /// the ray really crosses its height; a level ray does so at infinity.
 Seen flat(const Arrival& at, const Flat& flat, double height, SurfaceId id) {
     if (flat.sky) return sky(at, flat.surface, id);
-    const double depth = at.climb == 0 ? at.hit.depth : std::clamp(height / at.climb, 0.0, at.hit.depth);
-    const Vec2 place = at.hit.space.eye + at.hit.space.direction(at.slope) * depth - flat.origin;
+    const double depth = at.course.climb == 0 ? at.hit.depth : std::clamp(height / at.course.climb, 0.0, at.hit.depth);
+    const Vec2 place = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth - flat.origin;
     return painted(at, flat.surface, id, place.x / flat.surface.tile_m.x, place.y / flat.surface.tile_m.y, 1, depth);
 }
 
@@ -98,7 +99,7 @@ double peg_height(const Arrival& at, Peg peg) {
 Seen wall(const Arrival& at, const Surface& at_rest, double peg, WallPart part) {
     const Surface surface = picture_now(at.scene.map, at.scene.snapshot, at.hit.wall, at_rest);
     const double u = at.hit.along * at.wall.length / surface.tile_m.x;
-    const double v = (peg - at.climb * at.hit.depth) / surface.tile_m.y;
+    const double v = (peg - at.course.climb * at.hit.depth) / surface.tile_m.y;
     return painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth);
 }
 
@@ -134,7 +135,8 @@ Seen through_panes(const std::vector<Pane>& panes, Seen seen) {
 }
 
 Seen end_of_chain(const Arrival& at) {
-    return {kRecursionEnd, at.hit.depth, {}, pixel_of(at.scene.map.render.recursion_color), false};
+    return {
+        kRecursionEnd, at.hit.depth * at.course.depth_scale, {}, pixel_of(at.scene.map.render.recursion_color), false};
 }
 
 /// Where the ray ends if it ends at this wall: on the flats before it, on the wall, on a step, or because it has
@@ -156,10 +158,10 @@ std::optional<Seen> end_of_ray(const Arrival& at) {
     return std::nullopt;
 }
 
-Arrival arrive(const Scene& scene, const RayHit& hit, double slope, double climb) {
+Arrival arrive(const Scene& scene, const RayHit& hit, const RayCourse& course) {
     const Wall& met = scene.map[hit.wall];
     const Opening own = opening_of(scene, hit.sector, hit.space.eye_z);
-    Arrival at{scene, hit, met, scene.map[hit.sector], slope, climb, own, own};
+    Arrival at{scene, hit, met, scene.map[hit.sector], course, own, own};
     if (met.kind == WallKind::portal)
         at.behind = opening_of(scene, met.behind, scene.map.passage(met).apply_height(hit.space.eye_z));
     return at;
@@ -172,15 +174,15 @@ bool is_ambiguous(const Arrival& at) {
 
 }  // namespace
 
-Seen look(const Scene& scene, RayPath& path, double slope, double climb) {
+Seen look(const Scene& scene, RayPath& path, const RayCourse& course) {
     bool ambiguous = false;
     std::vector<Pane> panes;
     double entry_depth = 0;
     for (std::size_t i = 0;; ++i) {
-        const Arrival at = arrive(scene, path[i], slope, climb);
+        const Arrival at = arrive(scene, path[i], course);
         ambiguous |= is_ambiguous(at);
         if (!scene.snapshot.things.in(at.hit.sector).empty() || !at.hit.panels.empty())
-            ambiguous |= add_room_panes(scene, {at.hit, slope, climb, entry_depth}, panes);
+            ambiguous |= add_room_panes(scene, {at.hit, course, entry_depth}, panes);
         entry_depth = at.hit.depth;
         if (const std::optional<Seen> end = end_of_ray(at)) {
             Seen seen = through_panes(panes, *end);

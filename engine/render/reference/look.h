@@ -5,6 +5,7 @@
 #include "map/textures.h"
 #include "render/frame.h"
 #include "render/reference/ray_path.h"
+#include "render/reference/tilted_ray.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
@@ -19,14 +20,13 @@ struct Scene {
 /// What a ray ends on.
 struct Seen {
     SurfaceId id = kNothing;
-    double depth = 0;         ///< along `forward` [m]; sky: infinity
+    double depth = 0;         ///< along the line of sight [m]; sky: infinity
     TexelPosition texel;      ///< 0, 0 at the end of a chain of links
     std::uint32_t color = 0;  ///< 0xAABBGGRR, shaded
     bool ambiguous = false;   ///< a decision on the way was closer than kAmbiguous
 };
 
-/// Follows the ray with this path in the plane that climbs `climb` metres per metre of depth.
-/// path and slope belong together.
-Seen look(const Scene& scene, RayPath& path, double slope, double climb);
+/// Follows the ray with this path in the plane. path, course.quarters and course.slope belong together.
+Seen look(const Scene& scene, RayPath& path, const RayCourse& course);
 
 }  // namespace enfilade

@@ -24,8 +24,7 @@ struct MetPane {
 /// The stretch of a ray in one room: from where it comes in to the wall it meets.
 struct RoomRay {
     const RayHit& hit;
-    double slope;
-    double climb;
+    const RayCourse& course;
     double entry_depth;  ///< 0 in the eye's own room [m]
 };
 

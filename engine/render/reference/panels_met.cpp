@@ -9,14 +9,14 @@ namespace {
 /// Is the ray at `height` above the eye, or higher, where it meets the panel? A panel through the eye is met an instant
 /// after the start, as a wall is.
 bool reaches(const RoomRay& ray, const PanelHit& at, double height) {
-    if (at.depth == 0 && height == 0) return ray.climb >= 0;
-    return ray.climb * at.depth >= height;
+    if (at.depth == 0 && height == 0) return ray.course.climb >= 0;
+    return ray.course.climb * at.depth >= height;
 }
 
 /// A level ray, or a panel through the eye, is compared with a height without any rounding.
 bool is_close_to(const RoomRay& ray, const PanelHit& at, double height) {
-    if (ray.climb == 0 || at.depth == 0) return false;
-    return std::fabs(ray.climb * at.depth - height) < kAmbiguous;
+    if (ray.course.climb == 0 || at.depth == 0) return false;
+    return std::fabs(ray.course.climb * at.depth - height) < kAmbiguous;
 }
 
 Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
@@ -25,15 +25,16 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
     const Texture& texture = scene.textures[surface.texture];
     const double top = panel.top - ray.hit.space.eye_z;
     const double u = fraction(at.along * panel.length / surface.tile_m.x - surface.offset_tiles.x);
-    const double v = fraction((top - ray.climb * at.depth) / surface.tile_m.y - surface.offset_tiles.y);
+    const double v = fraction((top - ray.course.climb * at.depth) / surface.tile_m.y - surface.offset_tiles.y);
     const std::uint32_t color = texel(texture, u, v);
     const double light = light_at(scene.snapshot, panel.sector);
+    const double depth = at.depth * ray.course.depth_scale;
     Pane pane;
     pane.seen.id = panel_id(scene.map, at.panel);
-    pane.seen.depth = at.depth;
+    pane.seen.depth = depth;
     pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
     pane.alpha = color >> 24;
-    pane.seen.color = lit(scene, color, light, panel.contrast, at.depth);
+    pane.seen.color = lit(scene, color, light, panel.contrast, depth);
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, surface.tile_m);
     return pane;
 }

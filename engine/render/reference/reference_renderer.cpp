@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "base/check.h"
@@ -43,13 +44,36 @@ private:
     double red_ = 0, green_ = 0, blue_ = 0;
 };
 
+/// The rays of one column of a picture, from the top. Not tilted they follow one path in the plane, each only as far as
+/// it goes; else each has its own.
+class ColumnOfRays {
+public:
+    ColumnOfRays(const Scene& scene, const View& view, const Projection& projection, int x)
+        : scene_(scene), view_(view), projection_(projection), x_(x) {
+        if (!view.tilt) path_.emplace(scene.map, view, projection.slope(x));
+    }
+
+    Seen look(int y) {
+        const RayCourse course = ray_course(projection_.ray(x_, y));
+        if (!view_.tilt) return enfilade::look(scene_, *path_, course);
+        RayPath path(scene_.map, turned(view_, course.quarters), course.slope);
+        return enfilade::look(scene_, path, course);
+    }
+
+private:
+    const Scene& scene_;
+    const View& view_;
+    const Projection& projection_;
+    int x_;
+    std::optional<RayPath> path_;
+};
+
 /// One ray a pixel: the centre's.
 void render_column(Frame& frame, FrameFacts* facts, const Scene& scene, const View& view, const Projection& projection,
                    int x) {
-    const double slope = projection.slope(x);
-    RayPath path(scene.map, view, slope);
+    ColumnOfRays rays(scene, view, projection, x);
     for (int y = 0; y < frame.height; ++y) {
-        const Seen seen = look(scene, path, slope, projection.climb(y));
+        const Seen seen = rays.look(y);
         const std::size_t i =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x);
         frame.pixels[i] = seen.color;
@@ -69,11 +93,9 @@ void supersample_column(Frame& frame, const Scene& scene, const View& view, cons
     static const std::array<double, 256> linear = linear_light_table();
     std::vector<LightMean> means(static_cast<std::size_t>(frame.height));
     for (int sub_x = x * samples; sub_x < (x + 1) * samples; ++sub_x) {
-        const double slope = fine.slope(sub_x);
-        RayPath path(scene.map, view, slope);
+        ColumnOfRays rays(scene, view, fine, sub_x);
         for (int sub_y = 0; sub_y < frame.height * samples; ++sub_y)
-            means[static_cast<std::size_t>(sub_y / samples)].add(linear,
-                                                                 look(scene, path, slope, fine.climb(sub_y)).color);
+            means[static_cast<std::size_t>(sub_y / samples)].add(linear, rays.look(sub_y).color);
     }
     for (int y = 0; y < frame.height; ++y)
         frame

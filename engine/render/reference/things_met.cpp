@@ -24,18 +24,32 @@ struct Verdict {
 
 bool are_close(double a, double b) { return std::fabs(a - b) < kAmbiguous; }
 
-/// Would a shift of the picture, or of the room's ends, change whether it is in the room?
-bool is_close_to_ends(const RoomRay& ray, double depth) {
+/// Where the view looks in the space where the ray now is: its course may go another way, by quarters.
+Vec2 sight_of(const RoomRay& ray) {
+    Vec2 sight = ray.hit.space.forward;
+    for (int quarters = ray.course.quarters; quarters > 0; --quarters) sight = -right_of(sight) * ray.hit.space.flip;
+    return sight;
+}
+
+/// How far along `sight` the ray comes per metre of its course; exactly 1 where it goes that way.
+double sight_per_course(const RayCourse& course) {
+    const double parts[] = {1, -course.slope, -1, course.slope};
+    return parts[course.quarters];
+}
+
+/// That a picture `away` along the sight and `depth` along the course is in the room, and not too near.
+void require_in_room(Verdict& verdict, const RoomRay& ray, double away, double depth) {
     const double entry = ray.entry_depth, exit = ray.hit.depth, d = kAmbiguous;
-    const bool is_met = is_met_between(depth, entry, exit);
-    return is_met_between(depth + d, entry - d, exit - d) != is_met ||
-           is_met_between(depth - d, entry + d, exit + d) != is_met || are_close(depth, kNearestSprite);
+    const bool is_in_room = depth > 0 && is_between(depth, entry, exit);
+    verdict.require(is_in_room, is_between(depth + d, entry - d, exit - d) != is_in_room ||
+                                    is_between(depth - d, entry + d, exit + d) != is_in_room);
+    verdict.require(std::fabs(away) >= kNearestSprite, are_close(std::fabs(away), kNearestSprite));
 }
 
 /// A picture where a ray meets its plane.
 struct Meeting {
     ThingId thing;
-    double depth;  ///< [m]
+    double depth;  ///< along the ray's course [m]
     Vec2 place_m;  ///< from the picture's upper left corner, as it was painted, right and down [m]
     Pane pane;
 };
@@ -48,7 +62,7 @@ void require_on_picture(Verdict& verdict, const Scene& scene, const RoomRay& ray
     const double bottom = top - picture.size_m.y;
     verdict.require(at.place_m.x >= 0, are_close(at.place_m.x, 0));
     verdict.require(at.place_m.x < picture.size_m.x, are_close(at.place_m.x, picture.size_m.x));
-    const bool is_level = ray.climb == 0;  // compared with heights without any rounding
+    const bool is_level = ray.course.climb == 0;  // compared with heights without any rounding
     for (const double upper : {top, room.ceiling_z - eye_z})
         verdict.require(height < upper, !is_level && are_close(height, upper));
     for (const double lower : {bottom, room.floor_z - eye_z})
@@ -56,16 +70,17 @@ void require_on_picture(Verdict& verdict, const Scene& scene, const RoomRay& ray
 }
 
 /// What the ray sees of the picture, if it goes through it.
-Pane pane_of(const Scene& scene, const SpritePicture& picture, const Meeting& at) {
+Pane pane_of(const Scene& scene, const RoomRay& ray, const SpritePicture& picture, const Meeting& at) {
     const Texture& texture = scene.textures[picture.texture];
     const double u = at.place_m.x / picture.size_m.x, v = std::clamp(at.place_m.y / picture.size_m.y, 0.0, 1.0);
     const std::uint32_t color = texel(texture, std::clamp(u, 0.0, 1.0), v);
+    const double depth = at.depth * ray.course.depth_scale;
     Pane pane;
     pane.seen.id = thing_id(scene.map, at.thing);
-    pane.seen.depth = at.depth;
+    pane.seen.depth = depth;
     pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
     pane.alpha = color >> 24;
-    pane.seen.color = lit(scene, color, picture.light, 1, at.depth);
+    pane.seen.color = lit(scene, color, picture.light, 1, depth);
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, picture.size_m);
     return pane;
 }
@@ -74,19 +89,21 @@ Pane pane_of(const Scene& scene, const SpritePicture& picture, const Meeting& at
 bool meet(const Scene& scene, const RoomRay& ray, const Presence& presence, std::vector<Meeting>& met) {
     const EyeSpace& space = ray.hit.space;
     const Vec2 to_it = presence.position - space.eye;
-    Meeting at{presence.thing, dot(space.forward, to_it), {}, {}};
+    const Vec2 sight = sight_of(ray);
+    const double away = dot(sight, to_it);
+    Meeting at{presence.thing, away / sight_per_course(ray.course), {}, {}};
     Verdict verdict;
-    verdict.require(is_met_between(at.depth, ray.entry_depth, ray.hit.depth), is_close_to_ends(ray, at.depth));
+    require_in_room(verdict, ray, away, at.depth);
     if (!verdict.possible) return false;
     const SpritePicture picture = picture_of(scene.map, scene.textures, scene.snapshot, presence, space.eye);
     if (!picture.texture) return false;
-    const Vec2 from_it = space.direction(ray.slope) * at.depth - to_it;
-    const double height = ray.climb * at.depth;
-    at.place_m = {picture.origin_m.x + dot(right_of(space.forward), from_it),
+    const Vec2 from_it = space.direction(ray.course.slope) * at.depth - to_it;
+    const double height = ray.course.climb * at.depth;
+    at.place_m = {picture.origin_m.x + dot(right_of(sight), from_it),
                   picture.origin_m.y + (picture.foot_z - space.eye_z) - height};
     require_on_picture(verdict, scene, ray, picture, at, height);
     if (verdict.holds) {
-        at.pane = pane_of(scene, picture, at);
+        at.pane = pane_of(scene, ray, picture, at);
         met.push_back(at);
     }
     return verdict.is_ambiguous();

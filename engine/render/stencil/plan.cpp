@@ -48,10 +48,10 @@ private:
         std::vector<Visit>& visits = first_visits_.emplace_back();
         if (rays_.is_tilted) {
             for (std::size_t face = 0; face < kFaces; ++face)
-                visits.push_back({view.sector, {}, {}, panorama_window(screen_, rays_, face), face});
+                visits.push_back({view.sector, {}, {}, panorama_window(screen_, rays_, face), face, 0});
         } else {
             const std::vector<OpenRows> rows(static_cast<std::size_t>(screen_.width), OpenRows{0, screen_.height});
-            visits.push_back({view.sector, {}, {}, {0, rows}, 0});
+            visits.push_back({view.sector, {}, {}, {0, rows}, 0, 0});
         }
     }
 
@@ -60,15 +60,16 @@ private:
         exits_.clear();
         visits_ = std::move(visits);
         while (!visits_.empty()) {
-            const Visit visit = std::move(visits_.back());
+            Visit visit = std::move(visits_.back());
             visits_.pop_back();
-            if (!visit.window.is_empty()) look_into(layer, visit);
+            if (visit.window.is_empty()) continue;
+            look_into(layer, visit);
+            plan_.rooms.push_back({visit.sector, visit.depth, std::move(visit.window)});
         }
         if (rays_.is_tilted) note_tilted_panes(layer, world_);
     }
 
     void look_into(Layer& layer, const Visit& visit) {
-        ++plan_.visits;
         note_sector(layer, visit);
         room_.look(visit, face_of(layer.pose, visit.face));
         if (!rays_.is_tilted) panes_.note(layer, room_);
@@ -95,10 +96,11 @@ private:
         Window beyond = room_.open_behind(wall, opening, nearest);
         if (beyond.is_empty()) return;
         if (portal.middle.texture && !rays_.is_tilted) note_hanging(layer, wall, beyond);
-        Visit visit{portal.behind, portal.exit, wall, std::move(beyond), room_.visit().face};
+        const Visit& here = room_.visit();
+        Visit visit{portal.behind, portal.exit, wall, std::move(beyond), here.face, here.depth + 1};
         if (leads_out(portal))
             note_exit(wall.wall, nearest, std::move(visit));
-        else if (plan_.visits + visits_.size() < kMostVisits)
+        else if (plan_.rooms.size() + visits_.size() < kMostVisits)
             visits_.push_back(std::move(visit));
     }
 
@@ -159,7 +161,7 @@ private:
     }
 
     bool may_follow(const Layer& layer, const Wall& portal) const {
-        if (layer.level >= kDeepestLevel || plan_.layers.size() >= kMostLayers || plan_.visits >= kMostVisits)
+        if (layer.level >= kDeepestLevel || plan_.layers.size() >= kMostLayers || plan_.rooms.size() >= kMostVisits)
             return false;
         return portal.link == Wall::kNoLink || layer.pose.links < map().render.max_depth;
     }

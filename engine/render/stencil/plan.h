@@ -47,12 +47,19 @@ struct MapFacts {
     std::vector<char> overlaps;  ///< by sector: shares ground with another it is joined to by doorways
 };
 
+/// A look into a sector, in the columns and rows of the picture; tilted, of one face of its panorama.
+struct SeenRoom {
+    SectorId sector;
+    int depth = 0;  ///< portals looked through
+    Window window;
+};
+
 /// One frame's layers. layers[0] is what the eye's own space shows; every other is the layer of exactly one exit.
 struct Plan {
     std::vector<Layer> layers;
-    std::size_t visits = 0;  ///< sectors looked into, chains counted one by one
-    std::size_t cut = 0;     ///< exits that were not followed because a limit was reached
-    int deepest = 0;         ///< level of the deepest layer
+    std::vector<SeenRoom> rooms;  ///< looked into, chains counted one by one
+    std::size_t cut = 0;          ///< exits that were not followed because a limit was reached
+    int deepest = 0;              ///< level of the deepest layer
 };
 
 /// What there is to see.

@@ -16,6 +16,7 @@ struct Visit {
     WallOnScreen doorway;  ///< the portal looked through, from its other side; where there is an entry
     Window window;
     std::size_t face = 0;  ///< of the panorama
+    int depth = 0;         ///< portals looked through
 };
 
 /// Holds the scratch memory for one visit at a time.

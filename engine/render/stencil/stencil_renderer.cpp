@@ -1,5 +1,6 @@
 #include "render/stencil/stencil_renderer.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -27,6 +28,8 @@ struct StencilRenderer::State {
     MapFacts facts;
     std::optional<std::uint64_t> facts_of;  ///< fingerprint of the map that `facts` belong to
     StencilCounts counts;
+    std::vector<SeenRoom> rooms;  ///< of the last frame
+    bool was_tilted = false;      ///< the last frame
 
     ~State() {
         if (context->make_current()) static_cast<void>(objects.release());  // they were lost with the context
@@ -89,7 +92,7 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
     const RayField rays(view, projection);
     const Screen screen = view.tilt ? panorama_screen() : Screen(projection);
     const World world{map, facts, textures, snapshot};
-    const Plan plan = make_plan(world, screen, rays, view);
+    Plan plan = make_plan(world, screen, rays, view);
     const Scene scene{world, objects->store, screen, rays};
     mesh.clear();
     const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
@@ -97,9 +100,11 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
     objects->painter.paint(objects->target, scene, plan, mesh, ranges, with_facts);
     objects->target.read(frame);
     if (with_facts) objects->target.read(*frame_facts);
-    counts = {plan.layers.size(),     0,           plan.visits, plan.cut, objects->painter.draws(),
+    counts = {plan.layers.size(),     0,           plan.rooms.size(), plan.cut, objects->painter.draws(),
               mesh.index_count() / 3, plan.deepest};
     for (const Layer& layer : plan.layers) counts.sectors += layer.sectors.size();
+    rooms = std::move(plan.rooms);
+    was_tilted = rays.is_tilted;
     return gl_failure();
 }
 
@@ -134,5 +139,22 @@ Status StencilRenderer::render(Frame& frame, FrameFacts* facts, const Map& map, 
 }
 
 StencilCounts StencilRenderer::counts() const { return state_->counts; }
+
+std::vector<StencilViewport> StencilRenderer::viewports() const {
+    std::vector<StencilViewport> viewports;
+    for (const SeenRoom& room : state_->rooms) {
+        StencilViewport& viewport = viewports.emplace_back();
+        viewport.sector = room.sector;
+        viewport.depth = room.depth;
+        if (state_->was_tilted) continue;
+        viewport.begin = room.window.begin;
+        viewport.end = room.window.end();
+        for (const OpenRows& rows : room.window.rows) {
+            viewport.top.push_back(rows.top);
+            viewport.bottom.push_back(std::max(rows.top, rows.bottom));
+        }
+    }
+    return viewports;
+}
 
 }  // namespace enfilade

@@ -3,13 +3,24 @@
 //
 // A frame: the planner follows the view through all portals and finds the layers (plan.h); their walls become polygons
 // (layer_mesh.h, mesh.h, surfaces.h); the painter draws layer after layer, each where the stencil buffer holds its
-// level (layer_painter.h); the shaders work out for each pixel what it shows (shaders.cpp).
+// level (layer_painter.h); the shaders work out for each pixel what it shows (shaders.cpp). Upright pictures are drawn
+// in whole columns, which are decided on the CPU by the functions of the column renderer; tilted ones (view.tilt) are
+// planned all around the eye (panorama.h), and their pixels ask the edge functions themselves.
+//
+// Nothing has to be clipped at the plane of a portal, and nothing is at a near plane: a layer draws only walls that are
+// beyond the portal that it is seen through, which is decided exactly and for each wall as a whole (render/segment.h).
+// The classic alternative, a projection whose near plane is tilted into the portal's (Lengyel: "Oblique View Frustum
+// Depth Projection and Clipping", 2005), was left out on purpose. It moves the far plane with the near one, so that
+// depths crowd together the more the portal slants and the nearer the eye is to it; it breaks down just where portals
+// must not, with the eye in the portal's plane; and walls that lie in that plane fall to either side by rounding. Here
+// depth is 1 / (1 + metres) in a float whatever is looked through: about 1 part in 10^7 of the distance, near or far.
 //
 // Floors, ceilings and skies are drawn as what a look meets below or above a wall, not as polygons of their own. So
 // every column is closed wherever a wall stands in it, whatever the heights of the rooms; there are no T-junctions, no
 // near plane, and a floor seen from below looks as it does in the other renderers.
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "base/result.h"
 #include "map/map.h"
@@ -32,6 +43,14 @@ struct StencilCounts {
     int deepest = 0;  ///< stencil level of the deepest layer
 };
 
+/// Where a sector was looked into through one chain of portals in the last frame, for overlays.
+struct StencilViewport {
+    SectorId sector;
+    int depth = 0;                 ///< portals looked through
+    int begin = 0, end = 0;        ///< columns
+    std::vector<int> top, bottom;  ///< open rows by column [end - begin]; empty in tilted pictures
+};
+
 /// Draws pictures of a map. Keeps the map's pictures on the graphics card from frame to frame and notices when they are
 /// others. One renderer draws one picture at a time, on any thread.
 class StencilRenderer {
@@ -50,6 +69,9 @@ public:
                   const View& view);
 
     StencilCounts counts() const;
+
+    /// The last frame's looks into sectors. Allocates; for overlays and tests.
+    std::vector<StencilViewport> viewports() const;
 
 private:
     struct State;

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "render/column/column_renderer.h"
+#include "render/reference/reference_renderer.h"
 
 namespace enfilade::test {
 namespace {
@@ -22,17 +23,31 @@ constexpr double kTexelSlack = 0.05;
 /// Graphics cards put edges on a grid of 1/256 px: this far aside their picture may be right [px].
 constexpr double kAside[] = {0, -1.0 / 256, 1.0 / 256, -1.0 / 128, 1.0 / 128, -1.0 / 64, 1.0 / 64};
 
+Vec2 unit(Vec2 v) { return v * (1 / std::sqrt(dot(v, v))); }
+
 [[noreturn]] void stop(const std::string& why) {
     std::fprintf(stderr, "%s\n", why.c_str());
     std::abort();
 }
 
+/// -180..180
+double degrees_of(Vec2 unit_vector) {
+    const double degrees = angle_of(unit_vector).degrees();
+    return degrees > 180 ? degrees - 360 : degrees;
+}
+
 std::string text_of(const View& v, PictureSize size) {
     char text[400];
-    std::snprintf(text, sizeof text, "--view %.17g,%.17g,%.17g,%.17g,%.17g --size %dx%d --fov %.17g --stretch %.17g",
-                  v.eye.x, v.eye.y, v.eye_z, angle_of(v.forward).degrees(),
-                  std::atan(v.pitch_tangent) * 180 / 3.14159265358979, size.width, size.height, v.fov_degrees,
-                  v.stretch);
+    if (v.tilt)
+        std::snprintf(text, sizeof text,
+                      "--view %.17g,%.17g,%.17g,%.17g,%.17g --true-pitch --roll %.17g --size %dx%d --fov %.17g",
+                      v.eye.x, v.eye.y, v.eye_z, angle_of(v.forward).degrees(), degrees_of(v.tilt->pitch),
+                      degrees_of(v.tilt->roll), size.width, size.height, v.fov_degrees);
+    else
+        std::snprintf(text, sizeof text,
+                      "--view %.17g,%.17g,%.17g,%.17g,%.17g --size %dx%d --fov %.17g --stretch %.17g", v.eye.x, v.eye.y,
+                      v.eye_z, angle_of(v.forward).degrees(), std::atan(v.pitch_tangent) * 180 / 3.14159265358979,
+                      size.width, size.height, v.fov_degrees, v.stretch);
     return text;
 }
 
@@ -104,6 +119,7 @@ Agreement& Agreement::operator+=(const Agreement& o) {
     elsewhere += o.elsewhere;
     other_texel += o.other_texel;
     wrong_color += o.wrong_color;
+    worst_difference = std::max(worst_difference, o.worst_difference);
     if (o.worst_share > worst_share) {
         worst_share = o.worst_share;
         worst_view = o.worst_view;
@@ -116,8 +132,9 @@ std::string describe(const Agreement& a) {
     std::ostringstream text;
     text << "of " << a.pixels << " pixels " << a.undrawn << " undrawn, " << a.at_edges
          << " of another surface at edges, " << a.elsewhere << " elsewhere, " << a.other_texel
-         << " of a neighbouring texel, " << a.wrong_color << " of a wrong colour; in the worst picture "
-         << a.worst_share * 100 << " % of another surface: " << a.worst_view;
+         << " of a neighbouring texel, " << a.wrong_color << " of a wrong colour; colours differ by at most "
+         << a.worst_difference << "; in the worst picture " << a.worst_share * 100
+         << " % of another surface: " << a.worst_view;
     if (!a.first_fault.empty()) text << "\n  " << a.first_fault;
     return text.str();
 }
@@ -156,37 +173,49 @@ Picture Sight::by_column(const View& view, PictureSize size) const {
     return picture;
 }
 
-/// What the column renderer shows of the view moved by the number'th pair of kAside.
+Picture Sight::by_reference(const View& view, PictureSize size) const {
+    Picture picture = blank(size);
+    render_reference(picture.frame, &picture.facts, map_, textures_, snapshot_, view);
+    return picture;
+}
+
+Picture Sight::truth_of(const View& view, PictureSize size) const {
+    return view.tilt ? by_reference(view, size) : by_column(view, size);
+}
+
+/// What the truth is for the view moved by the number'th pair of kAside.
 const Sight::Aside& Sight::aside(std::size_t number, const View& view, PictureSize size) {
     while (asides_.size() <= number) {
         const double dx = kAside[asides_.size() / std::size(kAside)], dy = kAside[asides_.size() % std::size(kAside)];
         const Projection projection(view, size.width, size.height);
         View moved = view;
         const double slope = dx * 2 * projection.half_fov_tangent() / size.width;
-        const Vec2 turned = view.forward + right_of(view.forward) * slope;
-        moved.forward = turned * (1 / std::sqrt(dot(turned, turned)));
-        moved.pitch_tangent += dy / projection.focal_y();
-        Picture picture = by_column(moved, size);
+        moved.forward = unit(view.forward + right_of(view.forward) * slope);
+        const double steeper = dy / projection.focal_y();
+        if (moved.tilt)
+            moved.tilt->pitch = unit(moved.tilt->pitch + right_of(moved.tilt->pitch) * steeper);
+        else
+            moved.pitch_tangent += steeper;
+        Picture picture = truth_of(moved, size);
         asides_.push_back({std::move(picture.frame.pixels), std::move(picture.facts.ids)});
     }
     return asides_[number];
 }
 
-/// What the column renderer would show had the picture been taken a hair aside: surfaces thinner than that, and where
+/// What the truth would show had the picture been taken a hair aside: surfaces thinner than that, and where
 /// one surface is seen twice side by side, have edges that its picture does not show.
-bool Sight::is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const Picture& shown) {
+bool Sight::is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const Picture& shown, Same what) {
     for (std::size_t number = 0; number < std::size(kAside) * std::size(kAside); ++number) {
         const Aside& truth = aside(number, view, size);
-        if (truth.ids[pixel] == shown.facts.ids[pixel] &&
-            difference(truth.pixels[pixel], shown.frame.pixels[pixel]) <= kSameColor)
-            return true;
+        const bool same_color = difference(truth.pixels[pixel], shown.frame.pixels[pixel]) <= kSameColor;
+        if (truth.ids[pixel] == shown.facts.ids[pixel] && (what == Same::surface || same_color)) return true;
     }
     return false;
 }
 
 Agreement Sight::compare(const View& view, PictureSize size) {
     asides_.clear();
-    const Picture shown = by_stencil(view, size), truth = by_column(view, size);
+    const Picture shown = by_stencil(view, size), truth = truth_of(view, size);
     Agreement result;
     result.pixels = truth.frame.pixels.size();
     for (std::size_t i = 0; i < truth.frame.pixels.size(); ++i) {
@@ -198,14 +227,16 @@ Agreement Sight::compare(const View& view, PictureSize size) {
             (is_at_rim(map_, textures_, shown.facts, i) || is_at_rim(map_, textures_, truth.facts, i))) {
             ++result.other_texel;
         } else if (shown.facts.ids[i] != id) {
-            const bool at_edge = is_at_edge(truth, x, y) || is_hair_aside(view, size, i, shown);
+            const bool at_edge = is_at_edge(truth, x, y) || is_hair_aside(view, size, i, shown, Same::surface);
             ++(at_edge ? result.at_edges : result.elsewhere);
             is_fault |= !at_edge;
-        } else if (id != kRecursionEnd && difference(shown.frame.pixels[i], truth.frame.pixels[i]) > kSameColor) {
+        } else if (const int off = difference(shown.frame.pixels[i], truth.frame.pixels[i]);
+                   id != kRecursionEnd && off > kSameColor) {
             const bool near = is_near_band(map_, truth.facts.depths[i]) ||
                               is_near_texels_edge(map_, textures_, truth.facts, i) ||
-                              is_hair_aside(view, size, i, shown);
+                              is_hair_aside(view, size, i, shown, Same::color);
             ++(near ? result.other_texel : result.wrong_color);
+            if (!near) result.worst_difference = std::max(result.worst_difference, off);
             is_fault |= !near;
         }
         if (is_fault && result.first_fault.empty()) {

@@ -1,4 +1,4 @@
-// The stencil renderer held against the column renderer, pixel by pixel.
+// The stencil renderer held against the column renderer, or where that cannot, the reference, pixel by pixel.
 #pragma once
 #include <memory>
 #include <string>
@@ -20,6 +20,7 @@ struct Agreement {
     std::uint64_t other_texel = 0;  ///< same surface, another colour, but next to a texel's or a light band's edge; or
                                     ///< another surface, but next to a hole of a picture
     std::uint64_t wrong_color = 0;  ///< same surface, more than 2/255 off, and no such excuse
+    int worst_difference = 0;       ///< of a channel where surfaces are the same and there is no such excuse
     double worst_share = 0;         ///< largest share of differing surfaces in one picture
     std::string worst_view, first_fault;
 
@@ -46,7 +47,9 @@ public:
     /// Both pictures; a failure of OpenGL stops the test program.
     Picture by_stencil(const View& view, PictureSize size);
     Picture by_column(const View& view, PictureSize size) const;
+    Picture by_reference(const View& view, PictureSize size) const;
 
+    /// With the column renderer's picture; tilted views with the reference's.
     Agreement compare(const View& view, PictureSize size);
     /// `count` random poses and as many where things coincide.
     Agreement compare_poses(int count, PictureSize size, std::uint64_t seed);
@@ -61,7 +64,9 @@ private:
         std::vector<std::uint32_t> pixels;
         std::vector<SurfaceId> ids;
     };
-    bool is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const Picture& shown);
+    Picture truth_of(const View& view, PictureSize size) const;
+    enum class Same : std::uint8_t { surface, color };
+    bool is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const Picture& shown, Same what);
     const Aside& aside(std::size_t number, const View& view, PictureSize size);
 
     const Map& map_;

@@ -1,0 +1,97 @@
+// Tilted pictures, true pitch and roll, as the reference shows them: rooms, links, mirrors, and all that stands in
+// them; straight up and down; upside down.
+#include <gtest/gtest.h>
+
+#include "hard_cases/scenes.h"
+#include "render/stencil/agreement.h"
+#include "support/furnish.h"
+#include "support/looks.h"
+#include "support/map_builder.h"
+
+namespace enfilade::test {
+namespace {
+
+constexpr PictureSize kSize{96, 60};
+
+/// What is behind glass has edges of texels, too, which are not noted for pixels that show the glass.
+constexpr double kBehindGlass = 1e-3;
+
+Tilt tilt_of(double pitch_degrees, double roll_degrees) {
+    return {direction(Angle::from_degrees(pitch_degrees)), direction(Angle::from_degrees(roll_degrees))};
+}
+
+View any_tilted_view(const Map& map, Random& random) {
+    View view = random_pose(map, random);
+    view.pitch_tangent = 0;
+    view.tilt = tilt_of(random.uniform(-90, 90), random.uniform(-180, 180));
+    return view;
+}
+
+Agreement compare_tilted(const MapFile& file, int count, std::uint64_t seed) {
+    const Map map = built(file);
+    TextureSet textures = textures_for(file);
+    for (Texture& texture : textures.textures)
+        if (texture.name == "lattice") texture = lattice();
+    Sight sight(map, textures);
+    Random random(seed);
+    Agreement sum;
+    for (int i = 0; i < count; ++i) sum += sight.compare(any_tilted_view(map, random), kSize);
+    return sum;
+}
+
+class TiltedStencil : public testing::TestWithParam<NamedScene> {};
+
+TEST_P(TiltedStencil, LooksAsInTheReference) { expect_agreement(compare_tilted(GetParam().file(), 12, 1)); }
+
+TEST_P(TiltedStencil, ShowsThingsPanelsAndFencesAsInTheReference) {
+    MapFile file = GetParam().file();
+    for (SectorRecord& sector : file.sectors)
+        for (LoopRecord& loop : sector.loops)
+            for (WallRecord& wall : loop.walls)
+                if (!wall.next.empty()) wall.middle = spec("lattice");
+    scatter_panels(file, 60, 1);
+    scatter_things(file, 20, 2);
+    // Glass before glass is mixed in the order of their middles.
+    constexpr double kGlassBeforeGlass = 5e-3;
+    expect_agreement(compare_tilted(file, 8, 3), kBehindGlass + kGlassBeforeGlass);
+}
+
+std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, TiltedStencil,
+                         testing::Values(NamedScene{"SteppedRooms", stepped_rooms}, NamedScene{"OpenSteps", open_steps},
+                                         NamedScene{"CrookedRooms", crooked_rooms},
+                                         NamedScene{"OverlappingRooms", overlapping_rooms},
+                                         NamedScene{"LinkedRooms", linked_rooms}, NamedScene{"Mirrors", mirrors}),
+                         name_of_scene);
+
+TEST(TiltedView, LooksSteeplyUpAndDownAsInTheReference) {
+    const Map map = built(linked_rooms());
+    const TextureSet textures = textures_for(linked_rooms());
+    Sight sight(map, textures);
+    Agreement sum;
+    for (const double pitch : {-90.0, -89.0, -75.0, -60.0, 60.0, 75.0, 89.0, 90.0})
+        for (const double roll : {0.0, 30.0, 180.0}) {
+            View view = look_from(map, {10.3, 12.1}, 1.5, 30);
+            view.tilt = tilt_of(pitch, roll);
+            sum += sight.compare(view, kSize);
+        }
+    expect_agreement(sum);
+}
+
+/// The picture of an eye that does not tilt its head is the one whose horizon is not shifted.
+TEST(TiltedView, IsTheUprightOneWhereItIsTiltedByNothing) {
+    const Map map = built(linked_rooms());
+    const TextureSet textures = textures_for(linked_rooms());
+    Sight sight(map, textures);
+    View view = look_from(map, {10.3, 12.1}, 1.5, 30);
+    const Picture upright = sight.by_stencil(view, kSize);
+    view.tilt = Tilt{};
+    const Picture tilted = sight.by_stencil(view, kSize);
+    std::size_t differ = 0;
+    for (std::size_t i = 0; i < upright.facts.ids.size(); ++i) differ += upright.facts.ids[i] != tilted.facts.ids[i];
+    EXPECT_LE(differ, upright.facts.ids.size() / 1000);
+}
+
+}  // namespace
+}  // namespace enfilade::test
