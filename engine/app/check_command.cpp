@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/commands.h"
-#include "app/effects.h"
+#include "app/effect_prices.h"
 #include "app/exit_codes.h"
 #include "base/files.h"
 #include "formats/map_toml.h"
@@ -21,11 +21,11 @@ std::string counted(std::size_t count, const char* noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-void print_effects(const std::string& path) {
+void print_effects(const std::string& path, const TextureSet& textures) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) return;
     const MapFile map = read_map(as_text(bytes.value())).map;
-    fmt::print("{}: {} calls for\n{}", path, counted(map.sectors.size(), "sector"), to_text(effects_in(map)));
+    fmt::print("{}: {} calls for\n{}", path, counted(map.sectors.size(), "sector"), to_text(effect_prices(map, textures)));
 }
 
 void check_map(const std::string& path, const CheckRequest& request, Tally& tally) {
@@ -38,7 +38,7 @@ void check_map(const std::string& path, const CheckRequest& request, Tally& tall
     fmt::print("{}", text);
     ++tally.maps;
     tally.refused += has_errors(loaded.findings);
-    if (request.effects && loaded.map) print_effects(path);
+    if (request.effects && loaded.map) print_effects(path, loaded.textures);
 }
 
 }  // namespace

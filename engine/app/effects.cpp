@@ -1,61 +1,179 @@
 #include "app/effects.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace enfilade {
 namespace {
 
+/// Calls visit(record) for each wall, or each floor and ceiling.
+template <class File, class Visit>
+void each_wall(File& map, Visit visit) {
+    for (auto& sector : map.sectors)
+        for (auto& loop : sector.loops)
+            for (auto& wall : loop.walls) visit(wall);
+}
+template <class File, class Visit>
+void each_flat(File& map, Visit visit) {
+    for (auto& sector : map.sectors) {
+        visit(sector.floor);
+        visit(sector.ceiling);
+    }
+}
+
 template <class Test>
 std::size_t count_walls(const MapFile& map, Test test) {
     std::size_t count = 0;
-    for (const SectorRecord& sector : map.sectors)
-        for (const LoopRecord& loop : sector.loops) count += std::size_t(std::ranges::count_if(loop.walls, test));
+    each_wall(map, [&](const WallRecord& wall) { count += test(wall); });
     return count;
 }
-
 template <class Test>
 std::size_t count_flats(const MapFile& map, Test test) {
     std::size_t count = 0;
-    for (const SectorRecord& sector : map.sectors) count += std::size_t{test(sector.floor)} + test(sector.ceiling);
+    each_flat(map, [&](const FlatRecord& flat) { count += test(flat); });
     return count;
 }
+template <class Test>
+std::size_t count_sectors(const MapFile& map, Test test) {
+    return static_cast<std::size_t>(std::ranges::count_if(map.sectors, test));
+}
 
-std::size_t count_panels(const MapFile& map) {
+/// Triggers of all bearers whose deed passes the test.
+template <class Test>
+std::size_t count_triggers(const MapFile& map, Test test) {
     std::size_t count = 0;
-    for (const SectorRecord& sector : map.sectors) count += sector.panels.size();
+    const auto add = [&](const std::vector<TriggerRecord>& triggers) {
+        count += static_cast<std::size_t>(
+            std::ranges::count_if(triggers, [&](const TriggerRecord& trigger) { return test(trigger.deed); }));
+    };
+    for (const SectorRecord& sector : map.sectors) add(sector.triggers);
+    each_wall(map, [&](const WallRecord& wall) { add(wall.triggers); });
+    for (const ThingRecord& thing : map.things) add(thing.triggers);
     return count;
 }
 
 bool has_middle(const WallRecord& wall) { return wall.middle && wall.middle->name != "-"; }
+bool is_scrolled_flat(const FlatRecord& flat) { return flat.scroll != Vec2{} && !flat.parallax; }
+bool moves(Deed deed) {
+    return deed != Deed::light && deed != Deed::teleport && deed != Deed::exit && deed != Deed::stop;
+}
+
+Effect sky() {
+    return {"sky", "flats", "one direction for each column that shows it",
+            [](const MapFile& map) { return count_flats(map, [](const FlatRecord& f) { return f.parallax; }); },
+            [](MapFile& map) { each_flat(map, [](FlatRecord& f) { f.parallax = false; }); }};
+}
+Effect fog() {
+    return {"fog", "maps", "a mix of two colours for each pixel",
+            [](const MapFile& map) { return std::size_t{map.render.fog_reach > 0}; },
+            [](MapFile& map) { map.render.fog_reach = 0; }};
+}
+Effect links() {
+    return {"linked portals", "walls", "the rooms behind, drawn once for each way they are seen",
+            [](const MapFile& map) { return count_walls(map, [](const WallRecord& w) { return !w.via.empty(); }); },
+            nullptr};
+}
+Effect mirrors() {
+    return {"mirrors", "walls", "the rooms in front, drawn once more while the mirror is in view",
+            [](const MapFile& map) { return count_walls(map, [](const WallRecord& w) { return w.mirror; }); },
+            [](MapFile& map) { each_wall(map, [](WallRecord& w) { w.mirror = false; }); }};
+}
+Effect masked_walls() {
+    return {"masked walls", "walls", "a second pass over the pixels they cover",
+            [](const MapFile& map) { return count_walls(map, has_middle); },
+            [](MapFile& map) { each_wall(map, [](WallRecord& w) { w.middle.reset(); }); }};
+}
+Effect panels() {
+    return {"panels", "walls", "a second pass over the pixels they cover",
+            [](const MapFile& map) {
+                std::size_t count = 0;
+                for (const SectorRecord& sector : map.sectors) count += sector.panels.size();
+                return count;
+            },
+            [](MapFile& map) {
+                for (SectorRecord& sector : map.sectors) sector.panels.clear();
+            }};
+}
+Effect things() {
+    return {"things", "things", "a second pass over the pixels they cover",
+            [](const MapFile& map) { return map.things.size(); },
+            [](MapFile& map) {
+                for (ThingRecord& thing : map.things) thing.frames.clear();
+            }};
+}
+Effect animated_things() {
+    return {"animated things", "things", "one look at the clock while in view",
+            [](const MapFile& map) {
+                return static_cast<std::size_t>(
+                    std::ranges::count_if(map.things, [](const ThingRecord& t) { return t.frames.size() > 1; }));
+            },
+            [](MapFile& map) {
+                for (ThingRecord& thing : map.things)
+                    if (thing.frames.size() > 1) thing.frames.resize(1);
+            }};
+}
+Effect animations() {
+    return {"animations", "pictures", "one look at the clock for each surface in view",
+            [](const MapFile& map) { return map.animations.size(); }, [](MapFile& map) { map.animations.clear(); }};
+}
+Effect scrolling() {
+    return {"scrolling", "surfaces", "a sum for each of them in view",
+            [](const MapFile& map) {
+                return count_flats(map, is_scrolled_flat) +
+                       count_walls(map, [](const WallRecord& w) { return w.scroll != Vec2{}; });
+            },
+            [](MapFile& map) {
+                each_flat(map, [](FlatRecord& f) { f.scroll = {}; });
+                each_wall(map, [](WallRecord& w) { w.scroll = {}; });
+            }};
+}
+Effect changing_lights() {
+    return {"changing lights", "sectors", "one function of time for each of them in view",
+            [](const MapFile& map) {
+                return count_sectors(map, [](const SectorRecord& s) { return s.light_effect.has_value(); });
+            },
+            [](MapFile& map) {
+                for (SectorRecord& sector : map.sectors) sector.light_effect.reset();
+            }};
+}
+Effect movers() {
+    return {"doors and movers", "triggers", "nothing until one is set off; then one function of time for each frame",
+            [](const MapFile& map) { return count_triggers(map, moves); }, nullptr};
+}
+Effect other_triggers() {
+    return {"other triggers", "triggers", "nothing until one is set off",
+            [](const MapFile& map) { return count_triggers(map, [](Deed deed) { return !moves(deed); }); }, nullptr};
+}
+Effect damage() {
+    return {"harmful floors", "sectors", "one look a second at the floor under the feet",
+            [](const MapFile& map) { return count_sectors(map, [](const SectorRecord& s) { return s.damage > 0; }); },
+            nullptr};
+}
 
 }  // namespace
 
-std::vector<EffectUse> effects_in(const MapFile& map) {
-    const auto animated = std::ranges::count_if(map.things, [](const ThingRecord& t) { return t.frames.size() > 1; });
-    std::vector<EffectUse> all{
-        {"sky", count_flats(map, [](const FlatRecord& flat) { return flat.parallax; }), "flats",
-         "one direction for each column that shows it"},
-        {"linked portals", count_walls(map, [](const WallRecord& wall) { return !wall.via.empty(); }), "walls",
-         "the rooms behind, drawn once for each way they are seen"},
-        {"mirrors", count_walls(map, [](const WallRecord& wall) { return wall.mirror; }), "walls",
-         "the rooms in front, drawn once more while the mirror is in view"},
-        {"masked walls", count_walls(map, has_middle), "walls", "a second pass over the pixels they cover"},
-        {"panels", count_panels(map), "walls", "a second pass over the pixels they cover"},
-        {"things", map.things.size(), "things", "a second pass over the pixels they cover"},
-        {"animated things", std::size_t(animated), "things", "one look at the clock while in view"},
-    };
-    std::erase_if(all, [](const EffectUse& use) { return use.count == 0; });
+const std::vector<Effect>& all_effects() {
+    static const std::vector<Effect> all{sky(),
+                                         fog(),
+                                         links(),
+                                         mirrors(),
+                                         masked_walls(),
+                                         panels(),
+                                         things(),
+                                         animated_things(),
+                                         animations(),
+                                         scrolling(),
+                                         changing_lights(),
+                                         movers(),
+                                         other_triggers(),
+                                         damage()};
     return all;
 }
 
-std::string to_text(const std::vector<EffectUse>& effects) {
-    if (effects.empty()) return "  nothing beyond plain rooms\n";
-    std::string text;
-    for (const EffectUse& use : effects)
-        text += fmt::format("  {:<16}{:>7} {:<8}{}\n", use.name, use.count, use.counted, use.cost);
-    return text;
+std::vector<EffectUse> effects_in(const MapFile& map) {
+    std::vector<EffectUse> uses;
+    for (const Effect& effect : all_effects())
+        if (const std::size_t count = effect.count(map)) uses.push_back({&effect, count});
+    return uses;
 }
 
 }  // namespace enfilade

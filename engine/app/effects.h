@@ -7,18 +7,27 @@
 
 namespace enfilade {
 
-/// One kind of effect that a map uses.
-struct EffectUse {
-    std::string name;     ///< "linked portals"
-    std::size_t count;    ///< how many surfaces, walls or things
-    std::string counted;  ///< what is counted: "walls"
-    std::string cost;     ///< in words: what is paid, and when
+/// One kind of effect.
+struct Effect {
+    const char* name;     ///< "linked portals"
+    const char* counted;  ///< what is counted: "walls"
+    const char* cost;     ///< in words: what is paid, and when
+    /// How many of them the map has.
+    std::size_t (*count)(const MapFile&);
+    /// Takes it out of the map, so that the map can be drawn without it; null: then it would be another map.
+    void (*take_out)(MapFile&);
 };
 
-/// In a fixed order; what the map does not use is not in the list.
-std::vector<EffectUse> effects_in(const MapFile& map);
+/// All kinds, in a fixed order.
+const std::vector<Effect>& all_effects();
 
-/// The list as aligned lines for a terminal.
-std::string to_text(const std::vector<EffectUse>& effects);
+/// One kind of effect that a map uses.
+struct EffectUse {
+    const Effect* effect;
+    std::size_t count;  ///< > 0
+};
+
+/// In the order of all_effects(); what the map does not use is not in the list.
+std::vector<EffectUse> effects_in(const MapFile& map);
 
 }  // namespace enfilade

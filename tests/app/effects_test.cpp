@@ -21,14 +21,46 @@ TEST(EffectsIn, CountsWhatTheMapUses) {
     file.sectors[0].loops[0].walls[0].mirror = true;
     file.sectors[0].loops[0].walls[1].mirror = true;
     file.things.resize(3);
-    EXPECT_THAT(effects_in(file), ElementsAre(Field(&EffectUse::name, "sky"), Field(&EffectUse::count, 2u),
-                                              Field(&EffectUse::count, 3u)));
+    EXPECT_THAT(effects_in(file),
+                ElementsAre(Field(&EffectUse::count, 1u), Field(&EffectUse::count, 2u), Field(&EffectUse::count, 3u)));
+    EXPECT_STREQ(effects_in(file)[0].effect->name, "sky");
 }
 
 TEST(EffectsIn, DoesNotCountAMiddleThatIsNoTexture) {
     MapFile file = test::map_of({test::box_room("main", 0, 0, 4, 4)});
     file.sectors[0].loops[0].walls[0].middle = test::spec("-");
     EXPECT_TRUE(effects_in(file).empty());
+}
+
+/// A map with one of everything that can be taken out.
+MapFile full_map() {
+    MapFile file = test::map_of({test::box_room("main", 0, 0, 4, 4), test::box_room("yard", 4, 0, 8, 4)});
+    test::join_all(file);
+    file.sectors[0].ceiling.parallax = true;
+    file.sectors[0].light_effect = LightEffectRecord{};
+    file.sectors[0].floor.scroll = {1, 0};
+    file.sectors[0].loops[0].walls[0].mirror = true;
+    test::wall(file, "main", {4, 0}, {4, 4}).middle = test::spec("fence");
+    file.sectors[0].panels = {{{1, 1}, {2, 2}, 0, 1, test::spec("fence"), {}, {}, {}}};
+    ThingRecord thing;
+    thing.frames = {{"figure", 1, {}}, {"figure", 1, {}}};
+    file.things = {thing};
+    file.animations = {{{"wall", "fence"}, 1, {}}};
+    file.render.fog_reach = 9;
+    return file;
+}
+
+TEST(Effects, ThatAreTakenOutAreGone) {
+    std::size_t taken_out = 0;
+    for (const EffectUse& use : effects_in(full_map())) {
+        if (!use.effect->take_out) continue;
+        MapFile without = full_map();
+        use.effect->take_out(without);
+        const bool is_things = std::string_view(use.effect->name) == "things";
+        EXPECT_TRUE(is_things || use.effect->count(without) == 0) << use.effect->name;
+        ++taken_out;
+    }
+    EXPECT_EQ(taken_out, 10u);
 }
 
 }  // namespace
