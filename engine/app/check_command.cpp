@@ -25,7 +25,7 @@ void print_effects(const std::string& path, const TextureSet& textures) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) return;
     const MapFile map = read_map(as_text(bytes.value())).map;
-    fmt::print("{}: {} calls for\n{}", path, counted(map.sectors.size(), "sector"), to_text(effect_prices(map, textures)));
+    fmt::print("{}: {}, and\n{}", path, counted(map.sectors.size(), "sector"), to_text(effect_prices(map, textures)));
 }
 
 void check_map(const std::string& path, const CheckRequest& request, Tally& tally) {
