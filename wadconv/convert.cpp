@@ -53,12 +53,19 @@ Conversion convert_map(const DoomMap& doom, const Pictures& pictures, const Conv
         return conversion;
     }
     MapFile file = empty_map(doom.name);
-    Workbench bench{doom,   pictures, parts.value(), settle_heights(doom, parts.value(), options.open_doors, report),
-                    report, file};
+    const Neighbours neighbours(doom);
+    Exits exits(doom.sectors.size());
+    for (const std::uint32_t sector : exits_of(doom, parts.value()))
+        if (sector != kNone) exits[sector] = true;
+    const TriggerMaker triggers(doom, parts.value(), pictures, neighbours, exits, report);
+    Workbench bench{doom,       pictures, parts.value(),
+                    neighbours, triggers, settle_heights(doom, parts.value(), options.open_doors, report),
+                    report,     file};
     convert_sectors(bench);
     convert_walls(bench);
     convert_panels(bench);
     convert_things(bench);
+    convert_picture_changes(bench);
     report.parts = file.sectors.size();
     conversion.file = std::move(file);
     return conversion;

@@ -19,9 +19,9 @@ struct Conversion {
     Report report;
 };
 
-/// Converts geometry, textures, light and things; x/32, -y/32, z/32, exactly. Specials, tags and flags are kept as
-/// `doom`: a line's on the wall of its right side (absent there: special 0, tag 0, flags 1 if it is solid, else 4), a
-/// sector's on all of its parts. Cost: O(n log n) in the lines.
+/// Converts geometry, textures, light, things, and what lines and sectors do; x/32, -y/32, z/32, exactly. Specials that
+/// have no word here, and flags that say more than the wall itself, are kept as `doom`: a line's on the wall of its
+/// right side, a sector's on all of its parts. Cost: O(n log n) in the lines.
 Conversion convert_map(const DoomMap& doom, const Pictures& pictures, const ConvertOptions& options);
 
 }  // namespace enfilade::wadconv

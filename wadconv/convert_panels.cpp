@@ -74,6 +74,9 @@ void hang_picture(const PictureFile& file, const Linedef& line, const Sidedef& s
     panel.texture.offset_tx.x = 0.0 - side.x_offset;
 }
 
+/// Flags that a panel needs no record of. Not that it blocks, which panels never do.
+constexpr std::uint16_t kFlagsSaid = kTwoSided | kUpperUnpegged | kLowerUnpegged;
+
 /// Makes panels of lines that became no wall.
 class PanelMaker {
 public:
@@ -85,6 +88,7 @@ public:
         const Sidedef* side = shown_side(bench_.doom, line);
         const PictureFile* file = side ? picture_of(*side, index) : nullptr;
         const bool from_left = file && side != right_side(line);
+        left_ = left_over(bench_, line, false, kFlagsSaid);
         for (const Piece& piece : from_left ? pieces_of(bench_.parts, b, a) : pieces_of(bench_.parts, a, b))
             add(line, piece, file, side, from_left ? b : a);
         bench_.report.note(file ? Kind::self_panel : Kind::self_unseen, index);
@@ -115,7 +119,7 @@ private:
         panel.texture.name = "-";
         if (file) hang_picture(*file, line, *side, own_heights(*side), panel);
         if (file) panel.texture.offset_tx.x -= distance(start, piece.a);
-        panel.doom = record_of(line);
+        panel.doom = left_;
         bench_.file.sectors[piece.part].panels.push_back(std::move(panel));
         ++bench_.report.panels;
     }
@@ -128,6 +132,7 @@ private:
     }
 
     Workbench& bench_;
+    std::optional<DoomRecord> left_;  ///< of the line that is being converted
 };
 
 /// Lines between two points that became no wall: lone ones, and lines drawn over others if they mean something.

@@ -1,7 +1,9 @@
 // Floors, ceilings, light and skies.
 #include <algorithm>
+#include <array>
 
-#include "wadconv/map_lumps.h"
+#include "wadconv/light_effects.h"
+#include "wadconv/thing_table.h"
 #include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {
@@ -14,6 +16,9 @@ constexpr double kLightLevels = 256;
 constexpr double kSkyColumns = -1024;
 /// One row for every pixel of a 320 x 200 picture with a field of view of 90 degrees: this many to the tangent 1.
 constexpr double kSkyRowsPerTangent = 160;
+/// How fast doors move [map units / tic].
+constexpr double kDoorSpeed = 2;
+
 /// The row that lies on the horizon.
 constexpr double kSkyHorizonRow = 100;
 
@@ -54,6 +59,51 @@ FlatRecord flat_record(Workbench& bench, const std::string& flat, std::int32_t h
     return record;
 }
 
+/// Specials of Boom put together from bits: light, damage, secrets.
+struct Nature {
+    int light = 0;   ///< the special whose light it has
+    int damage = 0;  ///< every 32 tics [points of health]
+    bool is_secret = false;
+};
+
+Nature nature_of(int special) {
+    constexpr int kGeneralized = 32;  // from here on numbers are bits
+    constexpr std::array kDamages = {0, 5, 10, 20};
+    if (special < kGeneralized) return {special, damage_of(special), special == 9};
+    return {special & 31, kDamages[static_cast<std::size_t>(special >> 5 & 3)], (special & 128) != 0};
+}
+
+/// Doors that move by themselves: one closes after half a minute, the other opens after five.
+TriggerRecord door_at_start(Deed deed, double after_s) {
+    TriggerRecord trigger;
+    trigger.on = Occasion::start;
+    trigger.deed = deed;
+    trigger.after = after_s;
+    trigger.speed = metres(kDoorSpeed * kTicsPerSecond);
+    return trigger;
+}
+
+/// Specials that are all said in words. 11 also ends the level, which nobody here dies to see.
+bool is_said(int special) {
+    constexpr std::array kSaid = {1, 2, 3, 4, 5, 7, 8, 9, 10, 12, 13, 14, 16, 17};
+    return special >= 32 ? (special & ~0xFF) == 0 && (special & 31) < 18
+                         : std::ranges::find(kSaid, special) != kSaid.end();
+}
+
+/// Light that changes, floors that hurt, secrets, and doors that move by themselves.
+void give_nature(Workbench& bench, const Part& part, SectorRecord& record) {
+    const DoomSector& doom = bench.doom.sectors[part.sector];
+    const Nature nature = nature_of(doom.special);
+    record.light_effect = light_effect_of(nature.light, doom.light, bench.neighbours.darkest(part.sector));
+    record.damage = damage_a_second(nature.damage);
+    record.secret = nature.is_secret;
+    if (doom.special == 10) record.triggers.push_back(door_at_start(Deed::close, 30));
+    if (doom.special == 14) record.triggers.push_back(door_at_start(Deed::door, 300));
+    if (doom.special == 0 || is_said(doom.special)) return;
+    record.doom = DoomRecord{doom.special, doom.tag, 0};
+    if (part.number == 0) ++bench.report.sectors_left[doom.special];
+}
+
 SectorRecord sector_record(Workbench& bench, const Part& part) {
     const DoomSector& doom = bench.doom.sectors[part.sector];
     const Heights& heights = bench.heights_of(part);
@@ -62,7 +112,8 @@ SectorRecord sector_record(Workbench& bench, const Part& part) {
     record.light = std::clamp<int>(doom.light, 0, 255) / kLightLevels;
     record.floor = flat_record(bench, doom.floor_flat, heights.floor, part.sector);
     record.ceiling = flat_record(bench, doom.ceiling_flat, heights.ceiling, part.sector);
-    if (doom.special != 0 || doom.tag != 0) record.doom = DoomRecord{doom.special, doom.tag, 0};
+    if (doom.tag != 0) record.tags = {tag_name(doom.tag)};
+    give_nature(bench, part, record);
     return record;
 }
 

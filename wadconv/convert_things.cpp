@@ -51,7 +51,25 @@ std::uint8_t skills_of(std::uint16_t flags) {
                                      (flags & kHard ? kOfHard : 0));
 }
 
-void convert_thing(Workbench& bench, std::size_t index) {
+/// What one picks up: keys of either kind, and what heals.
+void give_pickup(int type, ThingRecord& record) {
+    switch (type) {
+        case 5:
+        case 40: record.gives_key = "blue"; break;
+        case 6:
+        case 39: record.gives_key = "yellow"; break;
+        case 13:
+        case 38: record.gives_key = "red"; break;
+        case 2011: record.gives_health = 10; break;
+        case 2012: record.gives_health = 25; break;
+        case 2013: record.gives_health = 100; break;
+        case 83: record.gives_health = 200; break;
+        case 2014: record.gives_health = 1; break;
+        default: break;
+    }
+}
+
+void convert_thing(Workbench& bench, std::size_t index, std::uint32_t exit_of) {
     const DoomThing& thing = bench.doom.things[index];
     const ThingType* type = find_thing_type(thing.type);
     if (!type) return bench.report.note(Kind::unknown_thing, index);
@@ -72,6 +90,8 @@ void convert_thing(Workbench& bench, std::size_t index) {
         record.skills = skills_of(thing.flags);
         record.multiplayer = (thing.flags & kMultiplayer) != 0;
     }
+    if (exit_of != kNone) record.name = exit_name(exit_of);
+    give_pickup(thing.type, record);
     give_frames(bench, *type, index, record);
     bench.file.things.push_back(std::move(record));
     ++bench.report.placed_things;
@@ -103,9 +123,23 @@ void place_player(Workbench& bench) {
 
 }  // namespace
 
+std::vector<std::uint32_t> exits_of(const DoomMap& doom, const Parts& parts) {
+    std::vector<std::uint32_t> exits(doom.things.size(), kNone);
+    std::vector<bool> has_one(doom.sectors.size());
+    for (std::size_t i = 0; i < doom.things.size(); ++i) {
+        if (doom.things[i].type != kTeleportExit) continue;
+        const std::uint32_t part = part_at(parts, to_fine(point_of(doom.things[i])));
+        if (part == kNone || has_one[parts.parts[part].sector]) continue;
+        exits[i] = parts.parts[part].sector;
+        has_one[exits[i]] = true;
+    }
+    return exits;
+}
+
 void convert_things(Workbench& bench) {
     for (const DoomThing& thing : bench.doom.things) ++bench.report.thing_types[thing.type];
-    for (std::size_t i = 0; i < bench.doom.things.size(); ++i) convert_thing(bench, i);
+    const std::vector<std::uint32_t> exits = exits_of(bench.doom, bench.parts);
+    for (std::size_t i = 0; i < bench.doom.things.size(); ++i) convert_thing(bench, i, exits[i]);
     place_player(bench);
 }
 

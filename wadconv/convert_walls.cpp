@@ -1,6 +1,7 @@
 // Walls and portals with their textures, hung as Doom hangs them (id Software, r_segs.c, 1993, rules only).
 #include <algorithm>
 
+#include "wadconv/thing_table.h"
 #include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {
@@ -76,10 +77,15 @@ void convert_solid(Workbench& bench, const Edge& edge, WallRecord& wall) {
         bench.report.note(Kind::missing_middle, edge.line);
 }
 
-/// Flags of a line that say no more than what the wall says itself: whether it is solid, or blocks.
-bool is_plain(const Linedef& line, bool is_open) {
-    return line.special == 0 && line.tag == 0 &&
-           (is_open ? (line.flags & ~kBlocking) == kTwoSided : line.flags == kBlocking);
+/// Flags that the wall says in words of its own: whether it is solid or blocks, and what its pictures hang from.
+constexpr std::uint16_t kFlagsInWords = kBlocking | kTwoSided | kUpperUnpegged | kLowerUnpegged;
+
+/// What the line does, on the wall in front of it.
+void give_effects(Workbench& bench, const Edge& edge, WallRecord& wall) {
+    const Linedef& line = bench.doom.lines[edge.line];
+    if (line.special != 0 && !edge.is_left) wall.triggers = bench.triggers.triggers_of(edge.line, edge.is_open);
+    if (!edge.is_left) wall.scroll.x = metres(scroll_of(line.special) * kTicsPerSecond);
+    wall.doom = left_over(bench, line, !wall.triggers.empty() || wall.scroll.x != 0, kFlagsInWords);
 }
 
 /// `keeper`: by line, the edge that keeps the line's record.
@@ -93,8 +99,7 @@ WallRecord convert_wall(Workbench& bench, std::uint32_t index, const std::vector
         convert_portal(bench, edge, wall);
     else
         convert_solid(bench, edge, wall);
-    const Linedef& line = bench.doom.lines[edge.line];
-    if (keeper[edge.line] == index && !is_plain(line, edge.is_open)) wall.doom = record_of(line);
+    if (keeper[edge.line] == index) give_effects(bench, edge, wall);
     return wall;
 }
 
@@ -125,7 +130,11 @@ std::vector<std::uint32_t> first_walls(const DoomMap& doom, const Parts& parts) 
     return first;
 }
 
-DoomRecord record_of(const Linedef& line) { return {line.special, line.tag, line.flags}; }
+std::optional<DoomRecord> left_over(Workbench& bench, const Linedef& line, bool has_words, std::uint16_t said) {
+    DoomRecord record{has_words ? 0 : line.special, has_words ? 0 : line.tag, line.flags & ~said};
+    if (record.special != 0) ++bench.report.lines_left[record.special];
+    return record == DoomRecord{} ? std::nullopt : std::optional(record);
+}
 
 void convert_walls(Workbench& bench) {
     const std::vector<std::uint32_t> first = first_walls(bench.doom, bench.parts);

@@ -83,6 +83,7 @@ Result<Pictures> Pictures::list(const WadPile& pile, const std::vector<std::stri
     const SpriteFrames frames = sort_sprites(pile);
     for (const std::string& frame : sprite_frames) pictures.list_sprite(frames, frame);
     pictures.sort_files();
+    pictures.list_changes(pile, defs.value());
     return pictures;
 }
 
@@ -119,6 +120,16 @@ void Pictures::list_sprite(const SpriteFrames& frames, const std::string& frame)
         files_.push_back({record.name + (view == 0 ? "" : std::to_string(view)), canvas.width, canvas.height,
                           [f = found->second, canvas, view] { return draw_view(f, canvas, view); }});
     sprites_.emplace(frame, std::move(record));
+}
+
+void Pictures::list_changes(const WadPile& pile, const std::vector<TextureDef>& defs) {
+    PictureOrder order;
+    for (const TextureDef& def : defs)
+        if (const PictureFile* file = wall(def.name)) order.walls.push_back({def.name, file->name});
+    for (const auto& [name, lump] : pile.flats())
+        if (const PictureFile* file = flat(name)) order.flats.push_back({std::string(name), file->name});
+    animations_ = list_animations(pile, order);
+    switches_ = list_switches(pile, order);
 }
 
 void Pictures::sort_files() { std::ranges::stable_sort(files_, {}, &PictureFile::name); }

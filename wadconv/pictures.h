@@ -11,6 +11,7 @@
 
 #include "base/result.h"
 #include "map/textures.h"
+#include "wadconv/animations.h"
 #include "wadconv/picture.h"
 #include "wadconv/sprites.h"
 #include "wadconv/texture_defs.h"
@@ -63,6 +64,8 @@ public:
     const Palette& palette() const { return palette_; }
     /// How bright COLORMAP's 32 levels are, full light first; nothing where the lump is missing or too short.
     const std::optional<std::array<double, 32>>& light_levels() const { return light_levels_; }
+    const std::vector<AnimationRecord>& animations() const { return animations_; }
+    const std::vector<SwitchRecord>& switches() const { return switches_; }
     /// What was wrong with single pictures so far; they are left out.
     const std::vector<Error>& problems() const { return problems_; }
 
@@ -75,6 +78,7 @@ private:
     void list_walls(const WadPile& pile, const std::vector<TextureDef>& defs);
     void list_flats(const WadPile& pile);
     void list_sprite(const SpriteFrames& frames, const std::string& frame);
+    void list_changes(const WadPile& pile, const std::vector<TextureDef>& defs);
     void sort_files();
 
     Palette palette_{};
@@ -82,6 +86,8 @@ private:
     std::string null_texture_;
     std::vector<PictureFile> files_;
     std::map<std::string, SpriteRecord, std::less<>> sprites_;
+    std::vector<AnimationRecord> animations_;
+    std::vector<SwitchRecord> switches_;
     std::vector<Error> problems_;
 };
 

@@ -55,6 +55,11 @@ constexpr std::array kFacts = {
     KindFacts{Kind::ceiling_below_floor, Fate::guessed, "sectors with the ceiling below the floor", "sector",
               "The ceiling is raised to the floor."},
     KindFacts{Kind::light_out_of_range, Fate::repaired, "lights outside 0 to 255", "sector", "Brought into range."},
+    KindFacts{Kind::closed_trigger, Fate::dropped, "lines to be crossed or pushed that nobody can pass", "line",
+              "They do nothing."},
+    KindFacts{Kind::aimless_trigger, Fate::dropped, "lines that act on a tag that no sector has", "line",
+              "They do nothing."},
+    KindFacts{Kind::shot_trigger, Fate::repaired, "lines to be shot at", "line", "They are used instead."},
     KindFacts{Kind::unknown_thing, Fate::dropped, "things of unknown type", "thing", "Left out."},
     KindFacts{Kind::thing_outside, Fate::dropped, "things outside all sectors", "thing", "Left out."},
     KindFacts{Kind::missing_sprite, Fate::guessed, "things whose sprite the WAD lacks", "thing",
@@ -132,7 +137,9 @@ std::string body_text(const Report& report, bool with_numbers) {
     std::string text = sums_text(report) + sides_text(report.sides);
     for (Fate fate : kFates) text += kinds_text(report.found, fate, with_numbers);
     return text + counts_text("line specials", report.line_specials) +
-           counts_text("sector specials", report.sector_specials);
+           counts_text("sector specials", report.sector_specials) +
+           counts_text("line specials left over", report.lines_left) +
+           counts_text("sector specials left over", report.sectors_left);
 }
 
 template <class Key, class Value, class Add>
@@ -147,6 +154,8 @@ void add(Report& total, const Report& r) {
     merge(total.line_specials, r.line_specials, sum);
     merge(total.sector_specials, r.sector_specials, sum);
     merge(total.thing_types, r.thing_types, sum);
+    merge(total.lines_left, r.lines_left, sum);
+    merge(total.sectors_left, r.sectors_left, sum);
     for (auto field :
          {&SideCount::referred, &SideCount::walls, &SideCount::panels, &SideCount::doubled, &SideCount::dropped})
         total.sides.*field += r.sides.*field;

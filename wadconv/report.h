@@ -45,6 +45,10 @@ enum class Kind : std::uint8_t {
     opened_door,
     ceiling_below_floor,
     light_out_of_range,
+    // What lines do
+    closed_trigger,
+    aimless_trigger,
+    shot_trigger,
     // Things and the rest
     unknown_thing,
     thing_outside,
@@ -81,6 +85,7 @@ struct Report {
     std::string refused;                               ///< why there is no converted map; empty: there is one
     std::map<Kind, std::vector<std::uint32_t>> found;  ///< numbers as they came, not sorted
     std::map<int, std::size_t> line_specials, sector_specials, thing_types;  ///< how many of each number, 0 left out
+    std::map<int, std::size_t> lines_left, sectors_left;  ///< of the specials: those that became no words of the map
     SideCount sides;
     std::size_t lines = 0, sectors = 0, things = 0;             ///< in the WAD
     std::size_t parts = 0, walls = 0, portals = 0, panels = 0;  ///< in the map

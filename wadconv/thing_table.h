@@ -31,7 +31,7 @@ struct ThingType {
 inline constexpr double kTicsPerSecond = 35;
 
 /// Types with a meaning of their own.
-inline constexpr int kFirstStart = 1, kLastStart = 4, kDeathmatchStart = 11;
+inline constexpr int kFirstStart = 1, kLastStart = 4, kDeathmatchStart = 11, kTeleportExit = 14;
 
 /// All types, by rising number.
 std::span<const ThingType> thing_types();

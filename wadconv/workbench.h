@@ -7,9 +7,11 @@
 
 #include "formats/map_file.h"
 #include "wadconv/doom_records.h"
+#include "wadconv/neighbours.h"
 #include "wadconv/parts.h"
 #include "wadconv/pictures.h"
 #include "wadconv/report.h"
+#include "wadconv/triggers.h"
 
 namespace enfilade::wadconv {
 
@@ -24,6 +26,8 @@ struct Workbench {
     const DoomMap& doom;
     const Pictures& pictures;
     const Parts& parts;
+    const Neighbours& neighbours;
+    const TriggerMaker& triggers;
     std::vector<Heights> heights;  ///< by Doom sector
     Report& report;
     MapFile& file;
@@ -54,11 +58,19 @@ std::optional<TextureSpec> texture_spec(Workbench& bench, const std::string& nam
 /// By line: the lowest of its edges that bounds a part, which is the right side's if that does; or kNone.
 std::vector<std::uint32_t> first_walls(const DoomMap& doom, const Parts& parts);
 
-/// What is kept of a line.
-DoomRecord record_of(const Linedef& line);
+/// What is left of a line: the special with its tag, unless it became words, and the flags beyond those in `said`;
+/// nothing where nothing is. Counts specials that are left.
+std::optional<DoomRecord> left_over(Workbench& bench, const Linedef& line, bool has_words, std::uint16_t said);
 
 /// convert_panels.cpp: lines that bound no part but show a picture or mean something.
 void convert_panels(Workbench& bench);
+
+/// The number of the sector that each thing to teleport to stands in, by thing; kNone for other things, for those
+/// outside, and for all but the first of a sector.
+std::vector<std::uint32_t> exits_of(const DoomMap& doom, const Parts& parts);
+
+/// Adds the animations and switches that the map's pictures take part in.
+void convert_picture_changes(Workbench& bench);
 
 /// convert_things.cpp: things and the player's start.
 void convert_things(Workbench& bench);

@@ -85,7 +85,7 @@ TEST(ConvertSectors, NoteFlatsThatAreNotThere) {
     EXPECT_THAT(Converted(level).noted(Kind::unknown_flat), ElementsAre(0u));
 }
 
-TEST(ConvertSectors, KeepSpecialAndTagOnEveryPart) {
+TEST(ConvertSectors, GiveEveryPartItsTagAndNature) {
     Level level;
     level.sector();
     level.map.sectors[0].special = 9;
@@ -94,7 +94,10 @@ TEST(ConvertSectors, KeepSpecialAndTagOnEveryPart) {
     level.box(128, 0, 192, 64, 0);
     const Converted c(level);
     ASSERT_THAT(c.file.sectors, SizeIs(2));
-    for (const SectorRecord& sector : c.file.sectors) EXPECT_EQ(sector.doom, (DoomRecord{9, 5, 0}));
+    for (const SectorRecord& sector : c.file.sectors) {
+        EXPECT_THAT(sector.tags, ElementsAre("tag 5"));
+        EXPECT_TRUE(sector.secret);
+    }
     EXPECT_EQ(c.file.sectors[1].name, "s0b");
     EXPECT_EQ(c.report.sector_specials.at(9), 1u);
 }
@@ -215,14 +218,14 @@ TEST(ConvertWalls, NoteNoMissingTextureInClosedSectors) {
     EXPECT_THAT(Converted(d.level).noted(Kind::missing_middle), IsEmpty());
 }
 
-TEST(ConvertWalls, KeepALinesRecordOnItsRightSide) {
+TEST(ConvertWalls, KeepASpecialWithoutWordsOnItsRightSide) {
     Doorway d;
-    d.line().special = 31;
+    d.line().special = 126;
     d.line().tag = 4;
     const Converted c(d.level);
-    EXPECT_EQ(front(c).doom, (DoomRecord{31, 4, kTwoSided}));
+    EXPECT_EQ(front(c).doom, (DoomRecord{126, 4, 0}));
     EXPECT_FALSE(back(c).doom);
-    EXPECT_EQ(c.report.line_specials.at(31), 1u);
+    EXPECT_EQ(c.report.lines_left.at(126), 1u);
 }
 
 TEST(ConvertWalls, KeepNoRecordOfPlainLines) {
@@ -235,7 +238,7 @@ TEST(ConvertWalls, KeepFlagsThatSayMore) {
     Doorway d;
     constexpr std::uint16_t kSecret = 0x20;
     d.line().flags = kTwoSided | kBlocking | kSecret;
-    EXPECT_EQ(front(Converted(d.level)).doom->flags, kTwoSided | kBlocking | kSecret);
+    EXPECT_EQ(front(Converted(d.level)).doom->flags, kSecret);
 }
 
 TEST(ConvertWalls, BlockWhereTheLineDoes) {
@@ -295,7 +298,8 @@ TEST(ConvertPanels, TurnAFenceThatOnlyTheLeftSideShows) {
 
 TEST(ConvertPanels, KeepWhatALineWithoutPictureMeans) {
     const Converted c(small_level());
-    EXPECT_EQ(panel(c, "-").doom, (DoomRecord{97, 0, kTwoSided}));
+    EXPECT_EQ(panel(c, "-").doom, (DoomRecord{97, 0, 0}));
+    EXPECT_EQ(c.report.lines_left.at(97), 1u);
     EXPECT_THAT(c.noted(Kind::self_unseen), ElementsAre(12u));
 }
 

@@ -63,6 +63,18 @@ void print_row(const std::string& name, const Tally& tally, const std::string& s
                 in_reach_text(tally).c_str(), tally.up_steps, tally.all, sectors.c_str());
 }
 
+/// The map with nothing that happens in it: what is in reach stays so, and nobody is sent elsewhere.
+Map stilled(Map map) {
+    map.at_start.clear();
+    for (Wall& wall : map.walls) wall.triggers = {};
+    for (Thing& thing : map.things) thing.triggers = {};
+    for (Sector& sector : map.sectors) {
+        sector.triggers = {};
+        sector.damage = 0;
+    }
+    return map;
+}
+
 void walk(const std::string& name, const Map& map, Tally& total) {
     std::optional<World> world = start_of(map);
     ASSERT_TRUE(world) << name << " has no start";
@@ -94,7 +106,7 @@ TEST_P(FreeDoomWalks, LeadThroughEveryMap) {
     for (const std::string& name : wad.maps()) {
         const LoadedMap loaded = wad.load(name, kUsualSkill);
         ASSERT_TRUE(loaded.map) << name;
-        walk(name, *loaded.map, total);
+        walk(name, stilled(*loaded.map), total);
     }
     print_row("all", total, "");
 }

@@ -1,0 +1,258 @@
+#include "wadconv/triggers.h"
+
+#include <algorithm>
+#include <array>
+
+#include "wadconv/light_effects.h"
+#include "wadconv/next_maps.h"
+#include "wadconv/thing_table.h"
+#include "wadconv/workbench.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+/// Brightness that Doom's 0 to 255 become; see convert_sectors.cpp.
+constexpr double kLightLevels = 256;
+
+/// Tics between two pains on a floor that hurts.
+constexpr double kTicsOfDamage = 32;
+
+Occasion occasion_of(How how) { return how == How::cross ? Occasion::cross : Occasion::use; }
+
+std::string key_name(DoorKey key) {
+    constexpr std::array<std::string_view, 4> kNames = {"", "blue", "yellow", "red"};
+    return std::string(kNames[static_cast<std::size_t>(key)]);
+}
+
+/// What the action's own measures say, in metres and seconds. Deeds that do not move keep the usual ones.
+TriggerRecord measured(const LineAction& action) {
+    TriggerRecord trigger;
+    trigger.on = occasion_of(action.how);
+    trigger.deed = action.deed;
+    trigger.once = action.times == Times::once;
+    trigger.key = key_name(action.key);
+    trigger.crushes = action.crushes;
+    trigger.to = action.to;
+    if (action.deed == Deed::stairs)
+        trigger.step = metres(action.by);
+    else
+        trigger.by = metres(action.by);
+    if (action.speed > 0) trigger.speed = metres(action.speed * kTicsPerSecond);
+    if (action.wait > 0) trigger.wait = action.wait / kTicsPerSecond;
+    if (action.light >= 0) trigger.light = action.light / kLightLevels;
+    trigger.light_of = action.light_of;
+    return trigger;
+}
+
+/// Whether it is made for each sector of the tag, because what it needs differs from one to the other.
+bool differs_by_sector(const LineAction& action) {
+    return action.deed == Deed::stairs || action.oddity == Oddity::donut || action.oddity == Oddity::shortest_lower ||
+           action.change == Change::as_beside;
+}
+
+}  // namespace
+
+std::string tag_name(int tag) { return "tag " + std::to_string(tag); }
+std::string exit_name(std::uint32_t sector) { return "exit of s" + std::to_string(sector); }
+
+int damage_of(int special) {
+    switch (special) {
+        case 7: return 5;
+        case 5: return 10;
+        case 4:
+        case 11:
+        case 16: return 20;
+        default: return 0;
+    }
+}
+
+int damage_a_second(int damage) { return static_cast<int>(damage * kTicsPerSecond / kTicsOfDamage + 0.5); }
+
+TriggerMaker::TriggerMaker(const DoomMap& doom, const Parts& parts, const Pictures& pictures,
+                           const Neighbours& neighbours, const Exits& exits, Report& report)
+    : doom_(doom),
+      parts_(parts),
+      pictures_(pictures),
+      neighbours_(neighbours),
+      exits_(exits),
+      report_(report),
+      part_names_(doom.sectors.size()) {
+    for (const Part& part : parts_.parts) {
+        if (part.number == 0) by_tag_[sector(part.sector).tag].push_back(part.sector);
+        part_names_[part.sector].push_back(part_name(part));
+    }
+}
+
+std::vector<TriggerRecord> TriggerMaker::triggers_of(std::uint32_t line, bool is_open) const {
+    const Linedef& doom = doom_.lines[line];
+    const std::optional<LineAction> action = action_of(doom.special);
+    if (!action) return {};
+    if (!is_open && (action->how == How::cross || action->how == How::push)) {
+        report_.note(Kind::closed_trigger, line);
+        return {};
+    }
+    if (action->how == How::shoot) report_.note(Kind::shot_trigger, line);
+    Job job{line, *action, measured(*action), {}};
+    if (action->deed == Deed::exit) return {exit(job)};
+    if (action->how == How::push) return {job.base};
+    return remote(job);
+}
+
+/// Acts on the sectors of the line's tag.
+std::vector<TriggerRecord> TriggerMaker::remote(Job& job) const {
+    const int tag = doom_.lines[job.line].tag;
+    const auto found = by_tag_.find(tag);
+    if (tag == 0 || found == by_tag_.end()) {
+        report_.note(Kind::aimless_trigger, job.line);
+        return {};
+    }
+    job.sectors = found->second;
+    if (job.action.deed == Deed::teleport) return teleport(job);
+    if (differs_by_sector(job.action)) return one_by_one(job);
+    TriggerRecord trigger = job.base;
+    trigger.targets = {tag_name(tag)};
+    if (job.action.change != Change::none)
+        change_as(front_of(job.line), job.action.change == Change::as_in_front, trigger);
+    if (job.action.change == Change::harmless) trigger.heals = true;
+    if (trigger.deed == Deed::light && !trigger.light && trigger.light_of == LightLevel::given) strobe(job, trigger);
+    return {trigger};
+}
+
+/// To the first sector of the tag that has an exit; only from the front.
+std::vector<TriggerRecord> TriggerMaker::teleport(const Job& job) const {
+    for (const std::uint32_t sector : job.sectors)
+        if (exits_[sector]) {
+            TriggerRecord trigger = job.base;
+            trigger.targets = {exit_name(sector)};
+            trigger.one_way = true;
+            return {trigger};
+        }
+    report_.note(Kind::aimless_trigger, job.line);
+    return {};
+}
+
+TriggerRecord TriggerMaker::exit(const Job& job) const {
+    TriggerRecord trigger = job.base;
+    std::string next = next_map(doom_.name, job.action.oddity == Oddity::secret_exit);
+    for (char& c : next)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');  // as its file is called
+    if (!next.empty()) trigger.targets = {next};
+    return trigger;
+}
+
+std::vector<TriggerRecord> TriggerMaker::one_by_one(const Job& job) const {
+    std::vector<TriggerRecord> all;
+    const auto append = [&](std::vector<TriggerRecord> more) {
+        for (TriggerRecord& trigger : more) all.push_back(std::move(trigger));
+    };
+    for (const std::uint32_t s : job.sectors) {
+        if (job.action.deed == Deed::stairs) {
+            append(staircase(job, s));
+        } else if (job.action.oddity == Oddity::donut) {
+            append(donut(job, s));
+        } else {
+            TriggerRecord trigger = job.base;
+            trigger.targets = names_of(s);
+            if (job.action.oddity == Oddity::shortest_lower) trigger.by = metres(shortest_lower(s));
+            if (job.action.change == Change::as_beside)
+                if (const std::uint32_t model = beside_of_height(s, neighbours_.lowest_floor(s)); model != kNone)
+                    change_as(model, true, trigger);
+            all.push_back(std::move(trigger));
+        }
+    }
+    return all;
+}
+
+/// Every stair goes to its height above the first, whatever its own was.
+std::vector<TriggerRecord> TriggerMaker::staircase(const Job& job, std::uint32_t first) const {
+    const std::vector<std::uint32_t> stairs = stairs_from(first);
+    const auto is_even = [&](std::uint32_t s) {
+        return sector(s).floor == sector(first).floor && part_names_[s].size() == 1;
+    };
+    TriggerRecord trigger = job.base;
+    if (std::ranges::all_of(stairs, is_even)) {
+        for (const std::uint32_t s : stairs) trigger.targets.push_back(part_names_[s].front());
+        return {trigger};
+    }
+    trigger.deed = Deed::floor;
+    trigger.step = TriggerRecord{}.step;
+    std::vector<TriggerRecord> all;
+    for (std::size_t i = 0; i < stairs.size(); ++i) {
+        trigger.targets = names_of(stairs[i]);
+        trigger.z = metres(sector(first).floor + static_cast<double>(i + 1) * job.action.by);
+        if (!trigger.targets.empty()) all.push_back(trigger);
+    }
+    return all;
+}
+
+/// On from each stair through the first line that it is in front of to a sector with the same floor picture.
+std::vector<std::uint32_t> TriggerMaker::stairs_from(std::uint32_t first) const {
+    std::vector<std::uint32_t> stairs{first};
+    for (bool goes_on = true; goes_on;) {
+        goes_on = false;
+        for (const Neighbour& n : neighbours_.of(stairs.back())) {
+            if (!n.is_front || sector(n.sector).floor_flat != sector(first).floor_flat) continue;
+            if (std::ranges::find(stairs, n.sector) != stairs.end()) continue;
+            stairs.push_back(n.sector);
+            goes_on = true;
+            break;
+        }
+    }
+    return stairs;
+}
+
+/// The ring is behind the pillar's first line, the model beyond the ring.
+std::vector<TriggerRecord> TriggerMaker::donut(const Job& job, std::uint32_t pillar) const {
+    if (neighbours_.of(pillar).empty()) return {};
+    const std::uint32_t ring = neighbours_.of(pillar).front().sector;
+    for (const Neighbour& n : neighbours_.of(ring)) {
+        if (n.sector == pillar || n.sector == ring || part_names_[n.sector].empty()) continue;
+        TriggerRecord down = job.base, up = job.base;
+        down.targets = names_of(pillar);
+        up.targets = names_of(ring);
+        down.like = up.like = part_names_[n.sector].front();
+        change_as(n.sector, false, up);
+        up.heals = true;
+        return {down, up};
+    }
+    return {};
+}
+
+/// A sector around with that floor, or kNone.
+std::uint32_t TriggerMaker::beside_of_height(std::uint32_t number, std::int16_t floor) const {
+    for (const Neighbour& n : neighbours_.of(number))
+        if (n.sector != number && sector(n.sector).floor == floor) return n.sector;
+    return kNone;
+}
+
+void TriggerMaker::change_as(std::uint32_t model, bool takes_nature, TriggerRecord& trigger) const {
+    if (model == kNone) return;
+    if (const PictureFile* file = pictures_.flat(sector(model).floor_flat)) trigger.texture = file->name;
+    if (takes_nature) trigger.heals = damage_of(sector(model).special) == 0;
+}
+
+/// Flashes between each sector's own light and the darkest around any of them.
+void TriggerMaker::strobe(const Job& job, TriggerRecord& trigger) const {
+    std::int16_t dark = 255;
+    for (const std::uint32_t s : job.sectors) dark = std::min(dark, neighbours_.darkest(s));
+    trigger.effect = slow_strobe(dark);
+}
+
+double TriggerMaker::shortest_lower(std::uint32_t number) const {
+    std::uint32_t shortest = 0;
+    for (const Neighbour& n : neighbours_.of(number))
+        for (const std::uint16_t side : {doom_.lines[n.line].right, doom_.lines[n.line].left})
+            if (const PictureFile* file = pictures_.wall(doom_.sides[side].lower))
+                if (shortest == 0 || file->height < shortest) shortest = file->height;
+    return shortest;
+}
+
+std::uint32_t TriggerMaker::front_of(std::uint32_t line) const {
+    const std::uint16_t side = doom_.lines[line].right;
+    const std::uint32_t front = side < doom_.sides.size() ? doom_.sides[side].sector : kNone;
+    return front < doom_.sectors.size() ? front : kNone;
+}
+
+std::vector<std::string> TriggerMaker::names_of(std::uint32_t number) const { return part_names_[number]; }
+
+}  // namespace enfilade::wadconv
