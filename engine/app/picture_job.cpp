@@ -13,6 +13,8 @@
 #include "base/parallel.h"
 #include "platform/clock.h"
 #include "platform/gl_context.h"
+#include "world/deed.h"
+#include "world/input.h"
 
 namespace enfilade {
 namespace {
@@ -29,7 +31,8 @@ class Drawing {
 public:
     Drawing(const OpenMap& map, const PictureJob& job)
         : map_(map), job_(job), snapshot_(at_rest(map.map)), times_ns_(job.views.size()) {
-        snapshot_.time_s = job.time_s;
+        const History history = begun(map.map);
+        show({map.map, history, job.time_s * kTickRate}, snapshot_);
         const bool side_by_side = job.timing.empty() && job.views.size() >= job.threads;
         desks_.resize(side_by_side ? job.threads : 1);
         threads_each_ = side_by_side ? 1 : job.threads;

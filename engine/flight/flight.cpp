@@ -66,7 +66,7 @@ Snapshot Flight::snapshot_at(const Map& map, FrameTime time) const {
 
 void Flight::press(const CameraPath& path, const ScriptFile& script, const Map& map) {
     World world;
-    for (const TriggerId trigger : map.at_start) carry_out(map, world.history, trigger, 0);
+    world.history = begun(map);
     for (std::size_t i = 0; i < script.legs.size(); ++i) {
         if (script.legs[i].press != Press::use) continue;
         const std::int64_t begin_us = path.leg_begin_us(i);

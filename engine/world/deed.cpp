@@ -179,6 +179,12 @@ void carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_
     for (std::size_t i = 0; i < map[trigger].targets.size(); ++i) change_target(map, history, trigger, i, tick);
 }
 
+History begun(const Map& map) {
+    History history;
+    for (const TriggerId trigger : map.at_start) carry_out(map, history, trigger, 0);
+    return history;
+}
+
 bool crushes(const Map& map, const Change& change) {
     const Trigger& cause = map[change.cause];
     return cause.crushes || cause.deed == Deed::crush;

@@ -16,6 +16,9 @@ inline constexpr double kCrushedHeight = 0.25;
 /// Cost: the walls of the targets.
 void carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_t tick);
 
+/// What the start of the map sets off, and nothing more.
+History begun(const Map& map);
+
 /// What follows if somebody is in the way of a change on its way, from `tick` on: it turns round, or waits and tries
 /// again. `in_the_way`: the change, and it has not ended.
 Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick);

@@ -54,7 +54,7 @@ std::string text(Whole x) {
 std::optional<World> start_of(const Map& map) {
     if (!map.player) return {};
     World world;
-    for (const TriggerId trigger : map.at_start) carry_out(map, world.history, trigger, 0);
+    world.history = begun(map);
     world.player = world.before = player_at(now(map, world), *map.player);
     return world;
 }

@@ -46,6 +46,39 @@ TEST(Flight, SeesThroughTheScriptsLens) {
     EXPECT_EQ(view.stretch, 1.2);
 }
 
+/// The hall, with a further room behind a closed door, and a lamp-lit sector whose ceiling moves from the start.
+MapFile hall_with_door() {
+    MapFile file = test::map_of({test::box_room("main", 0, 0, 4, 4, 0, 3), test::box_room("door", 4, 0, 5, 4, 0, 0),
+                                 test::box_room("room", 5, 0, 9, 4, 0, 3)});
+    test::join_all(file);
+    test::place_player(file, "main", {3, 2}, 1.5);
+    TriggerRecord open, close;
+    open.on = Occasion::use;
+    close.on = Occasion::start;
+    close.deed = Deed::close;
+    test::sector(file, "door").triggers = {open};
+    test::sector(file, "room").triggers = {close};
+    return file;
+}
+
+TEST(Flight, OpensTheDoorThatALegUses) {
+    const Map map = test::built(hall_with_door());
+    ScriptFile script = script_of({leg(1), leg(2)});
+    script.legs[1].press = Press::use;
+    const Flight flight = flight_in(map, script);
+    EXPECT_EQ(flight.at(map, 10).snapshot.sectors[1].ceiling_z, 0);
+    EXPECT_EQ(flight.at(map, 15).snapshot.sectors[1].ceiling_z, 0.875);  // below the room, which has sunk to 1 m
+    EXPECT_EQ(flight.at(map, 12).snapshot.sectors[1].ceiling_z, 0.4);
+}
+
+TEST(Flight, ShowsWhatTheStartOfTheMapSetsOff) {
+    const Map map = test::built(hall_with_door());
+    const Flight flight = flight_in(map, script_of({leg(2)}));
+    EXPECT_EQ(flight.at(map, 0).snapshot.sectors[2].ceiling_z, 3);
+    EXPECT_EQ(flight.at(map, 10).snapshot.sectors[2].ceiling_z, 1);
+    EXPECT_EQ(flight.at(map, 20).snapshot.sectors[2].ceiling_z, 0);
+}
+
 TEST(Flight, GivesTheSameFrameInAnyOrder) {
     const Map map = test::built(test::linked_file());
     const Flight flight = flight_in(map, script_of({go(3, {5, 2}), go(1, {102, 3})}));
