@@ -80,6 +80,25 @@ std::optional<std::uint64_t> end_of(const Course& course) {
     return end;
 }
 
+std::vector<Move> moves_of(const Course& course, double since, double until) {
+    std::vector<Move> moves;
+    double from = course.from, begin = static_cast<double>(course.start);
+    const auto walk = [&] {
+        for (std::uint8_t i = 0; i < course.count; ++i) {
+            const double end = begin + static_cast<double>(ticks_between(from, course.stops[i]));
+            if (end > begin && end > since && begin <= until) moves.push_back({begin, end});
+            begin = end + course.stops[i].wait;
+            from = course.stops[i].value;
+        }
+    };
+    walk();
+    const double lap = lap_of(course);
+    if (lap == 0) return moves;
+    begin += std::max(0.0, std::floor((since - begin) / lap)) * lap;
+    while (begin <= until) walk();
+    return moves;
+}
+
 std::uint8_t stop_at(const Course& course, double tick) { return position_at(course, tick).stop; }
 
 }  // namespace enfilade

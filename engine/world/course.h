@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace enfilade {
 
@@ -34,6 +35,15 @@ double value_at(const Course& course, double tick);
 
 /// The first tick at which it has come to rest for good, its last wait not counted; none where it never does.
 std::optional<std::uint64_t> end_of(const Course& course);
+
+/// A time in which a value moves [ticks].
+struct Move {
+    double begin = 0, end = 0;
+};
+
+/// When the course moves, in order: those that end after `since` and begin by `until`. Cost: the laps between the
+/// two, however late they are.
+std::vector<Move> moves_of(const Course& course, double since, double until);
 
 /// Which stop it is on its way to, or waits at, 0 or 1; `count` once it has ended. Before its start: 0.
 std::uint8_t stop_at(const Course& course, double tick);

@@ -40,13 +40,6 @@ bool can_be_used(const Map& map, const Wall& wall) {
            (wall.behind && has_on(map, map[wall.behind].triggers, Occasion::use));
 }
 
-/// Whether one can reach through: the portal is open by as much as a finger.
-bool is_open(const Instant& now, const Wall& portal) {
-    const Heights here = heights_of(now, portal.sector), behind = heights_of(now, portal.behind);
-    const double rise = now.map.passage(portal).rise;
-    return std::min(here.ceiling_z, behind.ceiling_z - rise) > std::max(here.floor_z, behind.floor_z - rise);
-}
-
 void use(const Map& map, World& world, WallId id) {
     const Wall& wall = map[id];
     each_on(map, wall.triggers, Occasion::use, [&](TriggerId trigger) { fire(map, world, trigger, id); });

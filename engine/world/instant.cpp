@@ -1,5 +1,7 @@
 #include "world/instant.h"
 
+#include <algorithm>
+
 namespace enfilade {
 namespace {
 
@@ -29,6 +31,12 @@ Heights heights_of(const Instant& now, SectorId id) {
     const Sector& sector = now.map[id];
     if (!now.history) return {sector.floor.z, sector.ceiling.z};
     return {value_of(now, id, Channel::floor, sector.floor.z), value_of(now, id, Channel::ceiling, sector.ceiling.z)};
+}
+
+bool is_open(const Instant& now, const Wall& portal) {
+    const Heights here = heights_of(now, portal.sector), behind = heights_of(now, portal.behind);
+    const double rise = now.map.passage(portal).rise;
+    return std::min(here.ceiling_z, behind.ceiling_z - rise) > std::max(here.floor_z, behind.floor_z - rise);
 }
 
 double foot_of(const Instant& now, ThingId id) {

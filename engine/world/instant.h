@@ -25,6 +25,9 @@ struct Heights {
 /// Cost: that of two courses, and of finding them (History::change_of).
 Heights heights_of(const Instant& now, SectorId sector);
 
+/// Whether a portal is open by any gap: a hand can reach through, and sound passes.
+bool is_open(const Instant& now, const Wall& portal);
+
 /// Height of a thing's foot [m].
 double foot_of(const Instant& now, ThingId thing);
 
