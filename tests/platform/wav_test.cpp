@@ -1,0 +1,67 @@
+// WAV files, and what pretends to be one.
+#include "platform/wav.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/random.h"
+#include "support/wav.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+TEST(Wav, OfTheMixersOwnRateIsReadAsItIs) {
+    const auto samples = read_wav(wav_of({0, 0.5, -0.5, 1, -1}));
+    ASSERT_TRUE(samples.ok()) << samples.error().text();
+    ASSERT_EQ(samples.value().size(), 5u);
+    const double expected[] = {0, 0.5, -0.5, 1, -1};
+    // 16 bits.
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(samples.value()[i], expected[i], 1.0 / 32767) << i;
+}
+
+TEST(Wav, OfAnotherRateKeepsItsLengthInSeconds) {
+    const auto samples = read_wav(wav_of(tone(11025, 440, 11025), {11025, 1}));
+    ASSERT_TRUE(samples.ok());
+    EXPECT_NEAR(double(samples.value().size()), kMixRate, kMixRate * 0.01);  // the filter's tail
+}
+
+TEST(Wav, OfTwoChannelsBecomesOne) {
+    const auto samples = read_wav(wav_of({0.5, 0, 0.5, 0, 0.5, 0}, {48000, 2}));
+    ASSERT_TRUE(samples.ok());
+    ASSERT_EQ(samples.value().size(), 3u);
+    EXPECT_NEAR(samples.value()[1], 0.25, 1.0 / 32767);
+}
+
+TEST(Wav, ThatIsNoneIsRefused) {
+    EXPECT_FALSE(read_wav({}).ok());
+    EXPECT_FALSE(read_wav(Bytes(1000, std::byte{'?'})).ok());
+}
+
+TEST(Wav, OfAnAbsurdRateIsRefusedBeforeItTakesMemory) {
+    EXPECT_FALSE(read_wav(wav_of(tone(4800, 440), {1, 1})).ok());
+    EXPECT_FALSE(read_wav(wav_of(tone(4800, 440), {4000000000u, 1})).ok());
+}
+
+TEST(Wav, LongerThanTwoMinutesIsRefused) {
+    EXPECT_TRUE(read_wav(wav_of(std::vector<double>(119 * 1000, 0.0), {1000, 1})).ok());
+    EXPECT_FALSE(read_wav(wav_of(std::vector<double>(121 * 1000, 0.0), {1000, 1})).ok());
+}
+
+TEST(Wav, WithAnyBytesChangedIsReadOrRefused) {
+    const Bytes sound = wav_of(tone(200, 440));
+    Random random(5);
+    for (int i = 0; i < 3000; ++i) {
+        Bytes broken = sound;
+        for (int n = 0; n < 3; ++n) broken[random.below(64)] = static_cast<std::byte>(random.below(256));
+        broken.resize(random.below(broken.size() + 1));
+        const auto samples = read_wav(broken);
+        const Samples read = samples.ok() ? samples.value() : Samples{};
+        EXPECT_TRUE(std::ranges::all_of(read, [](float s) { return s >= -1 && s <= 1; }));
+    }
+}
+
+}  // namespace
+}  // namespace enfilade
