@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/effect_prices.h"
 #include "app/exit_codes.h"
+#include "app/sounds.h"
 #include "base/files.h"
 #include "formats/map_toml.h"
 #include "map/load.h"
@@ -34,6 +35,12 @@ void check_map(const std::string& path, const CheckRequest& request, Tally& tall
     for (const Finding& finding : loaded.findings) {
         text += to_text(path, finding) + '\n';
         ++(finding.severity == Severity::error ? tally.errors : tally.warnings);
+    }
+    if (loaded.map) {
+        for (const std::string& fault : load_sounds(*loaded.map, path, read_file).faults) {
+            text += to_text(path, {{}, Severity::warning, "bad-sound", fault}) + '\n';
+            ++tally.warnings;
+        }
     }
     fmt::print("{}", text);
     ++tally.maps;

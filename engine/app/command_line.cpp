@@ -60,6 +60,7 @@ CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     command->add_option("--size", request.size, "Size of the picture in pixels, scaled to the window")
         ->type_name("WxH");
     command->add_flag("--fullscreen", request.fullscreen, "Fill the screen");
+    command->add_flag("--mute", request.mute, "No sounds");
     declare_true_pitch(*command, request.true_pitch);
     command->add_option("--record", request.tape, "Write down all input, to play it again")->type_name("TAPE");
     command->add_option("--save", request.save, "Where F5 saves the game and F9 finds it; by default in your home")

@@ -13,7 +13,7 @@ struct PlayRequest {
     std::string map, renderer = "column", size, tape, save, load;  ///< all but renderer: empty where not given
     std::vector<std::string> texture_folders;
     int skill = kUsualSkill;
-    bool fullscreen = false, true_pitch = false;
+    bool fullscreen = false, true_pitch = false, mute = false;
 };
 
 struct RenderRequest {

@@ -54,7 +54,8 @@ std::size_t count_triggers(const MapFile& map, Test test) {
 bool has_middle(const WallRecord& wall) { return wall.middle && wall.middle->name != "-"; }
 bool is_scrolled_flat(const FlatRecord& flat) { return flat.scroll != Vec2{} && !flat.parallax; }
 bool moves(Deed deed) {
-    return deed != Deed::light && deed != Deed::teleport && deed != Deed::exit && deed != Deed::stop;
+    return deed != Deed::light && deed != Deed::teleport && deed != Deed::exit && deed != Deed::stop &&
+           deed != Deed::sound;
 }
 
 Effect sky() {
@@ -149,6 +150,11 @@ Effect damage() {
             nullptr};
 }
 
+Effect sounds() {
+    return {"sounds", "sounds", "a sound device, and each frame the ways that sound takes to the player",
+            [](const MapFile& map) { return map.sounds.size(); }, nullptr};
+}
+
 }  // namespace
 
 const std::vector<Effect>& all_effects() {
@@ -165,7 +171,8 @@ const std::vector<Effect>& all_effects() {
                                          changing_lights(),
                                          movers(),
                                          other_triggers(),
-                                         damage()};
+                                         damage(),
+                                         sounds()};
     return all;
 }
 

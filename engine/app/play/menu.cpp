@@ -97,6 +97,9 @@ MenuAction Menu::adjust(int steps, PlaySettings& settings) {
             return MenuAction::settings_changed;
         case Entry::fullscreen: settings.fullscreen = !settings.fullscreen; return MenuAction::settings_changed;
         case Entry::true_pitch: settings.true_pitch = !settings.true_pitch; return MenuAction::settings_changed;
+        case Entry::volume:
+            settings.volume = slide(settings.volume, steps, kVolumeStep, 0, 1);
+            return MenuAction::settings_changed;
         default: return MenuAction::none;
     }
 }
@@ -116,6 +119,7 @@ std::string Menu::label(Entry entry, const PlaySettings& settings) {
         case Entry::mouse_speed: return fmt::format("Mouse speed     < {:.1f} >", settings.mouse_speed);
         case Entry::fullscreen: return fmt::format("Full screen     < {:>3} >", settings.fullscreen ? "on" : "off");
         case Entry::true_pitch: return fmt::format("True pitch (F2) < {:>3} >", settings.true_pitch ? "on" : "off");
+        case Entry::volume: return fmt::format("Volume          < {:3.0f} >", 100 * settings.volume);
         case Entry::quit: return "Quit";
     }
     return {};

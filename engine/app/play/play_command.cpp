@@ -43,6 +43,7 @@ Result<PlayOptions> options_of(const PlayRequest& request) {
     }
     options.fullscreen = request.fullscreen;
     options.tape = request.tape;
+    options.mute = request.mute;
     return options;
 }
 

@@ -52,6 +52,7 @@ Status PlayLoop::run() {
     started_ns_ = passed_until_ns_ = ticked_until_ns_ = looked_ns_ = now_ns();
     window_.grab_mouse(true);
     notices_.say("Esc: menu   Tab: map   F2: renderer   F3: times   F12: picture", 0, kWelcomeSeconds);
+    begin_sounds();
     const auto frame_time = static_cast<std::int64_t>(kSecond / window_.refresh_hz());
     std::vector<InputEvent> events;
     while (!quit_) {
@@ -61,6 +62,7 @@ Status PlayLoop::run() {
         for (const InputEvent& event : events) handle(event);
         look_for_changes(now);
         pass_time(now);
+        hear();
         if (Status failed = show(now)) return failed;
         sleep_until_ns(now + frame_time);
     }
@@ -144,6 +146,7 @@ void PlayLoop::reload() {
         lines.emplace_back("The map before is kept until this is put right.");
         return notices_.pin(std::move(lines));
     }
+    begin_sounds();
     notices_.pin({});
     notices_.say("The map was changed and loaded again.", now_s);
     if (unsaved) notices_.say(unsaved->text(), now_s);
@@ -199,7 +202,21 @@ void PlayLoop::leave_map() {
         return notices_.pin(split_lines(failed->text()));
     }
     options_.save = saved_game_of(game_.path());
+    begin_sounds();
     notices_.say(fmt::format("{} lies behind you. This is {}.", left, game_.map().name), now_s);
+}
+
+void PlayLoop::begin_sounds() {
+    if (options_.mute) return;
+    for (const std::string& fault : sounds_.begin(game_.map(), game_.path()))
+        notices_.say(fault, seconds(now_ns() - started_ns_));
+}
+
+void PlayLoop::hear() {
+    if (menu_.is_open() || rewinding_)
+        sounds_.fall_silent();
+    else
+        sounds_.hear(game_.map(), game_.world(), settings_.volume);
 }
 
 void PlayLoop::save_game() {

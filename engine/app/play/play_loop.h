@@ -9,6 +9,7 @@
 #include "app/play/notices.h"
 #include "app/play/readout.h"
 #include "app/play/settings.h"
+#include "app/play/soundscape.h"
 #include "app/play/status.h"
 #include "flight/renderer.h"
 #include "platform/window.h"
@@ -20,8 +21,9 @@ struct PlayOptions {
     std::optional<PictureSize> size;  ///< of the picture, scaled to the window; none: as large as the window
     bool fullscreen = false;
     bool true_pitch = false;  ///< the stencil renderer turns its picture when the player looks up or down
-    std::string tape;  ///< where to record to; empty: nowhere
-    std::string save;  ///< where F5 saves to and F9 loads from
+    bool mute = false;        ///< no sound device is opened
+    std::string tape;         ///< where to record to; empty: nowhere
+    std::string save;         ///< where F5 saves to and F9 loads from
 };
 
 /// Plays until the player quits. Fixed ticks; drawing is interpolated between them and as often as the display shows.
@@ -42,6 +44,9 @@ private:
     void apply_settings();
     void look_for_changes(std::int64_t now);
     void reload();
+    /// Opens the sound device if the map calls for it.
+    void begin_sounds();
+    void hear();
     void save_game();
     void load_game();
     /// Tells what has come to be known, and goes on in the next map where this one was left.
@@ -70,6 +75,7 @@ private:
     PlayerInput input_;
     Menu menu_;
     Notices notices_;
+    Soundscape sounds_;
     FrameTimes times_;
     std::int64_t started_ns_ = 0, passed_until_ns_ = 0, ticked_until_ns_ = 0, looked_ns_ = 0, remembered_ns_ = 0;
     std::uint64_t told_ = 0;         ///< tick of the news that were told last

@@ -1,8 +1,11 @@
 // `enfilade play` from outside, on displays that nobody looks at.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "app/cli/program.h"
 #include "formats/tape.h"
+#include "support/wav.h"
 
 namespace enfilade {
 namespace {
@@ -45,6 +48,58 @@ TEST(Play, RecordsWhatWasPlayed) {
     EXPECT_EQ(tape.map, "map.toml");
     EXPECT_GT(tape.ticks.size(), 0u);
     EXPECT_EQ(tape.ticks.front(), InputRecord{});
+}
+
+/// The two rooms with a thing that hums ahead of the player on the left.
+std::string humming_rooms() {
+    return std::string(test::kTwoRooms) +
+           "\n[[sounds]]\nname = \"hum\"\nfile = \"hum.wav\"\n\n[[things]]\nx = 6\ny = 1\nsound = \"hum\"\n";
+}
+
+/// Plays into a file for about half a second; that there is one says that a device was opened.
+Ended play_into_a_file(const Program& program, std::vector<std::string> more = {}) {
+    const Bytes hum = test::wav_of(test::tone(48000, 480));
+    (void)write_file(program.path("hum.wav"), hum);
+    std::vector<std::string> arguments{"play", "map.toml", "--size", "64x40"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return program.run(arguments,
+                       "SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=played.raw "
+                       "timeout --preserve-status -s INT 0.7");
+}
+
+TEST(Play, OpensNoSoundDeviceForASilentMap) {
+    const Program program;
+    program.write("map.toml", test::kTwoRooms);
+    EXPECT_EQ(play_into_a_file(program).exit_code, 0);
+    EXPECT_FALSE(program.exists("played.raw"));
+}
+
+TEST(Play, OpensNoSoundDeviceWhereItIsMuted) {
+    const Program program;
+    program.write("map.toml", humming_rooms());
+    EXPECT_EQ(play_into_a_file(program, {"--mute"}).exit_code, 0);
+    EXPECT_FALSE(program.exists("played.raw"));
+}
+
+TEST(Play, PlaysTheSoundsOfAMap) {
+    const Program program;
+    program.write("map.toml", humming_rooms());
+    EXPECT_EQ(play_into_a_file(program).exit_code, 0);
+    const auto played = read_file(program.path("played.raw"));
+    ASSERT_TRUE(played.ok());
+    const std::span<const std::byte> bytes = played.value();
+    const std::size_t sounding =
+        std::size_t(std::ranges::count_if(bytes, [](std::byte b) { return b != std::byte{}; }));
+    EXPECT_GT(sounding, 10000u);
+}
+
+TEST(Play, GoesOnWithoutASoundDevice) {
+    const Program program;
+    program.write("map.toml", humming_rooms());
+    const Ended ended = program.run({"play", "map.toml", "--size", "64x40"},
+                                    "SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=none_such "
+                                    "timeout --preserve-status -s INT 0.7");
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
 }
 
 TEST(Play, SaysThatThereIsNoDisplay) {

@@ -63,6 +63,13 @@ TEST_F(OpenMenu, TogglesFullScreenWithEnter) {
     EXPECT_TRUE(settings_.fullscreen);
 }
 
+TEST_F(OpenMenu, TurnsTheVolumeDownToNothing) {
+    EXPECT_EQ(press(Key::down, 6, Key::left), MenuAction::settings_changed);
+    EXPECT_NEAR(settings_.volume, 0.9, 1e-12);  // nine steps of 0.1, which no double holds exactly
+    for (int i = 0; i < 20; ++i) press(Key::left);
+    EXPECT_EQ(settings_.volume, 0);
+}
+
 TEST_F(OpenMenu, WorksWithTheGamepad) {
     press(GamepadButton::down);
     EXPECT_EQ(press(GamepadButton::a), MenuAction::restart);
@@ -70,8 +77,8 @@ TEST_F(OpenMenu, WorksWithTheGamepad) {
 }
 
 TEST_F(OpenMenu, ChoosesTheEntryThatIsClicked) {
-    // Six entries of 19 px around the middle of 400 rows: the second begins 2 * 19 px above the middle.
-    EXPECT_EQ(click(320, 400 / 2 - 2 * 19 + 5), MenuAction::restart);
+    // Eight entries of 19 px around the middle of 400 rows: the second begins 3 * 19 px above the middle.
+    EXPECT_EQ(click(320, 400 / 2 - 3 * 19 + 5), MenuAction::restart);
     EXPECT_EQ(click(5, 5), MenuAction::none);
 }
 

@@ -1,0 +1,34 @@
+#include "app/play/soundscape.h"
+
+#include "app/sounds.h"
+
+namespace enfilade {
+
+std::vector<std::string> Soundscape::begin(const Map& map, const std::string& map_path) {
+    audio_.reset();
+    hearing_.reset();
+    if (map.sounds.empty()) return {};
+    LoadedSounds loaded = load_sounds(map, map_path, read_file);
+    lengths_s_ = lengths_of(loaded.samples);
+    auto audio = open_audio(std::move(loaded.samples));
+    if (!audio.ok()) {
+        loaded.faults.push_back(audio.error().text());
+        return loaded.faults;
+    }
+    audio_ = std::move(audio).value();
+    hearing_.emplace(map);
+    return loaded.faults;
+}
+
+void Soundscape::hear(const Map& map, const World& world, double volume) {
+    if (!audio_) return;
+    const Listener listener{world.player.place, world.player.yaw};
+    const auto tick = static_cast<double>(world.tick);
+    audio_->hear(voices_at(now(map, world), *hearing_, listener, lengths_s_), tick, volume);
+}
+
+void Soundscape::fall_silent() {
+    if (audio_) audio_->hear({}, 0, 0);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,31 @@
+#include "app/sounds.h"
+
+#include <filesystem>
+
+#include "platform/wav.h"
+
+namespace enfilade {
+namespace {
+
+Result<Samples> load_sound(const std::string& path, const FileReader& read) {
+    const auto bytes = read(path);
+    if (!bytes.ok()) return bytes.error();
+    auto samples = read_wav(bytes.value());
+    if (!samples.ok()) return Error{path, samples.error().what};
+    return samples;
+}
+
+}  // namespace
+
+LoadedSounds load_sounds(const Map& map, const std::string& map_path, const FileReader& read) {
+    LoadedSounds loaded;
+    const std::filesystem::path folder = std::filesystem::path(map_path).parent_path();
+    for (const Sound& sound : map.sounds) {
+        auto samples = load_sound((folder / sound.file).string(), read);
+        if (!samples.ok()) loaded.faults.push_back("sound '" + sound.name + "' is silent: " + samples.error().text());
+        loaded.samples.push_back(samples.ok() ? std::move(samples).value() : Samples{});
+    }
+    return loaded;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,47 @@
+// The sounds of a map, from their files.
+#include "app/sounds.h"
+
+#include <gmock/gmock.h>
+
+#include "support/map_builder.h"
+#include "support/wav.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+/// Of these files, only maps/good.wav is a sound.
+Result<Bytes> read_sound(const std::string& path) {
+    if (path == "maps/good.wav") return wav_of(tone(4800, 440));
+    if (path == "maps/bad.wav") return Bytes(100, std::byte{'?'});
+    return Error{path, "no such file"};
+}
+
+Map map_with(const std::string& file_name) {
+    MapFile file = map_of({box_room("hall", 0, 0, 4, 4)});
+    file.sounds = {{"hum", file_name, 1, 10, false, {}}};
+    return built(file);
+}
+
+TEST(LoadedSounds, AreReadFromTheFolderOfTheMap) {
+    const LoadedSounds loaded = load_sounds(map_with("good.wav"), "maps/hall.toml", read_sound);
+    ASSERT_EQ(loaded.samples.size(), 1u);
+    EXPECT_EQ(loaded.samples[0].size(), 4800u);
+    EXPECT_THAT(loaded.faults, testing::IsEmpty());
+}
+
+TEST(LoadedSounds, AreSilentWhereTheFileIsMissing) {
+    const LoadedSounds loaded = load_sounds(map_with("missing.wav"), "maps/hall.toml", read_sound);
+    EXPECT_THAT(loaded.samples[0], testing::IsEmpty());
+    EXPECT_THAT(loaded.faults, testing::ElementsAre(testing::HasSubstr("maps/missing.wav")));
+}
+
+TEST(LoadedSounds, AreSilentWhereTheFileIsNoSound) {
+    const LoadedSounds loaded = load_sounds(map_with("bad.wav"), "maps/hall.toml", read_sound);
+    EXPECT_THAT(loaded.samples[0], testing::IsEmpty());
+    EXPECT_THAT(loaded.faults, testing::ElementsAre(testing::HasSubstr("maps/bad.wav")));
+}
+
+}  // namespace
+}  // namespace enfilade
