@@ -12,7 +12,7 @@
 namespace enfilade::test {
 namespace {
 
-constexpr int kTicks = 4000, kTicksOfALongRun = 20000;
+constexpr int kTicks = 2000, kTicksOfALongRun = 20000;
 /// Who does not move by kMinMove in so many ticks, a quarter of them spent on going in random directions, is stuck.
 constexpr int kStuckTicks = 1500;
 constexpr double kMinMove = 0.125;  ///< [m]
