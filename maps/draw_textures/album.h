@@ -40,5 +40,7 @@ void draw_sky(const Album&);
 void draw_furniture(const Album&);  // what stands in the rooms
 void draw_signs(const Album&);      // what is written over doors
 void draw_far_lands(const Album&);  // sand, snow, red stone, night
+void draw_works(const Album&);      // machines, gates, switches, moving water
+void draw_tools(const Album&);      // what lies and stands among them
 
 }  // namespace draw_textures

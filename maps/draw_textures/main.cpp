@@ -22,6 +22,8 @@ int main(int count, char** arguments) {
         draw_textures::draw_furniture(album);
         draw_textures::draw_signs(album);
         draw_textures::draw_far_lands(album);
+        draw_textures::draw_works(album);
+        draw_textures::draw_tools(album);
     } catch (const std::exception& problem) {
         std::fprintf(stderr, "draw_textures: %s\n", problem.what());
         return 1;

@@ -111,7 +111,8 @@ constexpr Sign kPlaces[] = {
     {"sign_court", "COURT"},       {"sign_desert", "DESERT"}, {"sign_winter", "WINTER"},
     {"sign_cavern", "CAVERN"},     {"sign_garden", "GARDEN"}, {"sign_thirty", "THIRTY METRES"},
     {"sign_one_step", "ONE STEP"}, {"sign_mirror", "MIRROR"}, {"sign_twin", "TWIN"},
-    {"sign_onward", "ONWARD"},     {"sign_home", "HOME"},
+    {"sign_onward", "ONWARD"},     {"sign_home", "HOME"},     {"sign_works", "WATER WORKS"},
+    {"sign_exit", "EXIT"},
 };
 
 }  // namespace
