@@ -88,13 +88,13 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
 }
 
 /// A fence or window in the portal. Its picture is shown once from top to bottom, hanging from its peg or standing on
-/// it.
+/// it; where it scrolls it runs through that place, which itself stays.
 void ViewportDrawer::start_masked(const Scene& scene, FrameState& state, WallId id) {
     const Wall& wall = scene.map[id];
     const Surface surface = picture_now(scene.map, scene.snapshot, id, wall.middle);
     const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
     const double top = peg_height(surface.peg, here_, &behind_) + (stands ? surface.tile_m.y : 0);
-    picture_.ceiling = top - surface.offset_tiles.y * surface.tile_m.y;
+    picture_.ceiling = top - wall.middle.offset_tiles.y * surface.tile_m.y;
     picture_.floor = picture_.ceiling - surface.tile_m.y;
     WallPainter painter;
     painter.start(scene, wall, surface, top, light_at(scene.snapshot, wall.sector),

@@ -107,12 +107,12 @@ Seen wall(const Arrival& at, const Surface& surface, WallPart part) {
     return wall(at, surface, peg_height(at, surface.peg), part);
 }
 
-/// The picture with holes in a portal, shown once from top to bottom.
+/// The picture with holes in a portal, shown once from top to bottom; a scrolled one runs through its place.
 Pane pane(const Arrival& at) {
     const Surface surface = picture_now(at.scene.map, at.scene.snapshot, at.hit.wall, at.wall.middle);
     const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
     const double top = peg_height(at, surface.peg) + (stands ? surface.tile_m.y : 0);
-    const double picture_top = top - surface.offset_tiles.y * surface.tile_m.y;
+    const double picture_top = top - at.wall.middle.offset_tiles.y * surface.tile_m.y;
     const double picture_bottom = picture_top - surface.tile_m.y;
     Pane pane{{}, 0, is_close_to(at, picture_top) || is_close_to(at, picture_bottom)};
     if (reaches(at, picture_top) || !reaches(at, picture_bottom)) return pane;

@@ -124,9 +124,11 @@ Look hanging_look(const Scene& scene, const SeenWall& wall, double top) {
     const WallId id = wall.place.wall;
     const Surface surface = picture_now(scene.map(), scene.world.snapshot, id, scene.map()[id].middle);
     Look look = wall_look(scene, wall, scene.map()[id].middle, WallPart::middle);
-    set_picture(look, scene, surface.texture, wall_id(scene.map(), id, WallPart::middle), Paint::picture);
+    const bool runs = scene.map()[id].scroll.y != 0;  // through its place, over and over, as on a wall
+    set_picture(look, scene, surface.texture, wall_id(scene.map(), id, WallPart::middle),
+                runs ? Paint::wall : Paint::picture);
     bring_before_wall(look);
-    look.b[1] = f(top / surface.tile_m.y);
+    if (!runs) look.b[1] = f(top / surface.tile_m.y);
     return look;
 }
 

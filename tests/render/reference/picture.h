@@ -23,9 +23,17 @@ struct Rooms {
     explicit Rooms(const MapFile& file) : map(built(file)), textures(textures_for(file)) {}
 
     Picture look(const View& view, int width = 64, int height = 48, const ReferenceOptions& options = {}) const {
+        return look_at(0, view, width, height, options);
+    }
+
+    /// The same at another time than the start [s].
+    Picture look_at(double time_s, const View& view, int width = 64, int height = 48,
+                    const ReferenceOptions& options = {}) const {
         Picture picture;
         picture.frame.resize(width, height);
-        render_reference(picture.frame, &picture.facts, map, textures, at_rest(map), view, options);
+        Snapshot snapshot = at_rest(map);
+        snapshot.time_s = time_s;
+        render_reference(picture.frame, &picture.facts, map, textures, snapshot, view, options);
         return picture;
     }
 };

@@ -57,6 +57,21 @@ TEST_F(Doorway, ShowsBothStepsAndTheRoomBetweenThem) {
     }
 }
 
+TEST_F(Doorway, LetsAPictureRunThroughItsPlace) {
+    MapFile file = two_rooms(0, 3);
+    WallRecord& door = wall(file, "near", {4, 0}, {4, 4});
+    door.middle = spec("fall");
+    door.middle->tile_m = {1, 3};
+    door.scroll = {0, -1.25};
+    const Rooms rooms(file);
+    const Picture picture = rooms.look_at(1, look_from(rooms.map, {2, 2.015625}, kEyeZ, 0), kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y) {
+        const double at_door = height(y, kDoorDepth);
+        if (at_door <= 0 || at_door >= 3) continue;
+        ASSERT_EQ(picture.id(kMiddle, y), step(rooms, WallPart::middle)) << y;
+    }
+}
+
 TEST_F(Doorway, StandsTheLowerStepOnItsTopEdgeAndHangsTheUpperFromTheOpening) {
     const Rooms rooms(two_rooms(1, 2));
     const Picture picture = look(rooms);
