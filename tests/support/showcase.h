@@ -23,9 +23,8 @@ protected:
     std::optional<Flight> plan() const {
         const auto bytes = read_file(std::string(ENFILADE_SOURCE_DIR) + "/maps/flythroughs/effects.toml");
         if (!bytes.ok()) return {};
-        const std::string text(bytes.value().begin(), bytes.value().end());
         Findings findings;
-        return Flight::plan(read_script(text).script, *loaded_.map, findings);
+        return Flight::plan(read_script(as_text(bytes.value())).script, *loaded_.map, findings);
     }
 
     LoadedMap loaded_;

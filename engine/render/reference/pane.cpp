@@ -3,8 +3,11 @@
 namespace enfilade {
 namespace {
 
-bool is_solid(const Texture& texture, double u, double v) {
-    return texel(texture, fraction(u), fraction(v)) >> 24 >= kSolidAlpha;
+/// What a texel does to what is behind it: hides it, shows it, or mixes with it, each colour in its own way.
+std::uint32_t effect_of(const Texture& texture, double u, double v) {
+    const std::uint32_t color = texel(texture, fraction(u), fraction(v));
+    const std::uint32_t alpha = color & 0xFF000000u;
+    return alpha == 0 || alpha == 0xFF000000u ? alpha : color;
 }
 
 }  // namespace
@@ -13,9 +16,9 @@ bool is_at_rim_of_hole(const Texture& texture, TexelPosition at, Vec2 size_m) {
     constexpr double kFloatError = 0x1p-24;  // of the position [tiles]
     const double u = static_cast<double>(at.u), du = kAmbiguous / size_m.x + kFloatError;
     const double v = static_cast<double>(at.v), dv = kAmbiguous / size_m.y + kFloatError;
-    const bool solid = is_solid(texture, u - du, v - dv);
-    return is_solid(texture, u + du, v - dv) != solid || is_solid(texture, u - du, v + dv) != solid ||
-           is_solid(texture, u + du, v + dv) != solid;
+    const std::uint32_t effect = effect_of(texture, u - du, v - dv);
+    return effect_of(texture, u + du, v - dv) != effect || effect_of(texture, u - du, v + dv) != effect ||
+           effect_of(texture, u + du, v + dv) != effect;
 }
 
 }  // namespace enfilade

@@ -41,7 +41,8 @@ inline std::uint32_t lit(const Scene& scene, std::uint32_t color, double light, 
            (misted(clear, pixel_of(render.fog_color), mist_at(render.fog_reach, depth)) & 0x00FFFFFFu);
 }
 
-/// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round? size_m: of the picture.
+/// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round, or more or less of what is
+/// behind? size_m: of the picture.
 bool is_at_rim_of_hole(const Texture& texture, TexelPosition at, Vec2 size_m);
 
 }  // namespace enfilade

@@ -40,9 +40,10 @@ double sight_per_course(const RayCourse& course) {
 /// That a picture `away` along the sight and `depth` along the course is in the room, and not too near.
 void require_in_room(Verdict& verdict, const RoomRay& ray, double away, double depth) {
     const double entry = ray.entry_depth, exit = ray.hit.depth, d = kAmbiguous;
-    const bool is_in_room = depth > 0 && is_between(depth, entry, exit);
-    verdict.require(is_in_room, is_between(depth + d, entry - d, exit - d) != is_in_room ||
-                                    is_between(depth - d, entry + d, exit + d) != is_in_room);
+    const auto is_met = [](double at, double from, double to) { return at > 0 && is_between(at, from, to); };
+    const bool is_in_room = is_met(depth, entry, exit);
+    verdict.require(is_in_room, is_met(depth + d, entry - d, exit - d) != is_in_room ||
+                                    is_met(depth - d, entry + d, exit + d) != is_in_room);
     verdict.require(std::fabs(away) >= kNearestSprite, are_close(std::fabs(away), kNearestSprite));
 }
 
