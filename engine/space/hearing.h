@@ -47,8 +47,9 @@ public:
     /// above.
     std::optional<SoundWay> from(SectorId sector) const;
 
-    /// A map may fold as much space as it likes into a metre; after so many glances one has listened enough.
-    static constexpr std::size_t kMostGlances = 1u << 15;
+    /// The nearest are found first, so what is missed beyond is the faintest. Less than 8 ms; a map may fold as much
+    /// space as it likes into a metre, and pillared halls of Doom have several times as many within 32 m.
+    static constexpr std::size_t kMostGlances = 1u << 13;
 
 private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;

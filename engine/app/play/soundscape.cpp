@@ -6,6 +6,7 @@ namespace enfilade {
 
 std::vector<std::string> Soundscape::begin(const Map& map, const std::string& map_path) {
     audio_.reset();
+    heard_tick_.reset();
     hearing_.reset();
     if (map.sounds.empty()) return {};
     LoadedSounds loaded = load_sounds(map, map_path, read_file);
@@ -21,13 +22,15 @@ std::vector<std::string> Soundscape::begin(const Map& map, const std::string& ma
 }
 
 void Soundscape::hear(const Map& map, const World& world, double volume) {
-    if (!audio_) return;
+    if (!audio_ || heard_tick_ == world.tick) return;
+    heard_tick_ = world.tick;
     const Listener listener{world.player.place, world.player.yaw};
     const auto tick = static_cast<double>(world.tick);
     audio_->hear(voices_at(now(map, world), *hearing_, listener, lengths_s_), tick, volume);
 }
 
 void Soundscape::fall_silent() {
+    heard_tick_.reset();
     if (audio_) audio_->hear({}, 0, 0);
 }
 

@@ -19,7 +19,7 @@ public:
     /// Whether the map called for a device, and there was one.
     bool is_open() const { return audio_ != nullptr; }
 
-    /// What the player hears now. volume: 0..1
+    /// What the player hears now; costs nothing where no tick has passed since. volume: 0..1
     void hear(const Map& map, const World& world, double volume);
     /// Time stands still, or runs backwards.
     void fall_silent();
@@ -28,6 +28,7 @@ private:
     std::optional<Hearing> hearing_;
     std::vector<double> lengths_s_;
     std::unique_ptr<Audio> audio_;
+    std::optional<std::uint64_t> heard_tick_;
 };
 
 }  // namespace enfilade
