@@ -58,6 +58,7 @@ void PlayerInput::handle(const InputEvent& event, double mouse_speed, bool mouse
     } else if (const auto* focus = std::get_if<FocusChange>(&event); focus && !focus->focused) {
         release_all();
     }
+    tapped_ |= pressed();
 }
 
 void PlayerInput::release_all() { *this = {}; }
@@ -94,7 +95,8 @@ TickInput PlayerInput::take_tick(std::int32_t pitch_steps) {
         look.pitch = -std::int64_t{pitch_steps};
         mouse_tick_.pitch = 0;
     }
-    return {pace(forward()), pace(strafe()), clamped(look.yaw), clamped(look.pitch), pressed()};
+    const auto buttons = static_cast<std::uint8_t>(pressed() | (std::exchange(tapped_, std::uint8_t{0}) & kButtonUse));
+    return {pace(forward()), pace(strafe()), clamped(look.yaw), clamped(look.pitch), buttons};
 }
 
 LookSteps PlayerInput::ahead(double part) const {

@@ -54,6 +54,7 @@ private:
     std::array<double, 8> axes_{};
     double mouse_yaw_ = 0, mouse_pitch_ = 0;  ///< not yet used up [2^-32 turn]
     LookSteps mouse_tick_;                    ///< the mouse's share of the last tick
+    std::uint8_t tapped_ = 0;                 ///< InputButton bits that were down at some time since the last tick
     bool center_ = false;                     ///< Home was pressed
 };
 

@@ -54,6 +54,13 @@ TEST_F(PlayerInputFromEvents, DoesNotWalkTwiceAsFastWithTwoKeysForTheSame) {
     EXPECT_EQ(tick().forward, 127);
 }
 
+TEST_F(PlayerInputFromEvents, UsesOnceForATapThatIsOverBeforeTheTick) {
+    press(Key::e);
+    release(Key::e);
+    EXPECT_EQ(tick().buttons, kButtonUse);
+    EXPECT_EQ(tick().buttons, 0);
+}
+
 TEST_F(PlayerInputFromEvents, RunsCrouchesAndUses) {
     press(Key::left_shift);
     EXPECT_EQ(tick().buttons, kButtonRun);
