@@ -53,11 +53,13 @@ std::vector<Piece> pieces_of(const Parts& parts, Point a, Point b) {
     return pieces;
 }
 
-/// The side that shows a picture on a line that stands in a sector: the right one first.
-const Sidedef* shown_side(const DoomMap& doom, const Linedef& line) {
-    for (std::uint16_t side : {line.right, line.left})
-        if (side < doom.sides.size() && doom.sides[side].middle != "-") return &doom.sides[side];
-    return nullptr;
+/// Whether the side shows something on a line that stands in a sector.
+const Sidedef* shown(const DoomMap& doom, std::uint16_t side) {
+    return side < doom.sides.size() && doom.sides[side].middle != "-" ? &doom.sides[side] : nullptr;
+}
+
+bool look_alike(const Sidedef& one, const Sidedef& other) {
+    return one.middle == other.middle && one.x_offset == other.x_offset && one.y_offset == other.y_offset;
 }
 
 /// Hangs the picture, once from top to bottom, as Doom hangs the middle texture of such a line.
@@ -85,13 +87,15 @@ public:
     void convert(std::uint32_t index) {
         const Linedef& line = bench_.doom.lines[index];
         const Point a = point_of(line.start), b = point_of(line.end);
-        const Sidedef* side = shown_side(bench_.doom, line);
-        const PictureFile* file = side ? picture_of(*side, index) : nullptr;
-        const bool from_left = file && side != right_side(line);
+        const Sidedef *right = shown(bench_.doom, line.right), *left = shown(bench_.doom, line.left);
+        const PictureFile* right_file = right ? picture_of(*right, index) : nullptr;
+        const PictureFile* left_file = left ? picture_of(*left, index) : nullptr;
+        // Doom shows each side its own picture; where they are alike one panel does for both.
+        one_sided_ = right_file && left_file && !look_alike(*right, *left);
         left_ = left_over(bench_, line, false, kFlagsSaid);
-        for (const Piece& piece : from_left ? pieces_of(bench_.parts, b, a) : pieces_of(bench_.parts, a, b))
-            add(line, piece, file, side, from_left ? b : a);
-        bench_.report.note(file ? Kind::self_panel : Kind::self_unseen, index);
+        if (right_file || !left_file) add_from(a, b, line, right_file, right);
+        if (left_file && (!right_file || one_sided_)) add_from(b, a, line, left_file, left);
+        bench_.report.note(right_file || left_file ? Kind::self_panel : Kind::self_unseen, index);
     }
 
 private:
@@ -100,8 +104,8 @@ private:
         return {v.x, -std::int32_t{v.y}};
     }
 
-    const Sidedef* right_side(const Linedef& line) const {
-        return line.right < bench_.doom.sides.size() ? &bench_.doom.sides[line.right] : nullptr;
+    void add_from(Point start, Point end, const Linedef& line, const PictureFile* file, const Sidedef* side) {
+        for (const Piece& piece : pieces_of(bench_.parts, start, end)) add(line, piece, file, side, start);
     }
 
     const PictureFile* picture_of(const Sidedef& side, std::uint32_t line) {
@@ -119,6 +123,7 @@ private:
         panel.texture.name = "-";
         if (file) hang_picture(*file, line, *side, own_heights(*side), panel);
         if (file) panel.texture.offset_tx.x -= distance(start, piece.a);
+        panel.one_sided = one_sided_;
         panel.doom = left_;
         bench_.file.sectors[piece.part].panels.push_back(std::move(panel));
         ++bench_.report.panels;
@@ -133,6 +138,7 @@ private:
 
     Workbench& bench_;
     std::optional<DoomRecord> left_;  ///< of the line that is being converted
+    bool one_sided_ = false;          ///< its two sides show different pictures
 };
 
 /// Lines between two points that became no wall: lone ones, and lines drawn over others if they mean something.

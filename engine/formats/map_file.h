@@ -79,6 +79,7 @@ struct PanelRecord {
     double bottom = 0, top = 0;  ///< heights above the map's zero [m]
     TextureSpec texture;
     std::optional<double> size;
+    bool one_sided = false;  ///< seen only from the right of a -> b
     std::optional<DoomRecord> doom;
     TextPlace place;
     bool operator==(const PanelRecord&) const = default;

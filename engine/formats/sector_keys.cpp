@@ -37,6 +37,7 @@ constexpr std::array kPanelKeys{
     key<&PanelRecord::top>("top", kNew, Need::required, kHeights),
     key<&PanelRecord::texture>("texture", kNew, Need::required),
     key<&PanelRecord::size>("size", kNew, Need::optional, kTexelsPerMetre),
+    key<&PanelRecord::one_sided>("one_sided", kNew),
     key<&PanelRecord::doom>("doom", kNew),
 };
 

@@ -67,6 +67,7 @@ struct Panel {
     double bottom = 0, top = 0;  ///< absolute; what is below the floor or above the ceiling is hidden [m]
     double contrast = 1;         ///< as a wall's
     Surface surface;             ///< hangs from `top`, whatever its peg; no texture: nothing to be seen
+    bool one_sided = false;      ///< only seen by an eye for which a wall a -> b would face (math/predicates.h)
 };
 
 struct Flat {

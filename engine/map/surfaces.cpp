@@ -73,6 +73,7 @@ void lay_panel(Draft& draft, const SectorDraft& sector, std::size_t i, Panel& pa
     const Lay lay{draft.textures, record.size, draft.file.size};
     if (panel.a != panel.b) panel.contrast = contrast_of(draft.file.render.light, panel.b - panel.a);
     panel.surface = lay.surface(record.texture, Peg::ceiling);
+    panel.one_sided = record.one_sided;
 }
 
 void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record, Flat& flat) {

@@ -172,7 +172,7 @@ private:
         if (flip()) sector.ceiling = flat();
         for (int i = whole(1, 3); i > 0; --i) sector.loops.push_back(loop());
         for (int i = whole(0, 2); i > 0; --i)
-            sector.panels.push_back({point(), point(), number(-9, 9), number(-9, 9), spec(), {}, doom(), {}});
+            sector.panels.push_back({point(), point(), number(-9, 9), number(-9, 9), spec(), {}, flip(), doom(), {}});
         if (flip()) sector.tags = {text(), text()};
         sector.triggers = triggers();
         sector.light_effect = light_effect();

@@ -32,6 +32,7 @@ void scatter_panels(MapFile& file, int tries, std::uint64_t seed) {
         };
         const double bottom = random.uniform(sector.floor.z - 1, sector.ceiling.z);
         file.sectors[home].panels.push_back(panel(place(), place(), bottom, bottom + random.uniform(0.5, 3)));
+        file.sectors[home].panels.back().one_sided = i % 3 == 0;
         if (has_errors(findings_of(file))) file.sectors[home].panels.pop_back();
     }
     EXPECT_GE(built(file).panels.size(), std::size_t(tries) / 4);

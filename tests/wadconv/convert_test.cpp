@@ -296,6 +296,23 @@ TEST(ConvertPanels, TurnAFenceThatOnlyTheLeftSideShows) {
     EXPECT_EQ(fence.b, (Vec2{4, -4}));
 }
 
+TEST(ConvertPanels, GiveEachSideItsPictureWhereTheyDiffer) {
+    Level level = small_level();
+    const Linedef& line = level.map.lines[11];
+    level.map.sides[line.left].middle = level.map.sides[line.right].middle;
+    level.map.sides[line.left].x_offset = 5;
+    std::vector<PanelRecord> fences;
+    const Converted c(level);
+    for (const SectorRecord& sector : c.file.sectors)
+        for (const PanelRecord& panel : sector.panels)
+            if (panel.texture.name == "fence") fences.push_back(panel);
+    ASSERT_EQ(fences.size(), 2u);
+    EXPECT_TRUE(fences[0].one_sided && fences[1].one_sided);
+    EXPECT_EQ(fences[0].a, fences[1].b);
+    EXPECT_EQ(fences[0].b, fences[1].a);
+    EXPECT_NE(fences[0].texture.offset_tx, fences[1].texture.offset_tx);
+}
+
 TEST(ConvertPanels, KeepWhatALineWithoutPictureMeans) {
     const Converted c(small_level());
     EXPECT_EQ(panel(c, "-").doom, (DoomRecord{97, 0, 0}));

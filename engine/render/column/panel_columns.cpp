@@ -22,6 +22,7 @@ void PanelColumns::add(const RoomView& view, PanelId id, MaskedColumns& masked) 
     const Panel& panel = scene.map[id];
     if (!panel.surface.texture) return;
     const Segment seen = facing(panel, view.pose.eye);
+    if (panel.one_sided && seen.a != panel.a) return;
     Board board{seen, project(seen, view.pose, scene.screen), {}, 0};
     if (board.place.begin >= view.viewport.end || board.place.end <= view.viewport.begin) return;
     if (board.place.begin >= board.place.end) return;

@@ -199,6 +199,7 @@ void RayPath::add_panels(RayHit& hit) const {
     for (std::uint32_t i = s.first_panel; i < s.first_panel + s.panel_count; ++i) {
         const Panel& panel = map_.panels[i];
         if (!panel.surface.texture) continue;
+        if (panel.one_sided && !faces(Edge(panel.a, panel.b), hit.space.eye)) continue;
         const Edge edge = turned_to(panel, hit.space.eye);
         hit.ambiguous |= ends_near_ray(edge, hit);
         if (!covers(edge, hit.space)) continue;

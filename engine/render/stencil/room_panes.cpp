@@ -39,6 +39,7 @@ void RoomPanes::add_panel(const Pose& pose, const RoomLook& room, PanelId id) {
     const Panel& panel = world_.map[id];
     if (!panel.surface.texture) return;
     const Segment seen = facing(panel, pose.eye);
+    if (panel.one_sided && seen.a != panel.a) return;
     if (room.visit().entry && !is_panel_beyond(seen, world_.map[room.visit().entry])) return;
     PanelOnScreen shown = in_view(world_.map, world_.snapshot, id, pose);
     if (shown.shown.is_empty() || !put_on_screen(shown.place, pose, screen_)) return;

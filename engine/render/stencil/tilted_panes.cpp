@@ -76,6 +76,7 @@ private:
         const Panel& panel = world_.map[id];
         if (!panel.surface.texture) return;
         const Segment seen = facing(panel, layer_.pose.eye);
+        if (panel.one_sided && seen.a != panel.a) return;
         if (layer_.entry && !is_panel_beyond(seen, world_.map[layer_.entry])) return;
         const PanelOnScreen shown = in_view(world_.map, world_.snapshot, id, layer_.pose);
         if (!shown.shown.is_empty()) layer_.panes.push_back(shown);

@@ -54,6 +54,11 @@ MapFile panelled_hall() {
     sector(file, "hall").panels = {panel({1, 1}, {6, 2}), panel({6, 2}, {6, 6}),       panel({1, 1}, {1, 6}, 0, 3),
                                    panel({4, 4}, {6, 4}), panel({0, 2}, {0, 6}),       panel({3, 5}, {3, 8}),
                                    panel({1, 2}, {1, 4}), panel({5, 7}, {8, 8}, -1, 4)};
+    // Two pictures on one line, one for each side.
+    PanelRecord front = panel({7, 1}, {7, 5}), back = panel({7, 5}, {7, 1});
+    front.one_sided = back.one_sided = true;
+    back.texture = spec("cloth");
+    for (const PanelRecord& one : {front, back}) sector(file, "hall").panels.push_back(one);
     return file;
 }
 
@@ -151,6 +156,15 @@ MapFile room_with(PanelRecord record, Vec2 thing_place) {
     thing.frames = {{"figure", 0, {32, 64}}};
     file.things = {thing};
     return file;
+}
+
+TEST(PanelColumns, ShowAOneSidedPanelFromOneSideOnly) {
+    PanelRecord record = panel({4, 1}, {4, 7});
+    record.one_sided = true;
+    const World world(room_with(record, {1, 7}));
+    const SurfaceId id = panel_id(world.map, PanelId(0u));
+    EXPECT_EQ(seen_at(world, view_from(world.map, {1, 4}, 0, 1), 32, 32), id);
+    EXPECT_NE(seen_at(world, view_from(world.map, {7, 4}, 180, 1), 32, 32), id);
 }
 
 TEST(PanelColumns, ShowAPanelFromBothSides) {
