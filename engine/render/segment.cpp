@@ -36,9 +36,13 @@ bool is_beyond(const Segment& wall, const Segment& entry) {
     return sides.low >= 0 || sides_of(entry, wall).low >= 0;
 }
 
+bool are_on_one_line(const Segment& a, const Segment& b) {
+    const Sides sides = sides_of(a, b);
+    return sides.low == 0 && sides.high == 0;
+}
+
 bool is_panel_beyond(const Segment& panel, const Segment& entry) {
-    const Sides sides = sides_of(panel, entry);
-    return (sides.low == 0 && sides.high == 0) || is_beyond(panel, entry);
+    return are_on_one_line(panel, entry) || is_beyond(panel, entry);
 }
 
 }  // namespace enfilade

@@ -34,7 +34,10 @@ inline bool are_telling(double inverse_depth, double other) {
 /// space the look came in through. What lies in the entry's own plane belongs to the room before. Exact.
 bool is_beyond(const Segment& wall, const Segment& entry);
 
-/// The same for a panel: what lies in the entry's own plane belongs to the room the panel is in.
+/// True where both lie on one line. Exact.
+bool are_on_one_line(const Segment& a, const Segment& b);
+
+/// The same as is_beyond() for a panel: what lies in the entry's own plane belongs to the room the panel is in.
 bool is_panel_beyond(const Segment& panel, const Segment& entry);
 
 }  // namespace enfilade

@@ -4,14 +4,13 @@
 #include <cstddef>
 
 #include "render/shade.h"
+#include "render/stencil/wall_outline.h"
 
 namespace enfilade::stencil {
 namespace {
 
 /// A horizon that is farther outside the picture than this is not looked for [px].
 constexpr double kFarHorizon = 1e6;
-
-constexpr GLuint kOpaque = 255;  ///< alpha
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -115,6 +114,16 @@ void LayerPainter::set_normal(GLint uniform, const Job& job, const Pose& pose) c
                 static_cast<float>(per_px.y));
 }
 
+void LayerPainter::set_entry(const Job& job, const Layer& layer) {
+    const WallOnScreen& doorway = layer.opened;
+    const double x = (doorway.begin + doorway.end) / 2, y = 0;
+    const Even there = span(job.scene.rays, doorway);
+    glUniform3f(surfaces_.entry, layer.entry ? static_cast<float>(doorway.cross) : 0.0f, static_cast<float>(x),
+                static_cast<float>(y));
+    glUniform3f(surfaces_.entry_span, static_cast<float>(there.at(x, y)), static_cast<float>(there.per_x),
+                static_cast<float>(there.per_y));
+}
+
 void LayerPainter::paint_layer(const Job& job, std::size_t index) {
     const Layer& layer = job.plan.layers[index];
     const LayerRanges& ranges = job.ranges[index];
@@ -122,7 +131,8 @@ void LayerPainter::paint_layer(const Job& job, std::size_t index) {
     job.target.write_all();
     glUseProgram(surfaces_.program.id());
     set_normal(surfaces_.normal, job, layer.pose);
-    glUniform2ui(surfaces_.alphas, 0, kOpaque);
+    set_entry(job, layer);
+    glUniform1ui(surfaces_.least_alpha, 0);
     glDepthFunc(GL_GREATER);
     draw(ranges.surfaces);
     for (std::size_t i = 0; i < layer.exits.size(); ++i)
@@ -173,27 +183,18 @@ void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRa
     glUseProgram(surfaces_.program.id());
     set_normal(surfaces_.normal, job, layer.pose);
     glDepthFunc(GL_GEQUAL);
-    if (job.scene.rays.is_tilted) paint_opaque_parts(job, ranges.panes);
     glDepthMask(GL_FALSE);
     // Facts first, of what hides more than half of what is behind; then colours, mixed.
     if (job.with_facts) {
         job.target.write_facts();
-        glUniform2ui(surfaces_.alphas, kSolidAlpha, kOpaque);
+        glUniform1ui(surfaces_.least_alpha, kSolidAlpha);
         draw(ranges.panes);
     }
     job.target.write_color();
-    glUniform2ui(surfaces_.alphas, 1, kOpaque);
+    glUniform1ui(surfaces_.least_alpha, 1);
     glEnable(GL_BLEND);
     draw(ranges.panes);
     glDisable(GL_BLEND);
-}
-
-/// Their order is not known for every pixel, so they hide each other by their depth. What is drawn afterwards only
-/// mixes what is before them, and once more, to no effect, themselves.
-void LayerPainter::paint_opaque_parts(const Job& job, const Range& panes) {
-    job.target.write_all();
-    glUniform2ui(surfaces_.alphas, kOpaque, kOpaque);
-    draw(panes);
 }
 
 void LayerPainter::draw(const Range& range) {

@@ -35,10 +35,10 @@ private:
     void upload(const Mesh& mesh);
     void set_uniforms(const Scene& scene);
     void set_normal(GLint uniform, const Job& job, const Pose& pose) const;
+    void set_entry(const Job& job, const Layer& layer);
     void paint_layer(const Job& job, std::size_t index);
     void look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening);
     void paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges);
-    void paint_opaque_parts(const Job& job, const Range& panes);
     void use_layer(const Layer& layer);
     void draw(const Range& range);
 

@@ -10,7 +10,8 @@ namespace enfilade::stencil {
 struct PanelOnScreen {
     PanelId panel;
     WallOnScreen place;
-    Heights shown;  ///< the part of it that is inside the room, above the eye
+    Heights shown;               ///< the part of it that is inside the room, above the eye
+    bool is_in_doorway = false;  ///< on the line of the doorway that one sees it through, whose room hides it
 };
 
 /// In no column yet; shown.is_empty(): not at all.

@@ -42,6 +42,7 @@ void RoomPanes::add_panel(const Pose& pose, const RoomLook& room, PanelId id) {
     if (panel.one_sided && seen.a != panel.a) return;
     if (room.visit().entry && !is_panel_beyond(seen, world_.map[room.visit().entry])) return;
     PanelOnScreen shown = in_view(world_.map, world_.snapshot, id, pose);
+    shown.is_in_doorway = room.visit().entry && are_on_one_line(seen, world_.map[room.visit().entry]);
     if (shown.shown.is_empty() || !put_on_screen(shown.place, pose, screen_)) return;
     boards_.push_back({shown, seen, id, 0});
 }

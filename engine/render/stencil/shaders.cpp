@@ -94,11 +94,13 @@ flat in vec4 c;
 flat in uvec4 what;  // id and paint, place in the store, width, height
 layout(location = 0) out vec4 out_color;
 layout(location = 1) out uvec4 out_facts;
+uniform vec3 entry;       // the doorway one looks in through: cross, and a point in it [px]; cross 0: none
+uniform vec3 entry_span;  // there, per column, per row
 uniform vec2 level;  // a point at or near the horizon, so that rows next to it keep their precision
 uniform vec3 climb;  // what the ray climbs there, per column, per row
 uniform int is_classic;
 uniform vec4 fog;  // its colour, 0 to 255, and the depth where it hides half; 0: no fog
-uniform uvec2 alphas;  // least and most that are shown
+uniform uint least_alpha;  // that is shown; 0: whatever it is, the picture is opaque
 uniform usampler2D texels;
 
 const uint kWall = 0u, kFlat = 1u, kSky = 2u, kPicture = 4u;
@@ -139,6 +141,21 @@ uvec3 in_fog(uvec3 color, float depth) {
     return color * (256u - mist) + uvec3(fog.rgb) * mist >> 8u;
 }
 
+// Edges between rows are up to kTieShift aside, which is at most 1/128 of the distance: a flat that so begins before
+// the doorway it is seen through, or ends behind the wall it ends at, shows what is just inside instead. What is farther
+// outside belongs to flats that are drawn where they are not (flat_look).
+float flat_depth(float height, float up, float met) {
+    const float shift = 0.0078125;
+    const float just_inside = 9.5367431640625e-07;  // more than what floats leave of a distance
+    if (up == 0.0) return met;
+    float there = height / up;
+    float s = even(entry_span, gl_FragCoord.xy - entry.yz);
+    float begin = entry.x > 0.0 && s > 0.0 ? entry.x / s : 0.0;
+    if (there < begin && there > begin * (1.0 - shift)) there = begin * (1.0 + just_inside);
+    if (there > met && there < met * (1.0 + shift)) there = met * (1.0 - just_inside);
+    return clamp(there, 0.0, met);
+}
+
 void main() {
     if (is_beside()) discard;
     vec2 t = way();
@@ -155,7 +172,7 @@ void main() {
         shade = shade_at(depth);
         color = texel(tile);
     } else if (paint == kFlat) {
-        depth = up == 0.0 ? met : clamp(c.z / up, 0.0, met);
+        depth = flat_depth(c.z, up, met);
         vec2 spot = c.xy + depth * vec2(even(a.xyz, t), even(b.xyz, t));
         tile = vec2(part(spot.x), part(spot.y));
         shade = shade_at(depth);
@@ -168,8 +185,8 @@ void main() {
     } else {
         color = uvec4(what.y & 255u, what.y >> 8u & 255u, what.y >> 16u & 255u, 255u);
     }
-    if (color.a < alphas.x || color.a > alphas.y) discard;
-    uint alpha = alphas.x > 0u ? color.a : 255u;
+    if (color.a < least_alpha) discard;
+    uint alpha = least_alpha > 0u ? color.a : 255u;
     uvec3 lit = color.rgb * shade >> 8u;
     bool is_lit = paint == kWall || paint == kPicture || paint == kFlat;
     if (fog.w > 0.0 && is_lit) lit = in_fog(lit, depth);
@@ -229,11 +246,13 @@ Status build(SurfaceProgram& surface, MaskProgram& mask) {
     };
     surface.normal = uniform(surface.program, "normal");
     surface.is_tilted = uniform(surface.program, "is_tilted");
+    surface.entry = uniform(surface.program, "entry");
+    surface.entry_span = uniform(surface.program, "entry_span");
     surface.level = uniform(surface.program, "level");
     surface.climb = uniform(surface.program, "climb");
     surface.is_classic = uniform(surface.program, "is_classic");
     surface.fog = uniform(surface.program, "fog");
-    surface.alphas = uniform(surface.program, "alphas");
+    surface.least_alpha = uniform(surface.program, "least_alpha");
     surface.texels = uniform(surface.program, "texels");
     mask.normal = uniform(mask.program, "normal");
     mask.is_tilted = uniform(mask.program, "is_tilted");

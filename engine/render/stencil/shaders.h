@@ -8,13 +8,14 @@ namespace enfilade::stencil {
 /// Draws surfaces: colours to output 0, facts (id, depth, texel) to output 1.
 struct SurfaceProgram {
     GlProgram program;
-    GLint normal = -1;      ///< of the ray through column 0 [x, y] and its change per column; not if tilted
-    GLint is_tilted = -1;   ///< 0 or 1
-    GLint level = -1;       ///< a point at or near the horizon [px]
-    GLint climb = -1;       ///< what the ray climbs there, per column, per row
-    GLint is_classic = -1;  ///< light model
-    GLint fog = -1;         ///< its colour and reach
-    GLint alphas = -1;  ///< pixels of a picture with less than the first or more than the second are left out, 0..255
+    GLint normal = -1;                  ///< of the ray through column 0 [x, y] and its change per column; not if tilted
+    GLint is_tilted = -1;               ///< 0 or 1
+    GLint entry = -1, entry_span = -1;  ///< of the layer: the doorway one looks in through, see shaders.cpp
+    GLint level = -1;                   ///< a point at or near the horizon [px]
+    GLint climb = -1;                   ///< what the ray climbs there, per column, per row
+    GLint is_classic = -1;              ///< light model
+    GLint fog = -1;                     ///< its colour and reach
+    GLint least_alpha = -1;  ///< pixels of a picture with less are left out, 0..255; 0: the picture is opaque
     GLint texels = -1;
 };
 

@@ -9,8 +9,9 @@
 namespace enfilade::stencil {
 namespace {
 
-/// What stands or hangs on a wall's line is before the wall by more than the roundings of both [1].
-constexpr float kBeforeWall = 1 - 0x1p-20f;
+/// What stands or hangs on a wall's line is before the wall by more than the roundings of both, and seen through a
+/// doorway on that line it is behind whatever is drawn at the doorway's depth [1].
+constexpr float kBeforeWall = 1 - 0x1p-20f, kBehindDoorway = 1 + 0x1p-20f;
 
 /// Tilted, depth is measured along the line of sight, and a wall's ends say nothing about it. What is farther than this
 /// is as good as at the horizon [m].
@@ -63,9 +64,10 @@ void set_surface(Look& look, const Scene& scene, const WallOnScreen& place, cons
     look.b[2] = f(1 / surface.tile_m.y);
 }
 
-void bring_before_wall(Look& look) {
-    look.cross *= kBeforeWall;
-    look.nearest *= kBeforeWall;
+void move(Look& look, float factor) {
+    look.cross *= factor;
+    look.nearest *= factor;
+    look.farthest *= factor;
 }
 
 /// The ray's direction in the plane, its components divided by those of `unit`.
@@ -127,7 +129,7 @@ Look hanging_look(const Scene& scene, const SeenWall& wall, double top) {
     const bool runs = scene.map()[id].scroll.y != 0;  // through its place, over and over, as on a wall
     set_picture(look, scene, surface.texture, wall_id(scene.map(), id, WallPart::middle),
                 runs ? Paint::wall : Paint::picture);
-    bring_before_wall(look);
+    move(look, kBeforeWall);
     if (!runs) look.b[1] = f(top / surface.tile_m.y);
     return look;
 }
@@ -138,7 +140,7 @@ Look panel_look(const Scene& scene, const PanelOnScreen& shown, const Pose& pose
     set_light(look, light_at(scene.world.snapshot, panel.sector), panel.contrast);
     set_surface(look, scene, shown.place, panel.surface, panel.length, panel.top - pose.eye_z,
                 panel_id(scene.map(), shown.panel));
-    bring_before_wall(look);
+    move(look, shown.is_in_doorway ? kBehindDoorway : kBeforeWall);
     return look;
 }
 

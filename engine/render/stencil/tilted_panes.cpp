@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/predicates.h"
+#include "render/stencil/pane_order.h"
+
 namespace enfilade::stencil {
 namespace {
 
@@ -40,9 +43,31 @@ Stretch beyond_doorway(const WallOnScreen& doorway, double depth, Stretch s) {
     return at_begin > 0 ? Stretch{edge, s.end} : Stretch{s.begin, edge};
 }
 
+/// Whether two segments on one line have more than a point in common. Exact.
+bool overlap(const Segment& s, const Segment& t) {
+    const Vec2 way = t.b - t.a;
+    const double p = dot(way, s.a - t.a), q = dot(way, s.b - t.a);
+    return std::max(std::min(p, q), 0.0) < std::min(std::max(p, q), dot(way, way));
+}
+
+/// Whether one looks into the panel's sector through a doorway that the panel stands in.
+bool is_in_doorway(const Map& map, const Panel& panel, Vec2 eye) {
+    const Segment place(panel.a, panel.b);
+    const Sector& sector = map[panel.sector];
+    for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i) {
+        const Wall& wall = map.walls[i];
+        if (wall.kind == WallKind::portal && are_on_one_line(place, wall) && overlap(place, wall) &&
+            side_of_line(wall.a, wall.b, eye) < 0)
+            return true;
+    }
+    return false;
+}
+
 class PaneFinder {
 public:
-    PaneFinder(Layer& layer, const World& world) : layer_(layer), world_(world) {}
+    PaneFinder(const Layer& layer, const World& world) : layer_(layer), world_(world) {}
+
+    const std::vector<PaneInRoom>& found() const { return found_; }
 
     void find(SectorId home) {
         const Heights room = heights_of(world_.snapshot, home, layer_.pose.eye_z);
@@ -51,9 +76,9 @@ public:
                 add_thing(home, *thing);
         const Sector& sector = world_.map[home];
         for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i)
-            add_panel(PanelId(i));
+            add_panel(home, PanelId(i));
         for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i)
-            add_hanging(WallId(i));
+            add_hanging(home, WallId(i));
     }
 
 private:
@@ -68,44 +93,39 @@ private:
             if (s.begin >= s.end) continue;
             place.shown_left_v = {turned ? s.end : s.begin, thing.depth};
             place.shown_right_v = {turned ? s.begin : s.end, thing.depth};
-            layer_.panes.push_back(thing);
+            found_.push_back({home, thing});
         }
     }
 
-    void add_panel(PanelId id) {
+    void add_panel(SectorId home, PanelId id) {
         const Panel& panel = world_.map[id];
         if (!panel.surface.texture) return;
         const Segment seen = facing(panel, layer_.pose.eye);
         if (panel.one_sided && seen.a != panel.a) return;
         if (layer_.entry && !is_panel_beyond(seen, world_.map[layer_.entry])) return;
-        const PanelOnScreen shown = in_view(world_.map, world_.snapshot, id, layer_.pose);
-        if (!shown.shown.is_empty()) layer_.panes.push_back(shown);
+        PanelOnScreen shown = in_view(world_.map, world_.snapshot, id, layer_.pose);
+        shown.is_in_doorway = is_in_doorway(world_.map, panel, layer_.pose.eye);
+        if (!shown.shown.is_empty()) found_.push_back({home, shown});
     }
 
-    void add_hanging(WallId id) {
+    void add_hanging(SectorId home, WallId id) {
         const Wall& wall = world_.map[id];
         if (wall.kind != WallKind::portal || !wall.middle.texture) return;
         if (layer_.entry && (layer_.entry == id || !is_beyond(wall, world_.map[layer_.entry]))) return;
-        if (const auto place = in_view(world_.map, id, layer_.pose)) layer_.panes.push_back(Hanging{*place});
+        if (const auto place = in_view(world_.map, id, layer_.pose)) found_.push_back({home, Hanging{*place}});
     }
 
-    Layer& layer_;
+    const Layer& layer_;
     const World& world_;
+    std::vector<PaneInRoom> found_;
 };
-
-double distance(const Pane& pane) {
-    const WallOnScreen& place = place_of(pane);
-    const Vec2 middle = (place.shown_left_v + place.shown_right_v) * 0.5;
-    return dot(middle, middle);
-}
 
 }  // namespace
 
 void note_tilted_panes(Layer& layer, const World& world) {
     PaneFinder finder(layer, world);
     for (const SeenSector& seen : layer.sectors) finder.find(seen.sector);
-    std::stable_sort(layer.panes.begin(), layer.panes.end(),
-                     [](const Pane& a, const Pane& b) { return distance(a) < distance(b); });
+    layer.panes = in_order(finder.found());
 }
 
 }  // namespace enfilade::stencil

@@ -5,8 +5,6 @@
 namespace enfilade::stencil {
 
 /// Adds all that stands or hangs in the layer's sectors, once, each thing in every sector only as far as it is there.
-/// What is before what is left to the depth buffer; where more than one of them is like glass, their order is that of
-/// their middles.
 void note_tilted_panes(Layer& layer, const World& world);
 
 }  // namespace enfilade::stencil

@@ -276,8 +276,6 @@ Agreement Sight::compare_random_poses(int count, PictureSize size, std::uint64_t
 void expect_agreement(const Agreement& a, double wrong_share, double elsewhere_share) {
     EXPECT_EQ(a.undrawn, 0u) << describe(a);
     EXPECT_LE(double(a.elsewhere), elsewhere_share * double(a.pixels)) << describe(a);
-    // Where a row of pixels goes through the foot of a link or mirror, the room behind begins up to kTieShift early and
-    // shows its floor from before the portal.
     EXPECT_LE(double(a.wrong_color), wrong_share * double(a.pixels)) << describe(a);
     EXPECT_LE(double(a.at_edges), 0.001 * double(a.pixels)) << describe(a);
 }

@@ -78,6 +78,6 @@ private:
 
 /// At most one pixel in a thousand shows another surface, only at edges but for a share of all; colours are right but
 /// for a share of all.
-void expect_agreement(const Agreement& agreement, double wrong_share = 5e-5, double elsewhere_share = 0);
+void expect_agreement(const Agreement& agreement, double wrong_share = 0, double elsewhere_share = 0);
 
 }  // namespace enfilade::test

@@ -57,6 +57,8 @@ protected:
 
 TEST_P(StencilHardPlace, OnAPortalsLine) { expect_agreement_at_portals(0.5, 0); }
 TEST_P(StencilHardPlace, OnAPortalsEnd) { expect_agreement_at_portals(0, 0); }
+TEST_P(StencilHardPlace, AHairBeforeAPortalsEnd) { expect_agreement_at_portals(1, 0x1p-16); }
+TEST_P(StencilHardPlace, AHairBehindAPortalsEnd) { expect_agreement_at_portals(1, -0x1p-16); }
 TEST_P(StencilHardPlace, OneGridStepBeforeAPortal) { expect_agreement_at_portals(0.5, kPointGrid); }
 TEST_P(StencilHardPlace, OneGridStepBehindAPortal) { expect_agreement_at_portals(0.5, -kPointGrid); }
 TEST_P(StencilHardPlace, AHairBeforeAPortal) { expect_agreement_at_portals(0.25, 0x1p-16); }
@@ -145,6 +147,16 @@ TEST(StencilMirrors, FacingEachOtherRepeatTheRoom) {
     Place place(file);
     expect_agreement(place.sight.compare(look_from(place.map, {1.75, 2.5}, 1.5, 5), {320, 200}));
     EXPECT_EQ(place.sight.counts().deepest, 40);
+}
+
+/// A row of pixels goes so near the foot of the mirror that the graphics card decides on which side it is. It shows the
+/// floor of the room all the same, never what would be beyond.
+TEST(StencilMirrors, EndTheFloorWhereTheyStand) {
+    Place place(mirrors());
+    View view =
+        look_from(place.map, {4.5990477413870394, 0.37422175472602248}, 0.10850765961518795, 155.83646865561604);
+    view.fov_degrees = 46.754364385527893;
+    expect_agreement(place.sight.compare(view, {640, 400}));
 }
 
 }  // namespace

@@ -78,6 +78,40 @@ TEST(StencilPanel, LooksAsInTheColumnRendererToAnEyeInItsPlane) {
     expect_agreement(sum, kBehindGlass);
 }
 
+/// A platform before a lower hall whose side arm reaches back beside it. One line holds the doorway between them, a
+/// wall of the hall, and the mouth of the arm; and a panel of the hall runs along all three.
+MapFile hall_below_platform() {
+    MapFile file = map_of({box_room("platform", 0, 0, 4, 4, 1, 3),
+                           room("hall", {{4, 0}, {10, 0}, {10, 8}, {0, 8}, {0, 5}, {4, 5}}, 0, 4)});
+    split_and_join(file);
+    sector(file, "hall").panels = {panel({4, 1}, {4, 7}, 0, 1.5)};
+    return file;
+}
+
+constexpr Vec2 kAroundTheLine[] = {{2, 2}, {3.875, 1.5}, {4, 2}, {4.25, 4.5}, {6, 1}, {2, 6.5}, {4, 7.5}};
+
+TEST(StencilPanel, InADoorwayIsHiddenByTheFloorBeforeIt) {
+    const Furnished world(hall_below_platform());
+    Sight sight(world.map, world.textures);
+    Agreement sum;
+    for (const Vec2 eye : kAroundTheLine)
+        for (double yaw = 0; yaw < 360; yaw += 30) sum += sight.compare(look_from(world.map, eye, 2.25, yaw), {97, 61});
+    expect_agreement(sum, kBehindGlass);
+}
+
+TEST(StencilPanel, InADoorwayIsHiddenByTheFloorBeforeItInTiltedPicturesToo) {
+    const Furnished world(hall_below_platform());
+    Sight sight(world.map, world.textures);
+    Agreement sum;
+    for (const Vec2 eye : kAroundTheLine)
+        for (double yaw = 0; yaw < 360; yaw += 60) {
+            View view = look_from(world.map, eye, 2.25, yaw + 0.5);
+            view.tilt = Tilt{direction(Angle::from_degrees(-40)), direction(Angle::from_degrees(10))};
+            sum += sight.compare(view, {97, 61});
+        }
+    expect_agreement(sum, kBehindGlass);
+}
+
 /// The thing's picture is parallel to the picture plane, the panel slants through it.
 TEST(StencilPanel, IsBeforeAThingInOneColumnAndBehindItInAnother) {
     MapFile file = map_of({box_room("room", 0, 0, 8, 8, 0, 4)});

@@ -13,9 +13,6 @@ namespace {
 
 constexpr PictureSize kSize{96, 60};
 
-/// What is behind glass has edges of texels, too, which are not noted for pixels that show the glass.
-constexpr double kBehindGlass = 1e-3;
-
 Tilt tilt_of(double pitch_degrees, double roll_degrees) {
     return {direction(Angle::from_degrees(pitch_degrees)), direction(Angle::from_degrees(roll_degrees))};
 }
@@ -51,9 +48,7 @@ TEST_P(TiltedStencil, ShowsThingsPanelsAndFencesAsInTheReference) {
                 if (!wall.next.empty()) wall.middle = spec("lattice");
     scatter_panels(file, 60, 1);
     scatter_things(file, 20, 2);
-    // Glass before glass is mixed in the order of their middles.
-    constexpr double kGlassBeforeGlass = 5e-3;
-    expect_agreement(compare_tilted(file, 8, 3), kBehindGlass + kGlassBeforeGlass);
+    expect_agreement(compare_tilted(file, 8, 3));
 }
 
 std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
