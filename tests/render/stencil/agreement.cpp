@@ -18,7 +18,7 @@ namespace {
 constexpr int kSameColor = 2;
 
 /// OpenGL computes in floats, good to 2^-24 of a position: texels this near to each other may be confused [texels].
-constexpr double kTexelSlack = 0.05;
+constexpr double kTexelSlack = 0.01;
 
 /// Graphics cards put edges on a grid of 1/256 px: this far aside their picture may be right [px].
 constexpr double kAside[] = {0, -1.0 / 256, 1.0 / 256, -1.0 / 128, 1.0 / 128, -1.0 / 64, 1.0 / 64};

@@ -11,7 +11,7 @@ namespace enfilade::test {
 namespace {
 
 /// What is behind glass has edges of texels, too, which are not noted for pixels that show the glass.
-constexpr double kBehindGlass = 1e-3;
+constexpr double kBehindGlass = 2e-5;
 
 /// A disc with a hole in it, its upper part coloured glass.
 Texture ring(const std::string& name) {
