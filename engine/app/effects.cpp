@@ -63,6 +63,15 @@ Effect sky() {
             [](const MapFile& map) { return count_flats(map, [](const FlatRecord& f) { return f.parallax; }); },
             [](MapFile& map) { each_flat(map, [](FlatRecord& f) { f.parallax = false; }); }};
 }
+Effect sky_layers() {
+    return {"sky layers", "pictures", "a mix of two colours for each pixel of their sky",
+            [](const MapFile& map) {
+                std::size_t count = 0;
+                each_flat(map, [&](const FlatRecord& f) { count += f.layers.size(); });
+                return count;
+            },
+            [](MapFile& map) { each_flat(map, [](FlatRecord& f) { f.layers.clear(); }); }};
+}
 Effect fog() {
     return {"fog", "maps", "a mix of two colours for each pixel",
             [](const MapFile& map) { return std::size_t{map.render.fog_reach > 0}; },
@@ -158,20 +167,9 @@ Effect sounds() {
 }  // namespace
 
 const std::vector<Effect>& all_effects() {
-    static const std::vector<Effect> all{sky(),
-                                         fog(),
-                                         links(),
-                                         mirrors(),
-                                         masked_walls(),
-                                         panels(),
-                                         things(),
-                                         animated_things(),
-                                         animations(),
-                                         scrolling(),
-                                         changing_lights(),
-                                         movers(),
-                                         other_triggers(),
-                                         damage(),
+    static const std::vector<Effect> all{sky(),          sky_layers(),      fog(),    links(),           mirrors(),
+                                         masked_walls(), panels(),          things(), animated_things(), animations(),
+                                         scrolling(),    changing_lights(), movers(), other_triggers(),  damage(),
                                          sounds()};
     return all;
 }

@@ -61,6 +61,14 @@ struct LoopRecord {
     bool operator==(const LoopRecord&) const = default;
 };
 
+/// A picture with alpha that is laid over a sky.
+struct SkyLayerRecord {
+    TextureSpec texture;
+    double turn = 0;  ///< how fast it turns round the sky [degrees/s]
+    TextPlace place;
+    bool operator==(const SkyLayerRecord&) const = default;
+};
+
 struct FlatRecord {
     double z = 0;  ///< [m]
     std::optional<TextureSpec> texture;
@@ -69,6 +77,7 @@ struct FlatRecord {
     bool parallax = false;       ///< drawn as sky
     Vec2 scroll;                 ///< how fast the picture moves along x and y [m/s]
     bool carries = false;        ///< floor: whoever stands on it moves with the picture
+    std::vector<SkyLayerRecord> layers;  ///< sky: laid over it, the first one farthest
     TextPlace place;
     bool operator==(const FlatRecord&) const = default;
 };
@@ -89,7 +98,7 @@ struct SectorRecord {
     std::string name;
     double light = 1;
     FlatRecord floor;
-    FlatRecord ceiling{2, {}, {}, false, false, {}, false, {}};
+    FlatRecord ceiling{2, {}, {}, false, false, {}, false, {}, {}};
     std::vector<LoopRecord> loops;
     std::vector<PanelRecord> panels;
     std::vector<std::string> tags;  ///< what triggers may call it besides its name; others may have the same

@@ -77,8 +77,10 @@ std::vector<KeyInfo> map_keys() {
     add_key_infos<SwitchRecord>(all, "switches.");
     add_key_infos<SoundRecord>(all, "sounds.");
     add_key_infos<SectorRecord>(all, "sectors.");
-    add_key_infos<FlatRecord>(all, "sectors.floor.");
-    add_key_infos<FlatRecord>(all, "sectors.ceiling.");
+    for (const std::string flat : {"sectors.floor.", "sectors.ceiling."}) {
+        add_key_infos<FlatRecord>(all, flat);
+        add_key_infos<SkyLayerRecord>(all, flat + "layers.");
+    }
     add_trigger_infos(all, "sectors.triggers.");
     add_key_infos<LightEffectRecord>(all, "sectors.light_effect.");
     add_key_infos<DoomRecord>(all, "sectors.doom.");

@@ -9,6 +9,11 @@ namespace {
 constexpr auto kBoth = Dialect::tutorial;
 constexpr auto kNew = Dialect::enfilade;
 
+constexpr std::array kSkyLayerKeys{
+    key<&SkyLayerRecord::texture>("texture", kNew, Need::required),
+    key<&SkyLayerRecord::turn>("turn", kNew, Need::optional, kScrollSpeeds),
+};
+
 constexpr std::array kFlatKeys{
     key<&FlatRecord::z>("z", kBoth, Need::optional, kHeights),
     key<&FlatRecord::texture>("texture", kBoth),
@@ -17,6 +22,7 @@ constexpr std::array kFlatKeys{
     key<&FlatRecord::parallax>("parallax", kBoth),
     key<&FlatRecord::scroll>("scroll", kNew, Need::optional, kScrollSpeeds),
     key<&FlatRecord::carries>("carries", kNew),
+    key<&FlatRecord::layers>("layers", kNew),
 };
 
 /// "v = [x0, y0, x1, y1]".
@@ -65,6 +71,7 @@ constexpr std::array kSectorKeys{
 };
 
 constexpr KeyList<FlatRecord> kFlatList{"a floor or ceiling", kFlatKeys};
+constexpr KeyList<SkyLayerRecord> kSkyLayerList{"a sky's layer", kSkyLayerKeys};
 constexpr KeyList<PanelRecord> kPanelList{"a panel", kPanelKeys};
 constexpr KeyList<DoomRecord> kDoomList{"'doom'", kDoomKeys};
 constexpr KeyList<SectorRecord> kSectorList{"a sector", kSectorKeys};
@@ -74,6 +81,11 @@ constexpr KeyList<SectorRecord> kSectorList{"a sector", kSectorKeys};
 template <>
 const KeyList<FlatRecord>& keys_of() {
     return kFlatList;
+}
+
+template <>
+const KeyList<SkyLayerRecord>& keys_of() {
+    return kSkyLayerList;
 }
 
 template <>
@@ -92,8 +104,13 @@ const KeyList<SectorRecord>& keys_of() {
 }
 
 template <>
-void check_record(Reading& reading, TomlNode, std::span<const TomlEntry>, FlatRecord& flat) {
+void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, FlatRecord& flat) {
     if (flat.texture && flat.size) refuse_tile_and_size(reading, *flat.texture);
+    if (flat.layers.size() <= kMostSkyLayers) return;
+    reading.error(find_entry(entries, "layers")->key_place, "too-many-layers",
+                  "expected at most " + std::to_string(kMostSkyLayers) + " layers over a sky, found " +
+                      std::to_string(flat.layers.size()));
+    flat.layers.resize(kMostSkyLayers);
 }
 
 template <>

@@ -70,13 +70,21 @@ struct Panel {
     bool one_sided = false;      ///< only seen by an eye for which a wall a -> b would face (math/predicates.h)
 };
 
+/// A picture with alpha that is laid over a sky.
+struct SkyLayer {
+    Surface surface;
+    double turn = 0;  ///< how fast it turns round the sky [degrees/s]
+};
+
 struct Flat {
     double z = 0;  ///< at rest [m]
     Surface surface;
     Vec2 origin;  ///< of the texture, in the plane
     Vec2 scroll;  ///< how fast the picture moves [m/s]
     bool sky = false;
-    bool carries = false;  ///< floor: moves who stands on it with the picture
+    bool carries = false;           ///< floor: moves who stands on it with the picture
+    std::uint32_t first_layer = 0;  ///< sky: what is laid over it, the farthest first, is
+    std::uint32_t layer_count = 0;  ///< [first_layer, first_layer + layer_count) of Map::sky_layers
 };
 
 struct Sector {
@@ -155,7 +163,8 @@ struct Map {
     std::vector<Wall> walls;
     std::vector<Rigid> links;         ///< what each linked portal or mirror does to what is seen through it
     std::vector<GridMap> grid_links;  ///< portals: the same for what moves through it; index as in links
-    std::vector<Panel> panels;        ///< by sector, each sector's in the order of the file
+    std::vector<SkyLayer> sky_layers;
+    std::vector<Panel> panels;  ///< by sector, each sector's in the order of the file
     std::vector<Thing> things;
     std::vector<Sprite> sprites;
     std::vector<ThingId> solid_things;  ///< by sector, each sector's in the order of their numbers

@@ -76,6 +76,17 @@ void lay_panel(Draft& draft, const SectorDraft& sector, std::size_t i, Panel& pa
     panel.one_sided = record.one_sided;
 }
 
+void lay_layers(Draft& draft, const FlatRecord& record, Flat& flat) {
+    if (!flat.sky && !record.layers.empty())
+        draft.warning(record.layers.front().place, "layers-without-sky",
+                      "only a sky has layers, and this floor or ceiling is none; give it parallax = true");
+    if (!flat.sky) return;
+    flat.first_layer = static_cast<std::uint32_t>(draft.map.sky_layers.size());
+    flat.layer_count = static_cast<std::uint32_t>(record.layers.size());
+    for (const SkyLayerRecord& layer : record.layers)
+        draft.map.sky_layers.push_back({Lay{draft.textures, {}, {}}.surface(layer.texture, Peg::ceiling), layer.turn});
+}
+
 void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record, Flat& flat) {
     // A sky's two numbers are wraps and a tangent, which texels per metre say nothing about.
     const Lay lay = record.parallax ? Lay{draft.textures, {}, {}} : Lay{draft.textures, record.size, draft.file.size};
@@ -83,6 +94,7 @@ void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record,
     flat.sky = record.parallax;
     flat.scroll = record.scroll;
     flat.carries = record.carries;
+    lay_layers(draft, record, flat);
     if (record.is_relative && sector.loop_count > 0)
         flat.origin = draft.map.walls[draft.loops[sector.first_loop].first_wall].a;
 }

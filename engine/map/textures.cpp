@@ -41,6 +41,11 @@ void note(Names& names, const ThingRecord& thing, const SpriteFrameRecord& frame
         note(names, TextureSpec{sprite_picture_name(thing, frame, view), {}, {}, thing.place});
 }
 
+void note(Names& names, const FlatRecord& flat) {
+    note(names, flat.texture);
+    for (const SkyLayerRecord& layer : flat.layers) note(names, layer.texture);
+}
+
 void note(Names& names, const std::vector<TriggerRecord>& triggers) {
     for (const TriggerRecord& trigger : triggers) note(names, TextureSpec{trigger.texture, {}, {}, trigger.place});
 }
@@ -56,8 +61,8 @@ Names names_used(const MapFile& file) {
     Names names;
     note_changes(names, file);
     for (const SectorRecord& sector : file.sectors) {
-        note(names, sector.floor.texture);
-        note(names, sector.ceiling.texture);
+        note(names, sector.floor);
+        note(names, sector.ceiling);
         note(names, sector.triggers);
         for (const LoopRecord& loop : sector.loops)
             for (const WallRecord& wall : loop.walls) {

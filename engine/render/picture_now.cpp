@@ -61,4 +61,11 @@ Flat ceiling_now(const Map& map, const Snapshot& snapshot, SectorId sector) {
     return flat_now(map, map[sector].ceiling, TextureId(), snapshot.time_s);
 }
 
+Surface layer_now(const Map& map, const Snapshot& snapshot, const SkyLayer& layer) {
+    Surface surface = layer.surface;
+    surface.texture = animated(map.pictures, surface.texture, snapshot.time_s);
+    surface.offset_tiles.x = moved(surface.offset_tiles.x, layer.turn / 360 * snapshot.time_s * surface.tile_m.x);
+    return surface;
+}
+
 }  // namespace enfilade

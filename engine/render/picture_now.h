@@ -13,4 +13,7 @@ Surface picture_now(const Map& map, const Snapshot& snapshot, WallId wall, const
 Flat floor_now(const Map& map, const Snapshot& snapshot, SectorId sector);
 Flat ceiling_now(const Map& map, const Snapshot& snapshot, SectorId sector);
 
+/// A layer of a sky at the snapshot's time, turned.
+Surface layer_now(const Map& map, const Snapshot& snapshot, const SkyLayer& layer);
+
 }  // namespace enfilade

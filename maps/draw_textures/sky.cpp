@@ -53,6 +53,25 @@ Painter sky(const Sky& sky) {
     };
 }
 
+struct Clouds {
+    Color light, shade, low;  // where the sun reaches, where it does not, and near the horizon
+    double cover;
+    int seed;
+};
+
+// Nothing but clouds, clear at the foot and at the top: to be laid over a sky and turned.
+Painter clouds(const Clouds& clouds) {
+    return [=](double, double, double u, double v) {
+        const double rise = kRise * (1 - v), cosine = wave(u + 0.25), sine = wave(u);
+        const double thick = layer(cosine, sine, rise, 2.1, 6, clouds.seed);
+        const double sunward = layer(cosine - 0.03, sine - 0.03, rise + 0.02, 2.1, 5, clouds.seed);
+        const double body = ramp(-clouds.cover, -clouds.cover + 0.34, thick);
+        const double lit = clamp01(0.6 + 2.6 * (thick - sunward) - 0.5 * ramp(0.05, 0.5, thick));
+        const Color c = mix(mix(clouds.shade, clouds.light, lit), clouds.low, 0.6 * ramp(0.35, 0.05, rise));
+        return Surface{c, 0, 0.85 * body * ramp(0.06, 0.22, rise) * ramp(1.15, 0.6, rise)};
+    };
+}
+
 }  // namespace
 
 void draw_sky(const Album& album) {
@@ -62,6 +81,7 @@ void draw_sky(const Album& album) {
     album.add("sky_dusk", 2048, 384,
               sky({rgb(0x232a52), rgb(0x5d4a78), rgb(0xe89a62), rgb(0xf3a67c), rgb(0x57436a), rgb(0x3a2f4e),
                    rgb(0xffc46b), 0.9, 0.06, 541}));
+    album.add_with_alpha("clouds_dusk", 1024, 192, clouds({rgb(0xf7b48a), rgb(0x4d3d62), rgb(0xd98a63), 0.04, 561}));
 }
 
 }  // namespace draw_textures

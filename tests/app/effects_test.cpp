@@ -37,6 +37,7 @@ MapFile full_map() {
     MapFile file = test::map_of({test::box_room("main", 0, 0, 4, 4), test::box_room("yard", 4, 0, 8, 4)});
     test::join_all(file);
     file.sectors[0].ceiling.parallax = true;
+    file.sectors[0].ceiling.layers = {{test::spec("clouds"), 1, {}}};
     file.sectors[0].light_effect = LightEffectRecord{};
     file.sectors[0].floor.scroll = {1, 0};
     file.sectors[0].loops[0].walls[0].mirror = true;
@@ -60,7 +61,7 @@ TEST(Effects, ThatAreTakenOutAreGone) {
         EXPECT_TRUE(is_things || use.effect->count(without) == 0) << use.effect->name;
         ++taken_out;
     }
-    EXPECT_EQ(taken_out, 10u);
+    EXPECT_EQ(taken_out, 11u);
 }
 
 }  // namespace

@@ -161,6 +161,7 @@ private:
         flat.parallax = flip();
         if (flip()) flat.scroll = {number(-9, 9), number(-9, 9)};
         flat.carries = flip();
+        for (int i = whole(0, 2); i > 0; --i) flat.layers.push_back({spec(), number(-9, 9), {}});
         return flat;
     }
 
@@ -229,6 +230,8 @@ inline MapFile without_places(MapFile map) {
         forget_triggers(sector.triggers);
         if (sector.light_effect) sector.light_effect->place = {};
         sector.place = sector.floor.place = sector.ceiling.place = {};
+        for (FlatRecord* flat : {&sector.floor, &sector.ceiling})
+            for (SkyLayerRecord& layer : flat->layers) layer.place = layer.texture.place = {};
         forget(sector.floor.texture);
         forget(sector.ceiling.texture);
         for (PanelRecord& panel : sector.panels) panel.place = panel.texture.place = {};

@@ -127,6 +127,20 @@ TEST(Flat, IsSkyWhereItHasParallax) {
     EXPECT_EQ(map.sectors[0].ceiling.surface.tile_m, (Vec2{4, 0.75}));
 }
 
+TEST(Flat, HasTheLayersOfItsOwnSky) {
+    MapFile file = map_of({box_room("hall", 0, 0, 4, 4), box_room("yard", 4, 0, 8, 4)});
+    for (SectorRecord& sector : file.sectors) sector.ceiling.parallax = true;
+    file.sectors[0].ceiling.layers = {{TextureSpec{"mist", Vec2{3, 0.5}, {}, {}}, 1.5, {}}};
+    file.sectors[1].ceiling.layers = {{TextureSpec{"mist", Vec2{3, 0.5}, {}, {}}, 0, {}},
+                                      {TextureSpec{"clouds", Vec2{2, 0.75}, {}, {}}, -3, {}}};
+    const Map map = built(file);
+    const Flat& sky = map.sectors[1].ceiling;
+    ASSERT_EQ(sky.layer_count, 2u);
+    EXPECT_EQ(map.sky_layers[sky.first_layer + 1].surface.tile_m, (Vec2{2, 0.75}));
+    EXPECT_EQ(map.sky_layers[sky.first_layer + 1].turn, -3);
+    EXPECT_EQ(map.sectors[0].floor.layer_count, 0u);
+}
+
 TEST(Contrast, OfSmoothLightGrowsFromWallsAlongXToWallsAlongY) {
     MapFile file = map_of({room("hall", {{0, 0}, {4, 0}, {8, 4}, {8, 8}, {4, 9}})});
     const Map map = built(file);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/picture_now.h"
+
 namespace enfilade {
 namespace {
 
@@ -151,6 +153,15 @@ TEST(SkyTexel, MovesByItsOffset) {
     const SkyTexel moved = sky_texel({1, 1}, {0.25, 0.125}, 0.5, 0.25);
     EXPECT_EQ(moved.u, 0.25);
     EXPECT_EQ(moved.v, 0.625);
+}
+
+TEST(SkyLayer, TurnsByItsOwnSpeed) {
+    const SkyLayer layer{{TextureId(), {4, 1}, {0.75, 0.125}}, 9};
+    Snapshot snapshot;
+    snapshot.time_s = 30;  // three quarters of a turn: three of the four wraps
+    EXPECT_EQ(layer_now(Map{}, snapshot, layer).offset_tiles, (Vec2{0.75, 0.125}));
+    snapshot.time_s = 5;  // half a wrap
+    EXPECT_EQ(layer_now(Map{}, snapshot, layer).offset_tiles, (Vec2{0.25, 0.125}));
 }
 
 }  // namespace

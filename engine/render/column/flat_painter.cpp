@@ -4,12 +4,16 @@
 #include <cmath>
 #include <limits>
 
-#include "render/column/kernels.h"
+#include "render/picture_now.h"
 
 namespace enfilade::column {
 namespace {
 
 bool has_fog(const Scene& scene) { return scene.map.render.fog_reach > 0; }
+
+/// What a ray climbs from one row to the next, per metre along the ground: per metre of depth it climbs more, by the
+/// length of `ray`.
+double rise_per_row(const Scene& scene, Vec2 ray) { return 1 / (scene.screen.focal_y * std::sqrt(dot(ray, ray))); }
 
 }  // namespace
 
@@ -26,6 +30,9 @@ void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, 
     base_u_ = fraction((pose.eye.x - flat.origin.x) / surface.tile_m.x - surface.offset_tiles.x);
     base_v_ = fraction((pose.eye.y - flat.origin.y) / surface.tile_m.y - surface.offset_tiles.y);
     prepared_top_ = prepared_bottom_ = 0;
+    layers_.clear();
+    for (std::uint32_t i = 0; i < flat.layer_count; ++i)
+        layers_.push_back(layer_now(scene.map, scene.snapshot, scene.map.sky_layers[flat.first_layer + i]));
 }
 
 void FlatPainter::paint(const Scene& scene, int x, int top, int bottom, double wall_depth) {
@@ -60,23 +67,25 @@ void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, do
 }
 
 void FlatPainter::paint_sky(const Scene& scene, int x, int top, int bottom) {
-    const Screen& screen = scene.screen;
-    const Vec2 ray = pose_->forward + pose_->right * screen.slopes[x];
-    const Surface& surface = flat_.surface;
-    // The ray's climb is per metre of depth; per metre along the ground it is less by the length of `ray`.
-    const double rise = 1 / (screen.focal_y * std::sqrt(dot(ray, ray)));
-    const SkyTexel horizon = sky_texel(surface.tile_m, surface.offset_tiles, turn_of(ray), 0);
-    const double v_at_horizon = 1 - surface.offset_tiles.y;
-    const std::uint32_t column = texel_index(horizon.u, texture_->width);
-    fill_sky(scene.canvas.run(x, top, bottom),
-             {&texture_->pixels[std::size_t{column} * texture_->height], texture_->height, v_at_horizon,
-              -rise / surface.tile_m.y, screen.row_rises.data()});
+    const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
+    const Run run = scene.canvas.run(x, top, bottom);
+    fill_sky(run, sky_run(scene, flat_.surface, ray));
+    for (const Surface& layer : layers_) lay_sky(run, sky_run(scene, layer, ray));
     if (scene.facts == nullptr) return;
+    const double rise = rise_per_row(scene, ray);
     for (int y = top; y < bottom; ++y) {
         const SkyTexel texel =
-            sky_texel(surface.tile_m, surface.offset_tiles, turn_of(ray), screen.row_rises[y] * rise);
+            sky_texel(flat_.surface.tile_m, flat_.surface.offset_tiles, turn_of(ray), scene.screen.row_rises[y] * rise);
         note(scene, x, y, id_, std::numeric_limits<double>::infinity(), texel.u, texel.v);
     }
+}
+
+SkyRun FlatPainter::sky_run(const Scene& scene, const Surface& surface, Vec2 ray) const {
+    const Texture& texture = scene.textures[surface.texture];
+    const SkyTexel horizon = sky_texel(surface.tile_m, surface.offset_tiles, turn_of(ray), 0);
+    const std::uint32_t column = texel_index(horizon.u, texture.width);
+    return {&texture.pixels[std::size_t{column} * texture.height], texture.height, 1 - surface.offset_tiles.y,
+            -rise_per_row(scene, ray) / surface.tile_m.y, scene.screen.row_rises.data()};
 }
 
 void FlatPainter::prepare_rows(const Scene& scene, int top, int bottom) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "render/column/kernels.h"
 #include "render/column/scene.h"
 #include "render/pose.h"
 
@@ -23,6 +24,7 @@ public:
 private:
     void paint_level(const Scene& scene, int x, int top, int bottom, double wall_depth);
     void paint_sky(const Scene& scene, int x, int top, int bottom);
+    SkyRun sky_run(const Scene& scene, const Surface& surface, Vec2 ray) const;
     void prepare_rows(const Scene& scene, int top, int bottom);
     void prepare_row(const Scene& scene, int row);
     void shade_row(const Scene& scene, int row, double depth);
@@ -30,6 +32,7 @@ private:
 
     const Pose* pose_ = nullptr;
     Flat flat_;
+    std::vector<Surface> layers_;  ///< over a sky, the farthest first
     const Texture* texture_ = nullptr;
     SurfaceId id_ = kNothing;
     double height_ = 0, light_ = 1;

@@ -92,6 +92,15 @@ void fill_sky(const Run& run, const SkyRun& sky) {
     }
 }
 
+void lay_sky(const Run& run, const SkyRun& layer) {
+    for (int i = 0; i < run.count; ++i) {
+        const double v =
+            std::clamp(layer.v_at_horizon + layer.row_rises[run.first_row + i] * layer.v_per_rise, 0.0, 1.0);
+        const std::uint32_t texel = layer.texels[texel_index(v, layer.height)];
+        if (texel >> 24 != 0) run.pixels[i] = laid_over(run.pixels[i], texel);
+    }
+}
+
 void fill_color(const Run& run, std::uint32_t color) { std::fill_n(run.pixels, run.count, color); }
 
 }  // namespace enfilade::column

@@ -60,6 +60,9 @@ struct SkyRun {
 };
 void fill_sky(const Run& run, const SkyRun& sky);
 
+/// The same for a layer with holes, laid over what is there already.
+void lay_sky(const Run& run, const SkyRun& layer);
+
 void fill_color(const Run& run, std::uint32_t color);
 
 }  // namespace enfilade::column

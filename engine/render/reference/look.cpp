@@ -64,21 +64,31 @@ Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, 
     return seen;
 }
 
-Seen sky(const Arrival& at, const Surface& surface, SurfaceId id) {
-    constexpr Shade kAsPainted = 256;
+/// Where on the picture the ray looks.
+SkyTexel sky_texel_of(const Arrival& at, const Surface& surface) {
     const double elevation = at.course.climb / std::sqrt(1 + at.course.slope * at.course.slope);
     const double turns = turn_of(at.hit.space.direction(at.course.slope));
-    const SkyTexel sky = sky_texel(surface.tile_m, surface.offset_tiles, turns, elevation);
+    return sky_texel(surface.tile_m, surface.offset_tiles, turns, elevation);
+}
+
+Seen sky(const Arrival& at, const Flat& flat, SurfaceId id) {
+    const SkyTexel base = sky_texel_of(at, flat.surface);
     Seen seen{id, std::numeric_limits<double>::infinity(), {}, 0, false};
-    seen.texel = {static_cast<float>(sky.u), static_cast<float>(sky.v)};
-    seen.color = shaded(texel(at.scene.textures[surface.texture], sky.u, sky.v), kAsPainted);
+    seen.texel = {static_cast<float>(base.u), static_cast<float>(base.v)};
+    seen.color = texel(at.scene.textures[flat.surface.texture], base.u, base.v) | kAlpha;
+    for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
+        const SkyLayer& layer = at.scene.map.sky_layers[flat.first_layer + i];
+        const Surface surface = layer_now(at.scene.map, at.scene.snapshot, layer);
+        const SkyTexel over = sky_texel_of(at, surface);
+        seen.color = laid_over(seen.color, texel(at.scene.textures[surface.texture], over.u, over.v));
+    }
     return seen;
 }
 
 /// `height` above the eye. Of a flat that is seen extended, or from its wrong side, the part that is nearest to where
 /// the ray really crosses its height; a level ray does so at infinity.
 Seen flat(const Arrival& at, const Flat& flat, double height, SurfaceId id) {
-    if (flat.sky) return sky(at, flat.surface, id);
+    if (flat.sky) return sky(at, flat, id);
     const double depth = at.course.climb == 0 ? at.hit.depth : std::clamp(height / at.course.climb, 0.0, at.hit.depth);
     const Vec2 place = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth - flat.origin;
     return painted(at, flat.surface, id, place.x / flat.surface.tile_m.x, place.y / flat.surface.tile_m.y, 1, depth);

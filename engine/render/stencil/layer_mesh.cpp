@@ -20,7 +20,7 @@ public:
         for (const SeenSector& seen : layer_.sectors) add_sector(seen);
         for (const Exit& exit : layer_.exits)
             if (exit.layer == Exit::kCut) add_opening(exit.wall, true);
-        out_.surfaces = {begin, mesh_.index_count()};
+        out_.surfaces = mesh_.sort_by_kind(begin);
         for (const Exit& exit : layer_.exits) out_.exits.push_back(added([&] { add_opening(exit.wall, false); }));
         out_.panes = added([&] {
             for (auto pane = layer_.panes.rbegin(); pane != layer_.panes.rend(); ++pane)

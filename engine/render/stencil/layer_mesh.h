@@ -1,5 +1,6 @@
 // The polygons of one frame, layer by layer.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "render/stencil/mesh.h"
@@ -9,9 +10,9 @@ namespace enfilade::stencil {
 
 /// Where one layer's polygons are in the mesh.
 struct LayerRanges {
-    Range surfaces;            ///< what hides everything behind it
-    std::vector<Range> exits;  ///< by Layer::exits: the portal's opening
-    Range panes;               ///< farthest first
+    std::array<Range, kKinds> surfaces;  ///< what hides everything behind it, by kind
+    std::vector<Range> exits;            ///< by Layer::exits: the portal's opening
+    Range panes;                         ///< farthest first
 };
 
 /// Adds the polygons of all layers to the mesh. Cost: the walls of the layers' sectors.

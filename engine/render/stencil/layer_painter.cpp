@@ -52,7 +52,8 @@ void at_level(int level, GLenum then) {
 }  // namespace
 
 Status LayerPainter::prepare() {
-    if (Status failed = build(surfaces_, masks_)) return failed;
+    if (Status failed = build(surfaces_[0], Kind::plain)) return failed;
+    if (Status failed = build(masks_)) return failed;
     vertex_array_.create();
     vertices_.create();
     indices_.create();
@@ -60,6 +61,13 @@ Status LayerPainter::prepare() {
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
     describe_vertices();
+    return {};
+}
+
+Status LayerPainter::prepare_for(const Mesh& mesh) {
+    for (std::size_t kind = 0; kind < kKinds; ++kind)
+        if (mesh.has(Kind(kind)) && surfaces_[kind].program.id() == 0)
+            if (Status failed = build(surfaces_[kind], Kind(kind))) return failed;
     return {};
 }
 
@@ -86,23 +94,31 @@ void LayerPainter::upload(const Mesh& mesh) {
                  mesh.indices().data(), GL_STREAM_DRAW);
 }
 
-void LayerPainter::set_uniforms(const Scene& scene) {
+void LayerPainter::set_uniforms(const Scene& scene) const {
+    glUseProgram(masks_.program.id());
+    glUniform1i(masks_.is_tilted, scene.rays.is_tilted);
+    for (const SurfaceProgram& program : surfaces_)
+        if (program.program.id() != 0) set_uniforms(program, scene);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, scene.records.texture());
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, scene.store.texture());
+}
+
+void LayerPainter::set_uniforms(const SurfaceProgram& program, const Scene& scene) const {
     const RayField& rays = scene.rays;
     const Corner level = near_horizon(rays);
-    glUseProgram(masks_.program.id());
-    glUniform1i(masks_.is_tilted, rays.is_tilted);
-    glUseProgram(surfaces_.program.id());
-    glUniform1i(surfaces_.is_tilted, rays.is_tilted);
-    glUniform2f(surfaces_.level, static_cast<float>(level.x), static_cast<float>(level.y));
-    glUniform3f(surfaces_.climb, static_cast<float>(rays.up.at(level.x, level.y)), static_cast<float>(rays.up.per_x),
+    glUseProgram(program.program.id());
+    glUniform1i(program.is_tilted, rays.is_tilted);
+    glUniform2f(program.level, static_cast<float>(level.x), static_cast<float>(level.y));
+    glUniform3f(program.climb, static_cast<float>(rays.up.at(level.x, level.y)), static_cast<float>(rays.up.per_x),
                 static_cast<float>(rays.up.per_y));
     const std::uint32_t fog = pixel_of(scene.map().render.fog_color);
     const auto channel = [&](int shift) { return static_cast<float>(fog >> shift & 0xFF); };
-    glUniform4f(surfaces_.fog, channel(0), channel(8), channel(16), static_cast<float>(scene.map().render.fog_reach));
-    glUniform1i(surfaces_.is_classic, scene.map().render.light == LightModel::classic);
-    glUniform1i(surfaces_.texels, 0);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, scene.store.texture());
+    glUniform4f(program.fog, channel(0), channel(8), channel(16), static_cast<float>(scene.map().render.fog_reach));
+    glUniform1i(program.is_classic, scene.map().render.light == LightModel::classic);
+    glUniform1i(program.texels, 0);
+    glUniform1i(program.records, 1);
 }
 
 /// slope * forward - right: on which side of it a vertex lies exactly on the ray counts (render/edge_function.h).
@@ -114,13 +130,13 @@ void LayerPainter::set_normal(GLint uniform, const Job& job, const Pose& pose) c
                 static_cast<float>(per_px.y));
 }
 
-void LayerPainter::set_entry(const Job& job, const Layer& layer) {
+void LayerPainter::set_entry(const SurfaceProgram& program, const Job& job, const Layer& layer) {
     const WallOnScreen& doorway = layer.opened;
     const double x = (doorway.begin + doorway.end) / 2, y = 0;
     const Even there = span(job.scene.rays, doorway);
-    glUniform3f(surfaces_.entry, layer.entry ? static_cast<float>(doorway.cross) : 0.0f, static_cast<float>(x),
+    glUniform3f(program.entry, layer.entry ? static_cast<float>(doorway.cross) : 0.0f, static_cast<float>(x),
                 static_cast<float>(y));
-    glUniform3f(surfaces_.entry_span, static_cast<float>(there.at(x, y)), static_cast<float>(there.per_x),
+    glUniform3f(program.entry_span, static_cast<float>(there.at(x, y)), static_cast<float>(there.per_x),
                 static_cast<float>(there.per_y));
 }
 
@@ -129,15 +145,23 @@ void LayerPainter::paint_layer(const Job& job, std::size_t index) {
     const LayerRanges& ranges = job.ranges[index];
     use_layer(layer);
     job.target.write_all();
-    glUseProgram(surfaces_.program.id());
-    set_normal(surfaces_.normal, job, layer.pose);
-    set_entry(job, layer);
-    glUniform1ui(surfaces_.least_alpha, 0);
     glDepthFunc(GL_GREATER);
-    draw(ranges.surfaces);
+    paint_surfaces(job, layer, ranges);
     for (std::size_t i = 0; i < layer.exits.size(); ++i)
         if (layer.exits[i].layer != Exit::kCut) look_through(job, layer, layer.exits[i], ranges.exits[i]);
     if (!ranges.panes.is_empty()) paint_panes(job, layer, ranges);
+}
+
+void LayerPainter::paint_surfaces(const Job& job, const Layer& layer, const LayerRanges& ranges) {
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+        if (ranges.surfaces[kind].is_empty()) continue;
+        const SurfaceProgram& program = surfaces_[kind];
+        glUseProgram(program.program.id());
+        set_normal(program.normal, job, layer.pose);
+        set_entry(program, job, layer);
+        glUniform1ui(program.least_alpha, 0);
+        draw(ranges.surfaces[kind]);
+    }
 }
 
 void LayerPainter::use_layer(const Layer& layer) {
@@ -180,18 +204,19 @@ void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& 
 
 void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges) {
     use_layer(layer);
-    glUseProgram(surfaces_.program.id());
-    set_normal(surfaces_.normal, job, layer.pose);
+    const SurfaceProgram& program = surfaces_[0];
+    glUseProgram(program.program.id());
+    set_normal(program.normal, job, layer.pose);
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
     // Facts first, of what hides more than half of what is behind; then colours, mixed.
     if (job.with_facts) {
         job.target.write_facts();
-        glUniform1ui(surfaces_.least_alpha, kSolidAlpha);
+        glUniform1ui(program.least_alpha, kSolidAlpha);
         draw(ranges.panes);
     }
     job.target.write_color();
-    glUniform1ui(surfaces_.least_alpha, 1);
+    glUniform1ui(program.least_alpha, 1);
     glEnable(GL_BLEND);
     draw(ranges.panes);
     glDisable(GL_BLEND);

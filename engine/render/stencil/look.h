@@ -1,5 +1,6 @@
 // What a polygon shows, as the graphics card is told.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 namespace enfilade::stencil {
@@ -16,10 +17,17 @@ struct Look {
     float a[4]{};  ///< by Paint, see shaders.cpp
     float b[4]{};
     float c[4]{};
-    std::uint32_t id_and_paint = 0;       ///< id in the low 24 bits
-    std::uint32_t texels = 0;             ///< where the picture begins in the texel store; Paint::color: 0xAABBGGRR
-    std::uint32_t width = 1, height = 1;  ///< of the picture [px]
+    std::uint32_t id_and_paint = 0;    ///< id in the low 24 bits
+    std::uint32_t texels = 0;          ///< where the picture begins in the texel store; Paint::color: 0xAABBGGRR
+    std::uint32_t size = 1 | 1 << 16;  ///< of the picture (texel_store.h)
+    std::uint32_t record = 0;          ///< what it needs beyond this (records.h); 0: nothing
     float left_edge[3]{1, 0, 0}, right_edge[3]{-1, 0, 0};  ///< tilted: shown where left >= 0 > right; from the corner
 };
+
+/// Which program draws a surface: chosen once for each, so that what it does not use is in no pixel's way.
+enum class Kind : std::uint8_t { plain, layered_sky };
+inline constexpr std::size_t kKinds = 2;
+
+inline Kind kind_of(const Look& look) { return look.record == 0 ? Kind::plain : Kind::layered_sky; }
 
 }  // namespace enfilade::stencil

@@ -1,10 +1,13 @@
 #include "render/stencil/mesh.h"
 
+#include <algorithm>
+
 namespace enfilade::stencil {
 
 void Mesh::clear() {
     vertices_.clear();
     indices_.clear();
+    has_ = {};
 }
 
 void Mesh::add_strip(const RayField& rays, const WallOnScreen& wall, const Heights& heights, const Look& look) {
@@ -18,6 +21,29 @@ void Mesh::add_strip(const RayField& rays, const WallOnScreen& wall, const Heigh
                              static_cast<float>(corner.y * 2 / rays.height - 1), look});
     for (std::uint32_t i = 2; i < outline_.corners().size(); ++i)
         indices_.insert(indices_.end(), {first, first + i - 1, first + i});
+    has_[static_cast<std::size_t>(kind_of(look))] = true;
+}
+
+std::array<Range, kKinds> Mesh::sort_by_kind(std::size_t begin) {
+    std::array<Range, kKinds> ranges{};
+    if (std::none_of(has_.begin() + 1, has_.end(), [](bool has) { return has; })) {
+        ranges[0] = {begin, indices_.size()};
+        return ranges;
+    }
+    for (std::size_t i = begin; i < indices_.size(); i += 3) {
+        const Kind kind = kind_of(vertices_[indices_[i]].look);
+        const auto triangle = indices_.begin() + static_cast<std::ptrdiff_t>(i);
+        auto& sorted = sorted_[static_cast<std::size_t>(kind)];
+        sorted.insert(sorted.end(), triangle, triangle + 3);
+    }
+    indices_.resize(begin);
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+        ranges[kind].begin = indices_.size();
+        indices_.insert(indices_.end(), sorted_[kind].begin(), sorted_[kind].end());
+        ranges[kind].end = indices_.size();
+        sorted_[kind].clear();
+    }
+    return ranges;
 }
 
 }  // namespace enfilade::stencil

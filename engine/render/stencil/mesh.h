@@ -1,6 +1,7 @@
 // Polygons for the graphics card. What a pixel of one shows is computed from the pixel's own place (shaders.cpp), so
 // a vertex carries only where it is on the screen and, the same in all vertices of a polygon, what the polygon is.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -29,6 +30,12 @@ public:
     /// nothing where there is no such part.
     void add_strip(const RayField& rays, const WallOnScreen& wall, const Heights& heights, const Look& look);
 
+    /// Puts the triangles from index `begin` on in the order of their kinds, and says where those of each kind are.
+    std::array<Range, kKinds> sort_by_kind(std::size_t begin);
+
+    /// Whether there is a polygon of that kind.
+    bool has(Kind kind) const { return has_[static_cast<std::size_t>(kind)]; }
+
     std::size_t index_count() const { return indices_.size(); }
     const std::vector<Vertex>& vertices() const { return vertices_; }
     const std::vector<std::uint32_t>& indices() const { return indices_; }
@@ -36,6 +43,8 @@ public:
 private:
     std::vector<Vertex> vertices_;
     std::vector<std::uint32_t> indices_;
+    std::array<bool, kKinds> has_{};
+    std::array<std::vector<std::uint32_t>, kKinds> sorted_;  ///< while they are put in order
     Outline outline_;
 };
 

@@ -91,7 +91,7 @@ constexpr const char* kSurfaceShader = R"(
 flat in vec4 a;
 flat in vec4 b;
 flat in vec4 c;
-flat in uvec4 what;  // id and paint, place in the store, width, height
+flat in uvec4 what;  // id and paint, place in the store, size, record
 layout(location = 0) out vec4 out_color;
 layout(location = 1) out uvec4 out_facts;
 uniform vec3 entry;       // the doorway one looks in through: cross, and a point in it [px]; cross 0: none
@@ -111,12 +111,20 @@ float part(float x) {
     return f < 1.0 ? f : 0.0;
 }
 
-uvec4 texel(vec2 tile) {
-    uvec2 size = what.zw;
+uvec4 texel_of(uvec2 picture, vec2 tile) {  // where it begins, its size
+    uvec2 size = uvec2(picture.y & 65535u, picture.y >> 16u);
     uvec2 at = min(uvec2(tile * vec2(size)), size - 1u);
-    uint n = what.y + at.x * size.y + at.y;
+    uint n = picture.x + at.x * size.y + at.y;
     return texelFetch(texels, ivec2(int(n & 2047u), int(n >> 11u)), 0);
 }
+
+uvec4 texel(vec2 tile) { return texel_of(what.yz, tile); }
+
+#ifdef WITH_RECORDS
+uniform usampler2D records;
+uvec2 record(uint n) { return texelFetch(records, ivec2(int(n & 2047u), int(n >> 11u)), 0).xy; }
+vec2 numbers(uint n) { return uintBitsToFloat(record(n)); }
+#endif
 
 uint classic_shade(float light, float contrast, float depth) {
     float towards = contrast < 1.0 ? -2.0 : contrast > 1.0 ? 2.0 : 0.0;
@@ -156,6 +164,22 @@ float flat_depth(float height, float up, float met) {
     return clamp(there, 0.0, met);
 }
 
+vec2 sky_tile(float turns, float elevation, vec2 tile, vec2 offset) {
+    return vec2(part(turns * tile.x - offset.x), clamp(1.0 - elevation / tile.y - offset.y, 0.0, 1.0));
+}
+
+#ifdef LAYERED_SKY
+uvec4 with_layers(uvec4 color, float turns, float elevation) {
+    uint count = record(what.w).x;
+    for (uint i = 0u; i < count; ++i) {
+        uint n = what.w + 1u + 3u * i;
+        uvec4 over = texel_of(record(n), sky_tile(turns, elevation, numbers(n + 1u), numbers(n + 2u)));
+        color.rgb = (over.rgb * over.a + color.rgb * (255u - over.a) + 127u) / 255u;
+    }
+    return color;
+}
+#endif
+
 void main() {
     if (is_beside()) discard;
     vec2 t = way();
@@ -180,8 +204,12 @@ void main() {
     } else if (paint == kSky) {
         vec2 ahead = vec2(even(a.xyz, t), even(b.xyz, t));
         float turns = part(atan(ahead.y, ahead.x) * 0.15915494309189535);
-        tile = vec2(part(turns * c.x - c.z), clamp(1.0 - up / length(ahead) / c.y - c.w, 0.0, 1.0));
+        float elevation = up / length(ahead);
+        tile = sky_tile(turns, elevation, c.xy, c.zw);
         color = texel(tile);
+#ifdef LAYERED_SKY
+        color = with_layers(color, turns, elevation);
+#endif
     } else {
         color = uvec4(what.y & 255u, what.y >> 8u & 255u, what.y >> 16u & 255u, 255u);
     }
@@ -236,14 +264,20 @@ Status link(GlProgram& program, const std::string& fragment_shader) {
     return driver_says(log);
 }
 
+GLint uniform(const GlProgram& program, const char* name) { return glGetUniformLocation(program.id(), name); }
+
+const char* parts_of(Kind kind) {
+    switch (kind) {
+        case Kind::plain: return "";
+        case Kind::layered_sky: return "#define WITH_RECORDS\n#define LAYERED_SKY\n";
+    }
+    return "";
+}
+
 }  // namespace
 
-Status build(SurfaceProgram& surface, MaskProgram& mask) {
-    if (Status failed = link(surface.program, std::string(kWallDepth) + kSurfaceShader)) return failed;
-    if (Status failed = link(mask.program, std::string(kWallDepth) + kMaskShader)) return failed;
-    const auto uniform = [](const GlProgram& program, const char* name) {
-        return glGetUniformLocation(program.id(), name);
-    };
+Status build(SurfaceProgram& surface, Kind kind) {
+    if (Status failed = link(surface.program, std::string(parts_of(kind)) + kWallDepth + kSurfaceShader)) return failed;
     surface.normal = uniform(surface.program, "normal");
     surface.is_tilted = uniform(surface.program, "is_tilted");
     surface.entry = uniform(surface.program, "entry");
@@ -254,6 +288,12 @@ Status build(SurfaceProgram& surface, MaskProgram& mask) {
     surface.fog = uniform(surface.program, "fog");
     surface.least_alpha = uniform(surface.program, "least_alpha");
     surface.texels = uniform(surface.program, "texels");
+    surface.records = uniform(surface.program, "records");
+    return {};
+}
+
+Status build(MaskProgram& mask) {
+    if (Status failed = link(mask.program, std::string(kWallDepth) + kMaskShader)) return failed;
     mask.normal = uniform(mask.program, "normal");
     mask.is_tilted = uniform(mask.program, "is_tilted");
     mask.is_far = uniform(mask.program, "is_far");

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/result.h"
 #include "render/stencil/gl_object.h"
+#include "render/stencil/look.h"
 
 namespace enfilade::stencil {
 
@@ -17,6 +18,7 @@ struct SurfaceProgram {
     GLint fog = -1;                     ///< its colour and reach
     GLint least_alpha = -1;  ///< pixels of a picture with less are left out, 0..255; 0: the picture is opaque
     GLint texels = -1;
+    GLint records = -1;  ///< not in plain ones
 };
 
 /// Draws only depth: for masks.
@@ -26,7 +28,8 @@ struct MaskProgram {
     GLint is_far = -1;                  ///< 1: infinitely far, 0: where the portal is
 };
 
-/// Compiles them for the current context. An error says what the driver said.
-Status build(SurfaceProgram& surface, MaskProgram& mask);
+/// Compile them for the current context. An error says what the driver said.
+Status build(SurfaceProgram& surface, Kind kind);
+Status build(MaskProgram& mask);
 
 }  // namespace enfilade::stencil

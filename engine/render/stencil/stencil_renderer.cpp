@@ -18,6 +18,7 @@ struct StencilRenderer::State {
     /// The OpenGL objects, which end before the context they live in.
     struct Objects {
         TexelStore store;
+        Records records;
         Target target;
         LayerPainter painter;
     };
@@ -93,9 +94,12 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
     const Screen screen = view.tilt ? panorama_screen() : Screen(projection);
     const World world{map, facts, textures, snapshot};
     Plan plan = make_plan(world, screen, rays, view);
-    const Scene scene{world, objects->store, screen, rays};
+    objects->records.clear();
+    const Scene scene{world, objects->store, screen, rays, objects->records};
     mesh.clear();
     const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
+    if (Status failed = objects->records.upload()) return failed;
+    if (Status failed = objects->painter.prepare_for(mesh)) return failed;
     objects->target.clear();
     objects->painter.paint(objects->target, scene, plan, mesh, ranges, with_facts);
     objects->target.read(frame);

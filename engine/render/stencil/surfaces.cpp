@@ -39,8 +39,7 @@ void set_picture(Look& look, const Scene& scene, TextureId texture, SurfaceId id
     const Texture& picture = scene.world.textures[texture];
     look.id_and_paint = id | static_cast<std::uint32_t>(paint) << 24;
     look.texels = scene.store.place_of(texture);
-    look.width = picture.width;
-    look.height = picture.height;
+    look.size = size_of(picture);
 }
 
 void set_light(Look& look, double light, double contrast) {
@@ -76,7 +75,8 @@ void set_direction(Look& look, const RayField& rays, const Pose& pose, Vec2 unit
     set(look.b, look, (rays.ahead * pose.forward.y + rays.right * pose.right.y) * (1 / unit.y), 0);
 }
 
-Look sky_look(const Scene& scene, const SeenWall& wall, const Surface& surface, SurfaceId id) {
+Look sky_look(const Scene& scene, const SeenWall& wall, const Flat& flat, SurfaceId id) {
+    const Surface& surface = flat.surface;
     Look look = plain_look(scene, wall.place);
     set_picture(look, scene, surface.texture, id, Paint::sky);
     set_direction(look, scene.rays, wall.pose, {1, 1});
@@ -84,6 +84,7 @@ Look sky_look(const Scene& scene, const SeenWall& wall, const Surface& surface, 
     look.c[1] = f(surface.tile_m.y);
     look.c[2] = f(surface.offset_tiles.x);
     look.c[3] = f(surface.offset_tiles.y);
+    look.record = scene.records.sky(scene.map(), scene.world.snapshot, scene.world.textures, scene.store, flat);
     return look;
 }
 
@@ -157,7 +158,7 @@ Look thing_look(const Scene& scene, const ThingOnScreen& thing) {
 
 Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, double height, SurfaceId id) {
     const Surface& surface = flat.surface;
-    if (flat.sky) return sky_look(scene, wall, surface, id);
+    if (flat.sky) return sky_look(scene, wall, flat, id);
     Look look = plain_look(scene, wall.place);
     set_picture(look, scene, surface.texture, id, Paint::flat);
     set_light(look, light_at(scene.world.snapshot, scene.map()[wall.place.wall].sector), 1);

@@ -3,6 +3,7 @@
 #include "map/textures.h"
 #include "render/stencil/look.h"
 #include "render/stencil/plan.h"
+#include "render/stencil/records.h"
 #include "render/stencil/texel_store.h"
 
 namespace enfilade::stencil {
@@ -13,6 +14,7 @@ struct Scene {
     const TexelStore& store;
     const Screen& screen;  ///< of the picture; of a tilted one: of its panorama
     const RayField& rays;
+    Records& records;  ///< grow while looks are made
 
     const Map& map() const { return world.map; }
 };

@@ -9,6 +9,9 @@
 
 namespace enfilade::stencil {
 
+/// Width and height of a picture, each less than 2^16, as one number.
+inline std::uint32_t size_of(const Texture& picture) { return picture.width | picture.height << 16; }
+
 /// Texel (x, y) of a picture is number place + x * height + y; number n is at (n mod kRow, n / kRow). Exact whole
 /// numbers are read back, so nearest sampling is the same arithmetic as in the other renderers.
 class TexelStore {

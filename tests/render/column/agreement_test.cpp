@@ -78,6 +78,17 @@ TEST(ColumnRenderer, AgreesWithTheReferenceWhateverMoves) {
     }
 }
 
+TEST(ColumnRenderer, AgreesWithTheReferenceUnderSkiesWithLayers) {
+    MapFile file = palace();
+    sector(file, "yard").ceiling.scroll = {1.7, 0};
+    sector(file, "yard").ceiling.layers = {{TextureSpec{"lattice", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}},
+                                           {TextureSpec{"lattice", Vec2{-2, 1.3}, {9.1, -4.7}, {}}, -5.9, {}}};
+    World world(file);
+    world.textures.textures[world.textures.find("lattice").index] = lattice();
+    world.snapshot.time_s = 17.3;
+    expect_agreement(world, 9, 100);
+}
+
 TEST(ColumnRenderer, DrawsStripsThatEqualTheWholePicture) {
     const World world(palace());
     Random random(5);

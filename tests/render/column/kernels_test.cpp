@@ -82,5 +82,15 @@ TEST(FillSky, HoldsItsFirstAndLastRowBeyondThePicture) {
     for (int y = 1; y < 60; ++y) EXPECT_LE(pixels[y - 1] & 0xFFF, pixels[y] & 0xFFF);
 }
 
+TEST(LaySky, MixesWhatIsThereByItsAlpha) {
+    const std::vector<std::uint32_t> texels{0x00FFFFFFu, 0x80FF0000u, 0xFF0000FFu};
+    std::vector<std::uint32_t> pixels(3, 0xFF204060u);
+    const std::vector<double> rises{2.5, 1.5, 0.5};
+    lay_sky({pixels.data(), 0, 3}, {texels.data(), 3, 1, -1.0 / 3, rises.data()});
+    EXPECT_EQ(pixels[0], 0xFF204060u);
+    EXPECT_EQ(pixels[1], laid_over(0xFF204060u, 0x80FF0000u));
+    EXPECT_EQ(pixels[2], 0xFF0000FFu);
+}
+
 }  // namespace
 }  // namespace enfilade::column

@@ -39,6 +39,31 @@ TEST(StencilFog, IsTheColumnRenderers) {
     expect_agreement(Sight(map, textures).compare_poses(10, {160, 100}, 3));
 }
 
+/// A picture with alpha whose neighbouring texels are alike, so that the edges between them hardly show.
+Texture haze() {
+    Texture texture;
+    texture.name = "haze";
+    texture.width = texture.height = 64;
+    texture.has_holes = true;
+    for (std::uint32_t x = 0; x < 64; ++x)
+        for (std::uint32_t y = 0; y < 64; ++y)
+            texture.pixels.push_back((x < 32 ? x : 63 - x) << 26 | (y < 32 ? y : 63 - y) << 18 | 0x40u << 8 | 0xA0u);
+    return texture;
+}
+
+TEST(StencilSky, HasTheColumnRenderersLayers) {
+    MapFile file = open_steps();
+    for (SectorRecord& sector : file.sectors)
+        sector.ceiling.layers = {{TextureSpec{"haze", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}},
+                                 {TextureSpec{"haze", Vec2{-2, 1.3}, {9.1, -4.7}, {}}, -5.9, {}}};
+    const Map map = built(file);
+    TextureSet textures = textures_for(file);
+    textures.textures[textures.find("haze").index] = haze();
+    Sight sight(map, textures);
+    sight.snapshot().time_s = 17.3;
+    expect_agreement(sight.compare_poses(10, {160, 100}, 4));
+}
+
 std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Plain, StencilRooms, testing::ValuesIn(plain_scenes()), name_of_scene);

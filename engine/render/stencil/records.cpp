@@ -1,0 +1,63 @@
+#include "render/stencil/records.h"
+
+#include <bit>
+#include <string>
+
+#include "render/picture_now.h"
+
+namespace enfilade::stencil {
+namespace {
+
+Records::Pair pair_of(Vec2 v) {
+    return {std::bit_cast<std::uint32_t>(static_cast<float>(v.x)),
+            std::bit_cast<std::uint32_t>(static_cast<float>(v.y))};
+}
+
+}  // namespace
+
+void Records::clear() {
+    pairs_.resize(1);
+    skies_.clear();
+}
+
+std::uint32_t Records::add(std::span<const Pair> pairs) {
+    const auto place = static_cast<std::uint32_t>(pairs_.size());
+    pairs_.insert(pairs_.end(), pairs.begin(), pairs.end());
+    return place;
+}
+
+std::uint32_t Records::sky(const Map& map, const Snapshot& snapshot, const TextureSet& textures,
+                           const TexelStore& store, const Flat& sky) {
+    if (sky.layer_count == 0) return 0;
+    skies_.resize(map.sky_layers.size());
+    std::uint32_t& place = skies_[sky.first_layer];
+    if (place != 0) return place;
+    place = add(std::array<Pair, 1>{{{sky.layer_count, 0}}});
+    for (std::uint32_t i = 0; i < sky.layer_count; ++i) {
+        const Surface layer = layer_now(map, snapshot, map.sky_layers[sky.first_layer + i]);
+        const Pair picture{store.place_of(layer.texture), size_of(textures[layer.texture])};
+        add(std::array{picture, pair_of(layer.tile_m), pair_of(layer.offset_tiles)});
+    }
+    return place;
+}
+
+Status Records::upload() {
+    if (pairs_.size() <= 1) return {};
+    const std::size_t rows = (pairs_.size() + kRow - 1) / kRow;
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (rows > static_cast<std::size_t>(most))
+        return Error{"stencil renderer", "there is more light in view than this graphics card has room for: " +
+                                             std::to_string(pairs_.size()) + " pairs of numbers, of at most " +
+                                             std::to_string(std::size_t(most) * kRow)};
+    pairs_.resize(rows * kRow);
+    texture_.create();
+    glBindTexture(GL_TEXTURE_2D, texture_.id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32UI, GLsizei(kRow), static_cast<GLsizei>(rows), 0, GL_RG_INTEGER,
+                 GL_UNSIGNED_INT, pairs_.data());
+    return {};
+}
+
+}  // namespace enfilade::stencil

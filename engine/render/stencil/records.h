@@ -1,0 +1,45 @@
+// What few surfaces need beyond their look, in one texture of the graphics card: pairs of numbers, found by their
+// place.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "map/map.h"
+#include "map/textures.h"
+#include "render/stencil/gl_object.h"
+#include "render/stencil/texel_store.h"
+#include "world/snapshot.h"
+
+namespace enfilade::stencil {
+
+/// The records of one frame. Pair n is at (n mod kRow, n / kRow); the first is not used, so that 0 is no record.
+class Records {
+public:
+    using Pair = std::array<std::uint32_t, 2>;
+    static constexpr std::uint32_t kRow = 2048;  ///< pairs; OpenGL ES 3.0 promises textures this wide
+
+    /// Forgets all of the frame before.
+    void clear();
+
+    /// Where the pairs are. They keep their order.
+    std::uint32_t add(std::span<const Pair> pairs);
+
+    /// The layers over a sky, how many first; 0: it has none. The same sky has the same record.
+    std::uint32_t sky(const Map& map, const Snapshot& snapshot, const TextureSet& textures, const TexelStore& store,
+                      const Flat& sky);
+
+    /// For the graphics card. Costs nothing where there are none. An error where they do not fit.
+    Status upload();
+
+    GLuint texture() const { return texture_.id(); }
+
+private:
+    GlTexture texture_;
+    std::vector<Pair> pairs_;
+    std::vector<std::uint32_t> skies_;  ///< by first layer; 0: not yet asked for
+};
+
+}  // namespace enfilade::stencil
