@@ -145,6 +145,10 @@ Effect changing_lights() {
                 for (SectorRecord& sector : map.sectors) sector.light_effect.reset();
             }};
 }
+Effect point_lights() {
+    return {"point lights", "lamps", "two mixes of light for each pixel of the surfaces they reach",
+            [](const MapFile& map) { return map.lights.size(); }, [](MapFile& map) { map.lights.clear(); }};
+}
 Effect movers() {
     return {"doors and movers", "triggers", "nothing until one is set off; then one function of time for each frame",
             [](const MapFile& map) { return count_triggers(map, moves); }, nullptr};
@@ -167,10 +171,11 @@ Effect sounds() {
 }  // namespace
 
 const std::vector<Effect>& all_effects() {
-    static const std::vector<Effect> all{sky(),          sky_layers(),      fog(),    links(),           mirrors(),
-                                         masked_walls(), panels(),          things(), animated_things(), animations(),
-                                         scrolling(),    changing_lights(), movers(), other_triggers(),  damage(),
-                                         sounds()};
+    static const std::vector<Effect> all{
+        sky(),          sky_layers(),      fog(),          links(),           mirrors(),
+        masked_walls(), panels(),          things(),       animated_things(), animations(),
+        scrolling(),    changing_lights(), point_lights(), movers(),          other_triggers(),
+        damage(),       sounds()};
     return all;
 }
 

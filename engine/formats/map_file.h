@@ -150,6 +150,19 @@ struct ThingRecord {
     bool operator==(const ThingRecord&) const = default;
 };
 
+/// A lamp: light that falls on the walls, floors and things around it, and throws shadows.
+struct PointLightRecord {
+    std::string sector;  ///< empty: found from the position
+    Vec2 position;
+    double z = 0;                             ///< [m]
+    std::uint32_t color = 0xFFFFFF;           ///< 0xRRGGBB
+    double brightness = 1;                    ///< at the lamp itself; 1 adds as much as full light
+    double reach = 8;                         ///< beyond this there is none of it [m]
+    std::optional<LightEffectRecord> effect;  ///< how it changes; its `dark` is a part of the brightness
+    TextPlace place;
+    bool operator==(const PointLightRecord&) const = default;
+};
+
 struct PlayerRecord {
     std::string sector = "main";
     Vec2 position;
@@ -181,6 +194,7 @@ struct MapFile {
     std::vector<SectorRecord> sectors;
     std::optional<PlayerRecord> player;
     std::vector<ThingRecord> things;
+    std::vector<PointLightRecord> lights;
     std::vector<AnimationRecord> animations;
     std::vector<SwitchRecord> switches;
     std::vector<SoundRecord> sounds;

@@ -94,6 +94,8 @@ std::vector<KeyInfo> map_keys() {
     add_key_infos<SpriteFrameRecord>(all, "things.frames.");
     add_trigger_infos(all, "things.triggers.");
     add_key_infos<DoomRecord>(all, "things.doom.");
+    add_key_infos<PointLightRecord>(all, "lights.");
+    add_key_infos<LightEffectRecord>(all, "lights.effect.");
     return all;
 }
 

@@ -70,6 +70,8 @@ const KeyList<SpriteFrameRecord>& keys_of();
 template <>
 const KeyList<ThingRecord>& keys_of();
 template <>
+const KeyList<PointLightRecord>& keys_of();
+template <>
 const KeyList<PlayerRecord>& keys_of();
 template <>
 const KeyList<RenderRecord>& keys_of();

@@ -1,8 +1,8 @@
 // The keys of a map file as a whole, of the player's start and of the picture.
 #include <algorithm>
 #include <array>
-#include <charconv>
 
+#include "formats/color_key.h"
 #include "formats/map_keys.h"
 
 namespace enfilade {
@@ -33,48 +33,12 @@ constexpr std::array kPlayerKeys{
     Key<PlayerRecord>{"angle", kBoth, Need::optional, kAngles, read_angle},
 };
 
-/// "#rrggbb", or the number 0xrrggbb.
-template <auto color_member>
-void read_color(Reading& reading, const NamedValue& value, Range, RenderRecord& render) {
-    const TomlNode node = value.node;
-    if (node.kind() == TomlKind::integer && node.integer() >= 0 && node.integer() <= 0xFFFFFF) {
-        render.*color_member = static_cast<std::uint32_t>(node.integer());
-        return;
-    }
-    const std::string_view text = node.kind() == TomlKind::string ? node.text() : "";
-    std::uint32_t color = 0;
-    if (text.size() == 7 && text[0] == '#') {
-        const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, color, 16);
-        if (error == std::errc() && end == text.data() + 7) {
-            render.*color_member = color;
-            return;
-        }
-    }
-    reading.error(node.place(), "bad-color", quoted(value.name) + " must be a colour like \"#ff00ff\"");
-}
-
-template <auto color_member>
-void write_color(TableText& table, const Key<RenderRecord>& key, const RenderRecord& render,
-                 const RenderRecord& usual) {
-    const std::uint32_t color = render.*color_member;
-    if (color == usual.*color_member) return;
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    std::string text = "#";
-    for (int shift = 20; shift >= 0; shift -= 4) text += kDigits[(color >> shift) & 15];
-    table.add(key.name, string_text(text));
-}
-
-template <auto color_member>
-constexpr Key<RenderRecord> color_key(std::string_view name) {
-    return {name, kNew, Need::optional, {}, read_color<color_member>, write_color<color_member>};
-}
-
 constexpr std::array kRenderKeys{
     key<&RenderRecord::stretch>("stretch", kNew, Need::optional, {0.125, 8}),
     key<&RenderRecord::light>("light", kNew),
-    color_key<&RenderRecord::recursion_color>("recursion_color"),
+    color_key<&RenderRecord::recursion_color>("recursion_color", kNew),
     key<&RenderRecord::max_depth>("max_depth", kNew, Need::optional, {0, 1024}),
-    color_key<&RenderRecord::fog_color>("fog_color"),
+    color_key<&RenderRecord::fog_color>("fog_color", kNew),
     key<&RenderRecord::fog_reach>("fog_reach", kNew, Need::optional, {0, kWorldLimit}),
 };
 
@@ -97,6 +61,7 @@ constexpr std::array kMapKeys{
     header_key<&MapFile::player>("player", kBoth),
     header_key<&MapFile::sectors>("sectors", kBoth, Need::required),
     header_key<&MapFile::things>("things", kNew),
+    header_key<&MapFile::lights>("lights", kNew),
     header_key<&MapFile::animations>("animations", kNew),
     header_key<&MapFile::switches>("switches", kNew),
     header_key<&MapFile::sounds>("sounds", kNew),

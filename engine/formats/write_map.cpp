@@ -30,6 +30,7 @@ std::string write_map(const MapFile& map) {
     for (const SoundRecord& sound : map.sounds) add_under(text, "[[sounds]]", sound);
     for (const SectorRecord& sector : map.sectors) add_sector(text, sector);
     for (const ThingRecord& thing : map.things) add_under(text, "[[things]]", thing);
+    for (const PointLightRecord& light : map.lights) add_under(text, "[[lights]]", light);
     return text;
 }
 

@@ -1,4 +1,4 @@
-// Where the player starts, and where the things are.
+// Where the player starts, and where the things and the lights are.
 #include <string>
 #include <vector>
 
@@ -68,7 +68,35 @@ public:
                                (found ? "sector " + quoted(thing.sector) : "every sector") + "; nobody will see it");
     }
 
+    void place_light(const PointLightRecord& record) {
+        const Vec2 position = snap_to_point_grid(record.position);
+        const auto found = names_.find(0, record.sector);
+        if (!record.sector.empty() && !found)
+            return draft_.error(record.place, "unknown-sector",
+                                "expected the name of a sector for the light, found " + quoted(record.sector) +
+                                    names_.suggestion(0, record.sector));
+        const SectorId sector = found ? SectorId(*found) : finder_.around(position);
+        if (!sector || is_outside(sector, position))
+            return draft_.warning(record.place, "light-outside",
+                                  "the light at " + point_text(position) + " is outside " +
+                                      (found ? "sector " + quoted(record.sector) : "every sector") +
+                                      "; it lights nothing");
+        draft_.map.lights.push_back({sector, position, record.z, record.color, record.brightness,
+                                     snap_to_point_grid(record.reach), record.effect});
+        check_light(sector, record);
+    }
+
 private:
+    void check_light(SectorId id, const PointLightRecord& light) {
+        const Sector& sector = draft_.map[id];
+        const bool is_open = sector.floor.z < sector.ceiling.z;
+        if (!is_open || (light.z > sector.floor.z && light.z < sector.ceiling.z)) return;
+        draft_.warning(light.place, "light-hidden",
+                       "expected the light between the floor at " + number_text(sector.floor.z) +
+                           " m and the ceiling at " + number_text(sector.ceiling.z) + " m of sector " +
+                           quoted(sector.name) + ", found z = " + number_text(light.z));
+    }
+
     bool is_outside(SectorId sector, Vec2 p) const {
         return draft_.sectors[sector.index].measurable && !is_inside(draft_.map, sector, p);
     }
@@ -116,10 +144,12 @@ void place_inhabitants(Draft& draft) {
         draft.warning({}, "no-player",
                       "the map has no [player]: it can be looked at with --view, but nobody can start");
     check_thing_names(draft);
-    if (draft.map.sectors.empty() || (!draft.file.player && draft.file.things.empty())) return;
+    const bool is_empty = !draft.file.player && draft.file.things.empty() && draft.file.lights.empty();
+    if (draft.map.sectors.empty() || is_empty) return;
     Inhabitants inhabitants(draft);
     if (draft.file.player) inhabitants.place_player(*draft.file.player);
     for (const ThingRecord& thing : draft.file.things) inhabitants.place_thing(thing);
+    for (const PointLightRecord& light : draft.file.lights) inhabitants.place_light(light);
     list_solid_things(draft.map);
 }
 

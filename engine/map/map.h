@@ -149,6 +149,17 @@ struct Thing {
     bool is_pickup() const { return gives_key != Trigger::kNoKey || gives_health > 0; }
 };
 
+/// A lamp. What it throws on the surfaces around it is worked out by render/light_grids.h.
+struct PointLight {
+    SectorId sector;                          ///< contains its position
+    Vec2 position;                            ///< on the point grid
+    double z = 0;                             ///< absolute: it stays where it is when the floor moves [m]
+    std::uint32_t color = 0xFFFFFF;           ///< 0xRRGGBB
+    double brightness = 1;                    ///< at the lamp itself; 1 adds as much as full light
+    double reach = 0;                         ///< on the point grid, > 0 [m]
+    std::optional<LightEffectRecord> effect;  ///< none: it is steady
+};
+
 /// Where the player starts.
 struct PlayerStart {
     SectorId sector;
@@ -167,6 +178,7 @@ struct Map {
     std::vector<Panel> panels;  ///< by sector, each sector's in the order of the file
     std::vector<Thing> things;
     std::vector<Sprite> sprites;
+    std::vector<PointLight> lights;
     std::vector<ThingId> solid_things;  ///< by sector, each sector's in the order of their numbers
     double widest_solid_m = 0;          ///< largest radius among them; 0: there are none
     std::vector<ThingId> touchables;    ///< by sector, each sector's in the order of their numbers

@@ -47,6 +47,8 @@ MapFile full_map() {
     thing.frames = {{"figure", 1, {}}, {"figure", 1, {}}};
     file.things = {thing};
     file.animations = {{{"wall", "fence"}, 1, {}}};
+    file.lights.emplace_back().position = {1, 1};
+    file.lights[0].z = 1;
     file.render.fog_reach = 9;
     return file;
 }
@@ -61,7 +63,7 @@ TEST(Effects, ThatAreTakenOutAreGone) {
         EXPECT_TRUE(is_things || use.effect->count(without) == 0) << use.effect->name;
         ++taken_out;
     }
-    EXPECT_EQ(taken_out, 11u);
+    EXPECT_EQ(taken_out, 12u);
 }
 
 }  // namespace

@@ -166,6 +166,7 @@ INSTANTIATE_TEST_SUITE_P(
         Section{"A sprite's frame", "things.frames."}, Section{"A trigger", "sectors.triggers."},
         Section{"A trigger", "sectors.loops.walls.triggers."}, Section{"A trigger", "things.triggers."},
         Section{"A light effect", "sectors.light_effect."}, Section{"A light effect", "sectors.triggers.effect."},
+        Section{"A light effect", "lights.effect."}, Section{"A light", "lights."},
         Section{"An animation", "animations."}, Section{"A switch", "switches."}, Section{"A sound", "sounds."},
         Section{"Left-overs of Doom", "sectors.doom."}, Section{"Left-overs of Doom", "sectors.loops.walls.doom."},
         Section{"Left-overs of Doom", "sectors.panels.doom."}, Section{"Left-overs of Doom", "things.doom."}));

@@ -27,6 +27,15 @@ public:
         for (int i = whole(1, 4); i > 0; --i) map.sectors.push_back(sector());
         if (flip()) map.player = PlayerRecord{text(), point(), number(-100, 100), number(-360, 360), {}};
         for (int i = whole(0, 3); i > 0; --i) map.things.push_back(thing());
+        for (int i = whole(0, 2); i > 0; --i)
+            map.lights.push_back({maybe_text(),
+                                  point(),
+                                  number(-9, 9),
+                                  static_cast<std::uint32_t>(random_.below(1 << 24)),
+                                  number(0, 2),
+                                  number(0.1, 60),
+                                  light_effect(),
+                                  {}});
         for (int i = whole(0, 2); i > 0; --i) map.animations.push_back({{text(), text()}, number(0.1, 9), {}});
         for (int i = whole(0, 2); i > 0; --i) map.switches.push_back({text(), text(), {}});
         for (int i = whole(0, 2); i > 0; --i)
@@ -248,6 +257,10 @@ inline MapFile without_places(MapFile map) {
     for (ThingRecord& thing : map.things) {
         thing.place = {};
         forget_triggers(thing.triggers);
+    }
+    for (PointLightRecord& light : map.lights) {
+        light.place = {};
+        if (light.effect) light.effect->place = {};
     }
     for (AnimationRecord& animation : map.animations) animation.place = {};
     for (SwitchRecord& faces : map.switches) faces.place = {};

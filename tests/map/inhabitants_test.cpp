@@ -111,5 +111,18 @@ TEST(SectorFinder, AgreesWithLookingAtEverySector) {
     }
 }
 
+TEST(PointLight, IsInTheRoomAroundItUnlessItNamesOne) {
+    MapFile file = map_of({box_room("lower", 0, 0, 4, 4), box_room("upper", 0, 0, 4, 4, 5, 8)});
+    file.lights.resize(2);
+    for (PointLightRecord& light : file.lights) light.position = {1, 2};
+    file.lights[0].z = 1;
+    file.lights[1].z = 6;
+    file.lights[1].sector = "upper";
+    const Map map = built(file);
+    ASSERT_EQ(map.lights.size(), 2u);
+    EXPECT_EQ(map.lights[0].sector, SectorId(0u));
+    EXPECT_EQ(map.lights[1].sector, SectorId(1u));
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -1,0 +1,38 @@
+// The keys of point lights.
+#include <array>
+
+#include "formats/color_key.h"
+#include "formats/map_keys.h"
+
+namespace enfilade {
+namespace {
+
+constexpr auto kNew = Dialect::enfilade;
+
+/// How far a light may reach [m]: all surfaces it reaches hold a few thousand numbers each.
+constexpr Range kLightReaches{0x1p-4, 64};
+
+/// Twice as bright as painted is as bright as anything gets.
+constexpr Range kBrightnesses{0, 2};
+
+constexpr std::array kPointLightKeys{
+    key<&PointLightRecord::sector>("sector", kNew),
+    key<&PointLightRecord::position, &Vec2::x>("x", kNew, Need::required, kPositions),
+    key<&PointLightRecord::position, &Vec2::y>("y", kNew, Need::required, kPositions),
+    key<&PointLightRecord::z>("z", kNew, Need::required, kHeights),
+    color_key<&PointLightRecord::color>("color", kNew),
+    key<&PointLightRecord::brightness>("brightness", kNew, Need::optional, kBrightnesses),
+    key<&PointLightRecord::reach>("reach", kNew, Need::optional, kLightReaches),
+    key<&PointLightRecord::effect>("effect", kNew),
+};
+
+constexpr KeyList<PointLightRecord> kPointLightList{"a light", kPointLightKeys};
+
+}  // namespace
+
+template <>
+const KeyList<PointLightRecord>& keys_of() {
+    return kPointLightList;
+}
+
+}  // namespace enfilade
