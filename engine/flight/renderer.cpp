@@ -36,12 +36,14 @@ public:
 
     Status render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
                   const View& view) override {
-        render_reference(frame, facts, map, textures, snapshot, view, {.workers = static_cast<int>(threads_)});
+        render_reference(frame, facts, map, textures, snapshot, view,
+                         {.workers = static_cast<int>(threads_), .lights = &lights_});
         return {};
     }
 
 private:
     std::size_t threads_;
+    LightGrids lights_;
 };
 
 class Stencil final : public Renderer {

@@ -166,9 +166,11 @@ Comparison compare(const Subject& subject, const Snapshot& snapshot, const View&
     both.column.resize(size.width, size.height);
     both.reference.resize(size.width, size.height);
     reset(both.column_facts, size.width, size.height);
-    ColumnRenderer renderer;
+    LightGrids lights;
+    ColumnRenderer renderer(lights);
     renderer.render(both.column, &both.column_facts, subject.map, subject.textures, snapshot, view);
-    render_reference(both.reference, &both.reference_facts, subject.map, subject.textures, snapshot, view);
+    render_reference(both.reference, &both.reference_facts, subject.map, subject.textures, snapshot, view,
+                     {.lights = &lights});
     Comparison result;
     result.pixels = both.column.pixels.size();
     for (std::size_t i = 0; i < result.pixels; ++i) note_pixel(subject, both, i, result);

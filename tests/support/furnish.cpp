@@ -57,6 +57,26 @@ void scatter_things(MapFile& file, int count, std::uint64_t seed) {
     }
 }
 
+void scatter_lights(MapFile& file, int count, std::uint64_t seed) {
+    const Map rooms = built(file);
+    Random random(seed);
+    while (count > 0) {
+        const SectorId home(random.below(rooms.sectors.size()));
+        const Sector& sector = rooms[home];
+        PointLightRecord light;
+        light.sector = sector.name;
+        light.position = {random.uniform(sector.min.x, sector.max.x), random.uniform(sector.min.y, sector.max.y)};
+        if (!contains(rooms, home, snap_to_point_grid(light.position))) continue;
+        light.z = random.uniform(sector.floor.z, sector.ceiling.z);
+        light.color = static_cast<std::uint32_t>(random.below(1 << 24));
+        light.brightness = random.uniform(0.5, 2);
+        light.reach = random.uniform(2, 7);
+        if (random.below(2)) light.effect = LightEffectRecord{};
+        file.lights.push_back(light);
+        --count;
+    }
+}
+
 Texture lattice() {
     Texture texture;
     texture.name = "lattice";

@@ -14,6 +14,9 @@ void scatter_panels(MapFile& file, int tries, std::uint64_t seed);
 /// Things with the picture "lattice" that nothing but their place tells apart, anywhere or on a lattice.
 void scatter_things(MapFile& file, int count, std::uint64_t seed);
 
+/// Lamps of all colours, some of them restless, anywhere in the rooms.
+void scatter_lights(MapFile& file, int count, std::uint64_t seed);
+
 /// A lattice: every other square of 8 x 8 is a hole, some squares are coloured glass.
 Texture lattice();
 

@@ -1,6 +1,7 @@
 #include "render/column/column_renderer.h"
 
 #include <limits>
+#include <optional>
 
 #include "base/check.h"
 #include "render/column/viewport_drawer.h"
@@ -14,6 +15,12 @@ struct ColumnRenderer::Scratch {
     Canvas canvas;
     FrameState state;
     ViewportDrawer drawer;
+    std::optional<LightGrids> own_lights;
+    LightGrids& lights;
+    std::vector<LightCell> glow;
+
+    Scratch() : lights(own_lights.emplace()) {}
+    explicit Scratch(LightGrids& of_several) : lights(of_several) {}
 };
 
 namespace {
@@ -41,6 +48,7 @@ void start_frame(FrameState& state, const View& view, ColumnRange columns, int h
 }  // namespace
 
 ColumnRenderer::ColumnRenderer() : scratch_(std::make_unique<Scratch>()) {}
+ColumnRenderer::ColumnRenderer(LightGrids& lights) : scratch_(std::make_unique<Scratch>(lights)) {}
 ColumnRenderer::~ColumnRenderer() = default;
 ColumnRenderer::ColumnRenderer(ColumnRenderer&&) noexcept = default;
 ColumnRenderer& ColumnRenderer::operator=(ColumnRenderer&&) noexcept = default;
@@ -58,7 +66,8 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& 
     Scratch& s = *scratch_;
     s.screen.set(Projection(view, frame.width, frame.height));
     s.canvas.set(columns.begin, columns.end, frame.height);
-    const Scene scene{map, textures, snapshot, s.screen, s.canvas, facts};
+    LightGrids* lights = s.lights.start(map) ? &s.lights : nullptr;
+    const Scene scene{map, textures, snapshot, s.screen, s.canvas, facts, lights, s.glow};
     start_frame(s.state, view, columns, frame.height);
     while (!s.state.stack.empty()) {
         Viewport& next = *s.state.stack.back();

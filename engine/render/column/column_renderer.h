@@ -13,6 +13,7 @@
 #include "map/map.h"
 #include "map/textures.h"
 #include "render/frame.h"
+#include "render/light_grids.h"
 #include "render/view.h"
 #include "world/snapshot.h"
 
@@ -46,6 +47,8 @@ struct ColumnCounts {
 class ColumnRenderer {
 public:
     ColumnRenderer();
+    /// lights: kept for several renderers that draw parts of the same pictures; outlives them.
+    explicit ColumnRenderer(LightGrids& lights);
     ~ColumnRenderer();
     ColumnRenderer(ColumnRenderer&&) noexcept;
     ColumnRenderer& operator=(ColumnRenderer&&) noexcept;

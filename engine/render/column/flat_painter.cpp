@@ -18,13 +18,14 @@ double rise_per_row(const Scene& scene, Vec2 ray) { return 1 / (scene.screen.foc
 }  // namespace
 
 void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height,
-                        double light, SurfaceId id) {
+                        double light, const LightGrid* glow, SurfaceId id) {
     pose_ = &pose;
     flat_ = flat;
     texture_ = &scene.textures[flat.surface.texture];
     id_ = id;
     height_ = height;
     light_ = light;
+    glow_ = glow;
     is_extended_ = side == FlatSide::floor ? height >= 0 : height <= 0;
     const Surface& surface = flat.surface;
     base_u_ = fraction((pose.eye.x - flat.origin.x) / surface.tile_m.x - surface.offset_tiles.x);
@@ -58,7 +59,13 @@ void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, do
                        row_shades_.data(),
                        has_fog(scene) ? row_mists_.data() : nullptr,
                        pixel_of(scene.map.render.fog_color)};
-    fill_flat(scene.canvas.run(x, top, bottom), flat);
+    const Run run = scene.canvas.run(x, top, bottom);
+    if (glow_)
+        fill_lit_flat(run, flat,
+                      {glow_, (pose_->eye.x - glow_->u) / kLightCell, (pose_->eye.y - glow_->v) / kLightCell,
+                       ray.x / kLightCell, ray.y / kLightCell});
+    else
+        fill_flat(run, flat);
     if (scene.facts == nullptr) return;
     for (int y = top; y < bottom; ++y) {
         const double depth = std::min(row_depths_[y], wall_depth);

@@ -14,9 +14,9 @@ enum class FlatSide : unsigned char { floor, ceiling };
 /// is worked out once for all columns, for those rows that are really seen.
 class FlatPainter {
 public:
-    /// What the next calls of paint() draw. height: of the flat above the eye [m].
+    /// What the next calls of paint() draw. height: of the flat above the eye [m]. glow: of point lights; null: none.
     void start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height, double light,
-               SurfaceId id);
+               const LightGrid* glow, SurfaceId id);
 
     /// Rows [top, bottom) of column x. wall_depth: of the wall behind, nothing of the flat is farther [m].
     void paint(const Scene& scene, int x, int top, int bottom, double wall_depth);
@@ -36,6 +36,7 @@ private:
     const Texture* texture_ = nullptr;
     SurfaceId id_ = kNothing;
     double height_ = 0, light_ = 1;
+    const LightGrid* glow_ = nullptr;
     bool is_extended_ = false;        ///< a floor not below the eye, or a ceiling not above it
     double base_u_ = 0, base_v_ = 0;  ///< tile position under the eye, in [0, 1)
     std::vector<double> row_depths_;  ///< valid for rows [prepared_top_, prepared_bottom_)

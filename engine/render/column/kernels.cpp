@@ -37,6 +37,48 @@ void fill_wall_in_fog(const Run& run, const WallRun& wall) {
     }
 }
 
+/// The light at a position among the cells, which is counted on even where it is far outside them.
+LightCell glow_at(const WallGlow& glow, std::uint64_t position) {
+    const std::int64_t last = (std::int64_t{glow.count - 1} << 32) - 1;
+    const std::int64_t at = std::clamp(static_cast<std::int64_t>(position), std::int64_t{0}, last);
+    const LightCell* cell = glow.cells + (at >> 32);
+    return between(cell[0], cell[1], static_cast<std::uint32_t>(at >> 24) & 0xFF);
+}
+
+template <bool kHasFog, bool kIsOver>
+void paint_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
+    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
+    std::uint64_t position = glow.at_row_0 + glow.per_row * static_cast<std::uint64_t>(run.first_row);
+    for (int i = 0; i < run.count; ++i, v += wall.v_per_row, position += glow.per_row) {
+        const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
+        if (kIsOver && texel >> 24 == 0) continue;
+        std::uint32_t color = lit(texel, wall.shade, glow_at(glow, position));
+        if (kHasFog) color = misted(color, wall.fog, wall.mist);
+        run.pixels[i] = kIsOver ? laid_over(run.pixels[i], (color & 0x00FFFFFFu) | (texel & 0xFF000000u)) : color;
+    }
+}
+
+template <bool kHasFog>
+void fill_lit_flat_as(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
+    const Texture& texture = *flat.texture;
+    const LightGrid& grid = *glow.grid;
+    const double most =
+        std::max(flat.step_u < 0 ? -flat.step_u : flat.step_u, flat.step_v < 0 ? -flat.step_v : flat.step_v);
+    const double farthest = std::min(flat.farthest, kMostTiles / most);
+    for (int i = 0; i < run.count; ++i) {
+        const int row = run.first_row + i;
+        const double depth = std::min(flat.row_depths[row], farthest);
+        const std::uint32_t u = texel_of(fraction_bits(flat.base_u + depth * flat.step_u), texture.width);
+        const std::uint32_t v = texel_of(fraction_bits(flat.base_v + depth * flat.step_v), texture.height);
+        const GridStep across = grid_step(glow.base_u + depth * glow.step_u, grid.columns);
+        const GridStep along = grid_step(glow.base_v + depth * glow.step_v, grid.rows);
+        const LightCell light = light_between(grid, across, along);
+        const std::uint32_t texel = texture.pixels[std::size_t{u} * texture.height + v];
+        const std::uint32_t color = lit(texel, flat.row_shades[row], light);
+        run.pixels[i] = kHasFog ? misted(color, flat.fog, flat.row_mists[row]) : color;
+    }
+}
+
 template <bool kHasFog>
 void fill_flat_as(const Run& run, const FlatRun& flat) {
     const Texture& texture = *flat.texture;
@@ -76,6 +118,24 @@ void lay_wall(const Run& run, const WallRun& wall) {
         const std::uint32_t color = misted(shaded(texel, wall.shade), wall.fog, wall.mist);
         run.pixels[i] = laid_over(run.pixels[i], (color & 0x00FFFFFFu) | alpha);
     }
+}
+
+void fill_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
+    if (wall.mist != 0)
+        paint_lit_wall<true, false>(run, wall, glow);
+    else
+        paint_lit_wall<false, false>(run, wall, glow);
+}
+
+void lay_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
+    paint_lit_wall<true, true>(run, wall, glow);
+}
+
+void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
+    if (flat.row_mists)
+        fill_lit_flat_as<true>(run, flat, glow);
+    else
+        fill_lit_flat_as<false>(run, flat, glow);
 }
 
 void fill_flat(const Run& run, const FlatRun& flat) {

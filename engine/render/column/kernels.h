@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "map/textures.h"
+#include "render/light_grid.h"
 #include "render/shade.h"
 
 namespace enfilade::column {
@@ -34,7 +35,17 @@ struct WallRun {
 };
 void fill_wall(const Run& run, const WallRun& wall);
 
+/// Point lights down one column of a wall.
+struct WallGlow {
+    const LightCell* cells;
+    int count;               ///< of cells, >= 2
+    std::uint64_t at_row_0;  ///< position among them, in 2^-32 of a cell; wraps
+    std::uint64_t per_row;
+};
+void fill_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow);
+
 /// The same for a picture with holes, laid over what is there already.
+void lay_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow);
 void lay_wall(const Run& run, const WallRun& wall);
 
 /// A floor or ceiling along one column: tile position = base + depth(row) * step.
@@ -49,6 +60,14 @@ struct FlatRun {
     std::uint32_t fog = 0;            ///< its colour
 };
 void fill_flat(const Run& run, const FlatRun& flat);
+
+/// Point lights on a floor or ceiling along one column: position in the grid = base + depth(row) * step.
+struct FlatGlow {
+    const LightGrid* grid;
+    double base_u, base_v;  ///< under the eye [cells]
+    double step_u, step_v;  ///< per metre of depth along this column's ray [cells/m]
+};
+void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow);
 
 /// A column of sky.
 struct SkyRun {

@@ -7,6 +7,7 @@
 #include "render/column/canvas.h"
 #include "render/column/screen.h"
 #include "render/frame.h"
+#include "render/light_grids.h"
 #include "world/snapshot.h"
 
 namespace enfilade::column {
@@ -17,7 +18,20 @@ struct Scene {
     const Snapshot& snapshot;
     const Screen& screen;
     Canvas& canvas;
-    FrameFacts* facts;  ///< null where nobody asked what the pixels show
+    FrameFacts* facts;             ///< null where nobody asked what the pixels show
+    LightGrids* lights;            ///< null where the map has no point lights
+    std::vector<LightCell>& glow;  ///< scratch of one column: the light down a wall
+
+    // What point lights throw on a surface, or null: nothing. Asked once for each surface.
+    const LightGrid* light_on(WallId id) const { return lights ? lights->on_wall(map, snapshot, id) : nullptr; }
+    const LightGrid* light_on(PanelId id) const { return lights ? lights->on_panel(map, snapshot, id) : nullptr; }
+    const LightGrid* light_on(ThingId id) const { return lights ? lights->on_thing(map, snapshot, id) : nullptr; }
+    const LightGrid* light_on_floor(SectorId id) const {
+        return lights ? lights->on_floor(map, snapshot, id) : nullptr;
+    }
+    const LightGrid* light_on_ceiling(SectorId id) const {
+        return lights ? lights->on_ceiling(map, snapshot, id) : nullptr;
+    }
 };
 
 /// Notes that something with holes covers what the pixel showed. Only where facts are wanted.

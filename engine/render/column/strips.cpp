@@ -6,6 +6,10 @@
 
 namespace enfilade {
 
+ColumnStrips::ColumnStrips(std::size_t threads) : lights_(std::make_unique<LightGrids>()) {
+    for (std::size_t i = 0; i < threads; ++i) renderers_.emplace_back(*lights_);
+}
+
 void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
                           const Snapshot& snapshot, const View& view) {
     const std::size_t width = static_cast<std::size_t>(frame.width);

@@ -11,7 +11,7 @@ namespace enfilade {
 class ColumnStrips {
 public:
     /// threads >= 1.
-    explicit ColumnStrips(std::size_t threads) : renderers_(threads) {}
+    explicit ColumnStrips(std::size_t threads);
 
     /// As ColumnRenderer::render.
     void render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
@@ -21,6 +21,7 @@ public:
     const std::vector<ColumnRenderer>& renderers() const { return renderers_; }
 
 private:
+    std::unique_ptr<LightGrids> lights_;
     std::vector<ColumnRenderer> renderers_;
 };
 

@@ -43,6 +43,7 @@ void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedCol
     WallPainter painter;
     painter.start_picture(scene, scene.textures[picture.texture], top, picture.size_m.y, picture.light,
                           thing_id(scene.map, presence.thing));
+    painter.light_up(scene.light_on(presence.thing), 0, 0);  // the same everywhere
     board.painter = masked.add(painter);
     boards_.push_back(board);
 }

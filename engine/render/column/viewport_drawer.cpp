@@ -35,9 +35,9 @@ void ViewportDrawer::start_viewport(const Scene& scene, FrameState& state, Viewp
     here_ = heights_above(scene.snapshot[viewport.sector], pose_.eye_z);
     const double light = light_at(scene.snapshot, viewport.sector);
     floor_.start(scene, pose_, floor_now(scene.map, scene.snapshot, viewport.sector), FlatSide::floor, here_.floor,
-                 light, floor_id(viewport.sector));
+                 light, scene.light_on_floor(viewport.sector), floor_id(viewport.sector));
     ceiling_.start(scene, pose_, ceiling_now(scene.map, scene.snapshot, viewport.sector), FlatSide::ceiling,
-                   here_.ceiling, light, ceiling_id(viewport.sector));
+                   here_.ceiling, light, scene.light_on_ceiling(viewport.sector), ceiling_id(viewport.sector));
     furniture_.note({scene, viewport, pose_, here_, nearest_}, state.masked);
     openings_.assign(nearest_.count(), {});
     wall_index_ = NearestWalls::kNoWall;
@@ -67,9 +67,11 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
     const double light = light_at(scene.snapshot, wall.sector);
     is_portal_ = wall.kind != WallKind::solid;
     masked_ = kNoMasked;
+    glow_ = scene.light_on(id);
     if (!is_portal_) {
         middle_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.texture),
                       peg_height(wall.texture.peg, here_, nullptr), light, wall_id(scene.map, id, WallPart::middle));
+        middle_.light_up(glow_, wall.length, pose_.eye_z);
         return;
     }
     if (wall.kind == WallKind::mirror) {
@@ -84,6 +86,8 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
                  peg_height(wall.upper.peg, here_, &behind_), light, wall_id(scene.map, id, WallPart::upper));
     lower_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.lower),
                  peg_height(wall.lower.peg, here_, &behind_), light, wall_id(scene.map, id, WallPart::lower));
+    upper_.light_up(glow_, wall.length, pose_.eye_z);
+    lower_.light_up(glow_, wall.length, pose_.eye_z);
     if (wall.middle.texture) start_masked(scene, state, id);
 }
 
@@ -99,6 +103,7 @@ void ViewportDrawer::start_masked(const Scene& scene, FrameState& state, WallId 
     WallPainter painter;
     painter.start(scene, wall, surface, top, light_at(scene.snapshot, wall.sector),
                   wall_id(scene.map, id, WallPart::middle));
+    painter.light_up(glow_, wall.length, pose_.eye_z);
     masked_ = state.masked.add(painter);
 }
 

@@ -57,6 +57,7 @@ private:
     // The wall being drawn.
     static constexpr int kNoMasked = -1;
     int wall_index_ = NearestWalls::kNoWall;
+    const LightGrid* glow_ = nullptr;  ///< of point lights on it
     bool is_portal_ = false;
     bool upper_open_ = false, lower_open_ = false;  ///< a step that is not drawn: one sees over it
     RelativeHeights behind_;

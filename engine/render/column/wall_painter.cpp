@@ -22,6 +22,7 @@ void WallPainter::start_panel(const Scene& scene, const Panel& panel, double top
 /// length: of the wall [m].
 void WallPainter::hang(const Scene& scene, const Surface& surface, double length, double peg) {
     texture_ = &scene.textures[surface.texture];
+    light_grid_ = nullptr;
     render_ = &scene.map.render;
     u_per_along_ = length / surface.tile_m.x;
     u_offset_ = surface.offset_tiles.x;
@@ -32,6 +33,7 @@ void WallPainter::hang(const Scene& scene, const Surface& surface, double length
 void WallPainter::start_picture(const Scene& scene, const Texture& texture, double top, double height, double light,
                                 SurfaceId id) {
     texture_ = &texture;
+    light_grid_ = nullptr;
     id_ = id;
     render_ = &scene.map.render;
     light_ = light;
@@ -40,6 +42,29 @@ void WallPainter::start_picture(const Scene& scene, const Texture& texture, doub
     u_offset_ = 0;
     v_per_m_ = 1 / height;
     v_at_peg_ = top * v_per_m_;
+}
+
+void WallPainter::light_up(const LightGrid* grid, double length, double eye_z) {
+    light_grid_ = grid;
+    length_ = length;
+    eye_z_ = eye_z;
+}
+
+/// The light down a column: of each row of the grid that the rows from top to bottom come near.
+WallGlow WallPainter::glow_at(const Scene& scene, int top, int bottom, const WallHit& hit) const {
+    constexpr double kWrap = 0x1p-32;  // cells are counted modulo 2^32
+    const LightGrid& grid = *light_grid_;
+    const double cells_per_row = -hit.depth / scene.screen.focal_y / kLightCell;
+    const double at_row_0 = (eye_z_ - grid.v) / kLightCell - (scene.screen.horizon - 0.5) * cells_per_row;
+    const int last = grid_step(at_row_0 + top * cells_per_row, grid.rows).cell + 1;
+    const int first = grid_step(at_row_0 + (bottom - 1) * cells_per_row, grid.rows).cell;
+    const GridStep across = grid_step((hit.along * length_ - grid.u) / kLightCell, grid.columns);
+    const LightCell* left = &grid.cells[static_cast<std::size_t>(across.cell) * static_cast<std::size_t>(grid.rows)];
+    scene.glow.clear();
+    for (int row = first; row <= last; ++row)
+        scene.glow.push_back(between(left[row], left[grid.rows + row], across.part));
+    return {scene.glow.data(), last - first + 1, tile_steps((at_row_0 - first) * kWrap),
+            tile_steps(cells_per_row * kWrap)};
 }
 
 WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallHit& hit) const {
@@ -61,7 +86,11 @@ WallRun WallPainter::run_of(const ColumnTexels& at, const WallHit& hit) const {
 void WallPainter::paint(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
     if (top >= bottom) return;
     const ColumnTexels at = texels_at(scene, hit);
-    fill_wall(scene.canvas.run(x, top, bottom), run_of(at, hit));
+    const Run run = scene.canvas.run(x, top, bottom);
+    if (light_grid_)
+        fill_lit_wall(run, run_of(at, hit), glow_at(scene, top, bottom, hit));
+    else
+        fill_wall(run, run_of(at, hit));
     if (scene.facts == nullptr) return;
     for (int y = top; y < bottom; ++y) note(scene, x, y, id_, hit.depth, at.u, at.v_at_row_0 + y * at.v_per_row);
 }
@@ -70,7 +99,10 @@ void WallPainter::lay_over(const Scene& scene, int x, int top, int bottom, const
     if (top >= bottom) return;
     const ColumnTexels at = texels_at(scene, hit);
     const WallRun run = run_of(at, hit);
-    lay_wall(scene.canvas.run(x, top, bottom), run);
+    if (light_grid_)
+        lay_lit_wall(scene.canvas.run(x, top, bottom), run, glow_at(scene, top, bottom, hit));
+    else
+        lay_wall(scene.canvas.run(x, top, bottom), run);
     if (scene.facts == nullptr) return;
     for (int y = top; y < bottom; ++y) {
         const double v = at.v_at_row_0 + y * at.v_per_row;

@@ -16,6 +16,9 @@ public:
     void start(const Scene& scene, const Wall& wall, const Surface& surface, double peg_height, double light,
                SurfaceId id);
 
+    /// Point lights on it, too. grid: null: none, which is so after each start. eye_z: height of the eye [m].
+    void light_up(const LightGrid* grid, double length, double eye_z);
+
     /// The same for a panel. top: above the eye [m].
     void start_panel(const Scene& scene, const Panel& panel, double top, double light, SurfaceId id);
 
@@ -35,6 +38,7 @@ private:
     struct ColumnTexels {
         double u, v_at_row_0, v_per_row;  ///< [tiles]
     };
+    WallGlow glow_at(const Scene& scene, int top, int bottom, const WallHit& hit) const;
     void hang(const Scene& scene, const Surface& surface, double length, double peg);
     ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
     WallRun run_of(const ColumnTexels& at, const WallHit& hit) const;
@@ -45,6 +49,8 @@ private:
     double light_ = 1, contrast_ = 1;
     double u_per_along_ = 1, u_offset_ = 0;  ///< [tiles]
     double v_at_peg_ = 0, v_per_m_ = 1;      ///< v at the eye's height, and tiles per metre downwards
+    const LightGrid* light_grid_ = nullptr;  ///< of point lights
+    double length_ = 0, eye_z_ = 0;          ///< [m]; where there is a grid
 };
 
 /// The height of a wall texture's anchor above the eye [m]. behind: null for a solid wall, whose opening is its own

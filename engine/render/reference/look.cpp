@@ -51,16 +51,16 @@ bool is_close_to(const Arrival& at, double height) {
 
 constexpr std::uint32_t kAlpha = 0xFF000000u;
 
-/// ahead: how far, along the course [m].
-Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, double v, double contrast,
-             double ahead) {
+/// ahead: how far, along the course [m]. glow: of point lights.
+Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, double v, double contrast, double ahead,
+             LightCell glow) {
     const double depth = ahead * at.course.depth_scale;
     Seen seen{id, depth, {}, 0, false};
     const double tile_u = fraction(u - surface.offset_tiles.x), tile_v = fraction(v - surface.offset_tiles.y);
     const std::uint32_t color = texel(at.scene.textures[surface.texture], tile_u, tile_v);
     const double light = light_at(at.scene.snapshot, at.hit.sector);
     seen.texel = {static_cast<float>(tile_u), static_cast<float>(tile_v)};
-    seen.color = lit(at.scene, color, light, contrast, depth);  // a pane still needs its alpha
+    seen.color = lit(at.scene, color, light, contrast, depth, glow);  // a pane still needs its alpha
     return seen;
 }
 
@@ -87,11 +87,12 @@ Seen sky(const Arrival& at, const Flat& flat, SurfaceId id) {
 
 /// `height` above the eye. Of a flat that is seen extended, or from its wrong side, the part that is nearest to where
 /// the ray really crosses its height; a level ray does so at infinity.
-Seen flat(const Arrival& at, const Flat& flat, double height, SurfaceId id) {
+Seen flat(const Arrival& at, const Flat& flat, double height, const LightGrid* grid, SurfaceId id) {
     if (flat.sky) return sky(at, flat, id);
     const double depth = at.course.climb == 0 ? at.hit.depth : std::clamp(height / at.course.climb, 0.0, at.hit.depth);
-    const Vec2 place = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth - flat.origin;
-    return painted(at, flat.surface, id, place.x / flat.surface.tile_m.x, place.y / flat.surface.tile_m.y, 1, depth);
+    const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth, place = spot - flat.origin;
+    return painted(at, flat.surface, id, place.x / flat.surface.tile_m.x, place.y / flat.surface.tile_m.y, 1, depth,
+                   glow_on(grid, spot.x, spot.y));
 }
 
 /// Height above the eye that the texture hangs from.
@@ -110,7 +111,11 @@ Seen wall(const Arrival& at, const Surface& at_rest, double peg, WallPart part) 
     const Surface surface = picture_now(at.scene.map, at.scene.snapshot, at.hit.wall, at_rest);
     const double u = at.hit.along * at.wall.length / surface.tile_m.x;
     const double v = (peg - at.course.climb * at.hit.depth) / surface.tile_m.y;
-    return painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth);
+    const double z = at.hit.space.eye_z + at.course.climb * at.hit.depth;
+    LightGrids* lights = at.scene.lights;
+    const LightGrid* grid = lights ? lights->on_wall(at.scene.map, at.scene.snapshot, at.hit.wall) : nullptr;
+    return painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth,
+                   glow_on(grid, at.hit.along * at.wall.length, z));
 }
 
 Seen wall(const Arrival& at, const Surface& surface, WallPart part) {
@@ -153,10 +158,13 @@ Seen end_of_chain(const Arrival& at) {
 /// followed as many links as it may.
 std::optional<Seen> end_of_ray(const Arrival& at) {
     const SectorId sector = at.hit.sector;
+    LightGrids* lights = at.scene.lights;
     if (reaches(at, at.own.ceiling))
-        return flat(at, ceiling_now(at.scene.map, at.scene.snapshot, sector), at.own.ceiling, ceiling_id(sector));
+        return flat(at, ceiling_now(at.scene.map, at.scene.snapshot, sector), at.own.ceiling,
+                    lights ? lights->on_ceiling(at.scene.map, at.scene.snapshot, sector) : nullptr, ceiling_id(sector));
     if (!reaches(at, at.own.floor))
-        return flat(at, floor_now(at.scene.map, at.scene.snapshot, sector), at.own.floor, floor_id(sector));
+        return flat(at, floor_now(at.scene.map, at.scene.snapshot, sector), at.own.floor,
+                    lights ? lights->on_floor(at.scene.map, at.scene.snapshot, sector) : nullptr, floor_id(sector));
     if (at.wall.kind == WallKind::solid) return wall(at, at.wall.texture, WallPart::middle);
     if (at.wall.kind == WallKind::portal) {
         const bool above = reaches(at, at.behind.ceiling), below = !above && !reaches(at, at.behind.floor);

@@ -4,6 +4,7 @@
 
 #include "map/textures.h"
 #include "render/frame.h"
+#include "render/light_grids.h"
 #include "render/reference/ray_path.h"
 #include "render/reference/tilted_ray.h"
 #include "world/snapshot.h"
@@ -15,6 +16,7 @@ struct Scene {
     const Map& map;
     const TextureSet& textures;
     const Snapshot& snapshot;
+    LightGrids* lights = nullptr;  ///< null: the map has no point lights
 };
 
 /// What a ray ends on.

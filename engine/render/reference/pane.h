@@ -33,13 +33,17 @@ inline std::uint32_t texel(const Texture& texture, double u, double v) {
     return texture.at(texel_index(u, texture.width), texel_index(v, texture.height));
 }
 
-/// A texel's colour in this light and the map's fog; its alpha is kept.
-inline std::uint32_t lit(const Scene& scene, std::uint32_t color, double light, double contrast, double depth) {
+/// A texel's colour in this light, that of point lights and the map's fog; its alpha is kept.
+inline std::uint32_t lit(const Scene& scene, std::uint32_t color, double light, double contrast, double depth,
+                         LightCell glow) {
     const RenderRecord& render = scene.map.render;
-    const std::uint32_t clear = shaded(color, shade_at(render.light, light, contrast, depth));
+    const std::uint32_t clear = lit(color, shade_at(render.light, light, contrast, depth), glow);
     return (color & 0xFF000000u) |
            (misted(clear, pixel_of(render.fog_color), mist_at(render.fog_reach, depth)) & 0x00FFFFFFu);
 }
+
+/// What point lights throw onto a place of a surface. grid: null: nothing.
+inline LightCell glow_on(const LightGrid* grid, double u, double v) { return grid ? light_on(*grid, u, v) : 0; }
 
 /// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round, or more or less of what is
 /// behind? size_m: of the picture.

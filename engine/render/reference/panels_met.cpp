@@ -34,7 +34,9 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
     pane.seen.depth = depth;
     pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
     pane.alpha = color >> 24;
-    pane.seen.color = lit(scene, color, light, panel.contrast, depth);
+    const LightGrid* grid = scene.lights ? scene.lights->on_panel(scene.map, scene.snapshot, at.panel) : nullptr;
+    const double z = ray.hit.space.eye_z + ray.course.climb * at.depth;
+    pane.seen.color = lit(scene, color, light, panel.contrast, depth, glow_on(grid, at.along * panel.length, z));
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, surface.tile_m);
     return pane;
 }

@@ -110,7 +110,8 @@ void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const Tex
     ENFILADE_CHECK(options.samples >= 1 && options.workers >= 1 && snapshot.sectors.size() == map.sectors.size());
     const Projection projection(view, frame.width, frame.height);
     const Projection fine(view, frame.width * options.samples, frame.height * options.samples);
-    const Scene scene{map, textures, snapshot};
+    LightGrids own_lights, &lights = options.lights ? *options.lights : own_lights;
+    const Scene scene{map, textures, snapshot, lights.start(map) ? &lights : nullptr};
     frame.resize(frame.width, frame.height);
     if (facts) reset(*facts, frame.width, frame.height);
     const auto column = [&](std::size_t index, std::size_t) {

@@ -2,6 +2,7 @@
 #pragma once
 #include "map/textures.h"
 #include "render/frame.h"
+#include "render/light_grids.h"
 #include "render/view.h"
 #include "world/snapshot.h"
 
@@ -12,7 +13,8 @@ struct ReferenceOptions {
     /// The colour of a pixel is the mean, in linear light, of samples x samples rays spread evenly over it.
     /// >= 1; samples times the frame's sides must not be over kMaxPictureSide.
     int samples = 1;
-    int workers = 1;  ///< threads, >= 1; the picture does not depend on them
+    int workers = 1;               ///< threads, >= 1; the picture does not depend on them
+    LightGrids* lights = nullptr;  ///< kept from picture to picture; null: worked out anew for this one
 };
 
 /// Draws the whole frame, whose size is set. What a pixel shows is decided in whole numbers, but for its height at a

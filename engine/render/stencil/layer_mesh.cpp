@@ -26,6 +26,7 @@ public:
             for (auto pane = layer_.panes.rbegin(); pane != layer_.panes.rend(); ++pane)
                 std::visit([&](const auto& it) { add_pane(it); }, *pane);
         });
+        out_.panes_kind = mesh_.richest_kind(out_.panes);
     }
 
 private:
@@ -66,16 +67,21 @@ private:
                 parts_of(scene_.map(), scene_.world.snapshot, scene_.map()[place.wall], layer_.pose.eye_z)};
     }
 
+    using Ask = const LightGrid* (LightGrids::*)(const Map&, const Snapshot&, SectorId);
+    const LightGrid* glow_on(Ask flat, SectorId sector) const {
+        return scene_.lights ? (scene_.lights->*flat)(scene_.map(), scene_.world.snapshot, sector) : nullptr;
+    }
+
     void add_wall(const WallOnScreen& place) {
         const Wall& wall = scene_.map()[place.wall];
         const SeenWall seen_wall = seen(place);
         const Heights room = seen_wall.parts.room;
         add_strip(place, {room.ceiling, kEverything},
                   flat_look(scene_, seen_wall, ceiling_now(scene_.map(), scene_.world.snapshot, wall.sector),
-                            room.ceiling, ceiling_id(wall.sector)));
+                            room.ceiling, glow_on(&LightGrids::on_ceiling, wall.sector), ceiling_id(wall.sector)));
         add_strip(place, {-kEverything, room.floor},
                   flat_look(scene_, seen_wall, floor_now(scene_.map(), scene_.world.snapshot, wall.sector), room.floor,
-                            floor_id(wall.sector)));
+                            glow_on(&LightGrids::on_floor, wall.sector), floor_id(wall.sector)));
         if (wall.kind == WallKind::solid)
             return add_strip(place, room, wall_look(scene_, seen_wall, wall.texture, WallPart::middle));
         add_steps(seen_wall, wall);

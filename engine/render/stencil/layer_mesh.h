@@ -12,6 +12,7 @@ namespace enfilade::stencil {
 struct LayerRanges {
     std::array<Range, kKinds> surfaces;  ///< what hides everything behind it, by kind
     std::vector<Range> exits;            ///< by Layer::exits: the portal's opening
+    Kind panes_kind = Kind::plain;       ///< one program draws all of them, as they are in order
     Range panes;                         ///< farthest first
 };
 

@@ -204,7 +204,7 @@ void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& 
 
 void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges) {
     use_layer(layer);
-    const SurfaceProgram& program = surfaces_[0];
+    const SurfaceProgram& program = surfaces_[static_cast<std::size_t>(ranges.panes_kind)];
     glUseProgram(program.program.id());
     set_normal(program.normal, job, layer.pose);
     glDepthFunc(GL_GEQUAL);

@@ -25,9 +25,12 @@ struct Look {
 };
 
 /// Which program draws a surface: chosen once for each, so that what it does not use is in no pixel's way.
-enum class Kind : std::uint8_t { plain, layered_sky };
-inline constexpr std::size_t kKinds = 2;
+enum class Kind : std::uint8_t { plain, layered_sky, lit };
+inline constexpr std::size_t kKinds = 3;
 
-inline Kind kind_of(const Look& look) { return look.record == 0 ? Kind::plain : Kind::layered_sky; }
+inline Kind kind_of(const Look& look) {
+    if (look.record == 0) return Kind::plain;
+    return look.id_and_paint >> 24 == static_cast<std::uint32_t>(Paint::sky) ? Kind::layered_sky : Kind::lit;
+}
 
 }  // namespace enfilade::stencil

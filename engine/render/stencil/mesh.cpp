@@ -46,4 +46,10 @@ std::array<Range, kKinds> Mesh::sort_by_kind(std::size_t begin) {
     return ranges;
 }
 
+Kind Mesh::richest_kind(const Range& range) const {
+    for (std::size_t i = range.begin; has(Kind::lit) && i < range.end; i += 3)
+        if (kind_of(vertices_[indices_[i]].look) == Kind::lit) return Kind::lit;
+    return Kind::plain;
+}
+
 }  // namespace enfilade::stencil

@@ -33,6 +33,9 @@ public:
     /// Puts the triangles from index `begin` on in the order of their kinds, and says where those of each kind are.
     std::array<Range, kKinds> sort_by_kind(std::size_t begin);
 
+    /// The kind that can draw all of a range, which has no sky.
+    Kind richest_kind(const Range& range) const;
+
     /// Whether there is a polygon of that kind.
     bool has(Kind kind) const { return has_[static_cast<std::size_t>(kind)]; }
 

@@ -18,6 +18,7 @@ Records::Pair pair_of(Vec2 v) {
 void Records::clear() {
     pairs_.resize(1);
     skies_.clear();
+    grids_.clear();
 }
 
 std::uint32_t Records::add(std::span<const Pair> pairs) {
@@ -39,6 +40,15 @@ std::uint32_t Records::sky(const Map& map, const Snapshot& snapshot, const Textu
         add(std::array{picture, pair_of(layer.tile_m), pair_of(layer.offset_tiles)});
     }
     return place;
+}
+
+std::uint32_t Records::glow(const LightGrid& grid, Vec2 scale, Vec2 start) {
+    const auto [known, is_new] = grids_.try_emplace(&grid, static_cast<std::uint32_t>(pairs_.size()));
+    if (is_new)
+        for (const LightCell cell : grid.cells) pairs_.push_back({lane(cell, 0) | lane(cell, 1) << 16, lane(cell, 2)});
+    const Pair place{known->second, static_cast<std::uint32_t>(grid.columns) | static_cast<std::uint32_t>(grid.rows)
+                                                                                   << 16};
+    return add(std::array{place, pair_of(scale), pair_of(start)});
 }
 
 Status Records::upload() {

@@ -3,12 +3,14 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
 #include "base/result.h"
 #include "map/map.h"
 #include "map/textures.h"
+#include "render/light_grid.h"
 #include "render/stencil/gl_object.h"
 #include "render/stencil/texel_store.h"
 #include "world/snapshot.h"
@@ -31,6 +33,9 @@ public:
     std::uint32_t sky(const Map& map, const Snapshot& snapshot, const TextureSet& textures, const TexelStore& store,
                       const Flat& sky);
 
+    /// Point lights on a surface: their grid, and how its points are counted: scale * what the shader knows + start.
+    std::uint32_t glow(const LightGrid& grid, Vec2 scale, Vec2 start);
+
     /// For the graphics card. Costs nothing where there are none. An error where they do not fit.
     Status upload();
 
@@ -39,7 +44,8 @@ public:
 private:
     GlTexture texture_;
     std::vector<Pair> pairs_;
-    std::vector<std::uint32_t> skies_;  ///< by first layer; 0: not yet asked for
+    std::map<const LightGrid*, std::uint32_t> grids_;  ///< where their points are
+    std::vector<std::uint32_t> skies_;                 ///< by first layer; 0: not yet asked for
 };
 
 }  // namespace enfilade::stencil

@@ -180,6 +180,25 @@ uvec4 with_layers(uvec4 color, float turns, float elevation) {
 }
 #endif
 
+#ifdef LIT
+// Positions count the points of the grid, by column.
+uvec3 glow_at(vec2 known) {
+    if (what.w == 0u) return uvec3(0u);
+    uvec2 place = record(what.w);
+    uvec2 count = uvec2(place.y & 65535u, place.y >> 16u);
+    vec2 at = clamp(numbers(what.w + 1u) * known + numbers(what.w + 2u), vec2(0.0), vec2(count - 1u));
+    uvec2 cell = min(uvec2(at), count - 2u);
+    uvec2 part = uvec2((at - vec2(cell)) * 256.0);
+    uint n = place.x + cell.x * count.y + cell.y;
+    uvec2 left = record(n), right = record(n + count.y), left_up = record(n + 1u), right_up = record(n + count.y + 1u);
+    uvec3 low = uvec3(left.x & 65535u, left.x >> 16u, left.y) * (256u - part.x) +
+                uvec3(right.x & 65535u, right.x >> 16u, right.y) * part.x >> 8u;
+    uvec3 high = uvec3(left_up.x & 65535u, left_up.x >> 16u, left_up.y) * (256u - part.x) +
+                 uvec3(right_up.x & 65535u, right_up.x >> 16u, right_up.y) * part.x >> 8u;
+    return (low * (256u - part.y) + high * part.y >> 8u) / 16u;
+}
+#endif
+
 void main() {
     if (is_beside()) discard;
     vec2 t = way();
@@ -187,7 +206,7 @@ void main() {
     float met = wall_depth(t), depth = met;
     uint paint = what.x >> 24u;
     uint shade = 256u;
-    vec2 tile = vec2(0.0);
+    vec2 tile = vec2(0.0), known = vec2(0.0);
     uvec4 color;
     if (paint == kWall || paint == kPicture) {
         float along = clamp(even(a.xyz, t) / max(even(line.xyz, t), 1e-30), 0.0, 1.0);
@@ -195,9 +214,11 @@ void main() {
         tile = vec2(part(along * a.w - b.x), part(paint == kWall ? v : max(v, 0.0)));  // nothing is above a picture
         shade = shade_at(depth);
         color = texel(tile);
+        known = vec2(along, up * met);
     } else if (paint == kFlat) {
         depth = flat_depth(c.z, up, met);
-        vec2 spot = c.xy + depth * vec2(even(a.xyz, t), even(b.xyz, t));
+        known = depth * vec2(even(a.xyz, t), even(b.xyz, t));
+        vec2 spot = c.xy + known;
         tile = vec2(part(spot.x), part(spot.y));
         shade = shade_at(depth);
         color = texel(tile);
@@ -215,7 +236,11 @@ void main() {
     }
     if (color.a < least_alpha) discard;
     uint alpha = least_alpha > 0u ? color.a : 255u;
+#ifdef LIT
+    uvec3 lit = min(color.rgb * min(glow_at(known) + shade, 512u) >> 8u, 255u);
+#else
     uvec3 lit = color.rgb * shade >> 8u;
+#endif
     bool is_lit = paint == kWall || paint == kPicture || paint == kFlat;
     if (fog.w > 0.0 && is_lit) lit = in_fog(lit, depth);
     out_color = vec4(uvec4(lit, alpha)) / 255.0;
@@ -270,6 +295,7 @@ const char* parts_of(Kind kind) {
     switch (kind) {
         case Kind::plain: return "";
         case Kind::layered_sky: return "#define WITH_RECORDS\n#define LAYERED_SKY\n";
+        case Kind::lit: return "#define WITH_RECORDS\n#define LIT\n";
     }
     return "";
 }

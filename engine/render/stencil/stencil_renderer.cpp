@@ -26,6 +26,7 @@ struct StencilRenderer::State {
     std::unique_ptr<GlContext> context;
     std::unique_ptr<Objects> objects;
     Mesh mesh;
+    LightGrids lights;
     MapFacts facts;
     std::optional<std::uint64_t> facts_of;  ///< fingerprint of the map that `facts` belong to
     StencilCounts counts;
@@ -95,7 +96,7 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
     const World world{map, facts, textures, snapshot};
     Plan plan = make_plan(world, screen, rays, view);
     objects->records.clear();
-    const Scene scene{world, objects->store, screen, rays, objects->records};
+    const Scene scene{world, objects->store, screen, rays, objects->records, lights.start(map) ? &lights : nullptr};
     mesh.clear();
     const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
     if (Status failed = objects->records.upload()) return failed;

@@ -63,6 +63,13 @@ void set_surface(Look& look, const Scene& scene, const WallOnScreen& place, cons
     look.b[2] = f(1 / surface.tile_m.y);
 }
 
+/// Point lights on a wall or panel. length: of it [m].
+void set_glow(Look& look, const Scene& scene, const LightGrid* grid, double length, double eye_z) {
+    if (!grid) return;
+    look.record = scene.records.glow(*grid, Vec2{length, 1} * (1 / kLightCell),
+                                     Vec2{-grid->u, eye_z - grid->v} * (1 / kLightCell));
+}
+
 void move(Look& look, float factor) {
     look.cross *= factor;
     look.nearest *= factor;
@@ -120,6 +127,9 @@ Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& at_rest,
     set_light(look, light_at(scene.world.snapshot, w.sector), w.contrast);
     set_surface(look, scene, wall.place, surface, w.length, peg_height(wall.parts, surface.peg),
                 wall_id(scene.map(), wall.place.wall, part));
+    if (scene.lights)
+        set_glow(look, scene, scene.lights->on_wall(scene.map(), scene.world.snapshot, wall.place.wall), w.length,
+                 wall.pose.eye_z);
     return look;
 }
 
@@ -141,6 +151,9 @@ Look panel_look(const Scene& scene, const PanelOnScreen& shown, const Pose& pose
     set_light(look, light_at(scene.world.snapshot, panel.sector), panel.contrast);
     set_surface(look, scene, shown.place, panel.surface, panel.length, panel.top - pose.eye_z,
                 panel_id(scene.map(), shown.panel));
+    if (scene.lights)
+        set_glow(look, scene, scene.lights->on_panel(scene.map(), scene.world.snapshot, shown.panel), panel.length,
+                 pose.eye_z);
     move(look, shown.is_in_doorway ? kBehindDoorway : kBeforeWall);
     return look;
 }
@@ -151,12 +164,15 @@ Look thing_look(const Scene& scene, const ThingOnScreen& thing) {
     set_light(look, thing.light, 1);
     set_along(look, scene, thing.place, kBelowOne, 0);
     if (!scene.rays.is_tilted) look.farthest = f(thing.place.cross / (thing.place.right_v.x - thing.place.left_v.x));
+    if (scene.lights)
+        set_glow(look, scene, scene.lights->on_thing(scene.map(), scene.world.snapshot, thing.thing), 0, 0);
     look.b[1] = f(thing.top / thing.height);
     look.b[2] = f(1 / thing.height);
     return look;
 }
 
-Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, double height, SurfaceId id) {
+Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, double height, const LightGrid* grid,
+               SurfaceId id) {
     const Surface& surface = flat.surface;
     if (flat.sky) return sky_look(scene, wall, flat, id);
     Look look = plain_look(scene, wall.place);
@@ -167,6 +183,9 @@ Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, doubl
     look.c[0] = f(fraction(from_origin.x / surface.tile_m.x - surface.offset_tiles.x));
     look.c[1] = f(fraction(from_origin.y / surface.tile_m.y - surface.offset_tiles.y));
     look.c[2] = f(height);
+    if (grid)
+        look.record = scene.records.glow(*grid, surface.tile_m * (1 / kLightCell),
+                                         (wall.pose.eye - Vec2{grid->u, grid->v}) * (1 / kLightCell));
     return look;
 }
 

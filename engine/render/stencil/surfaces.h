@@ -1,6 +1,7 @@
 // What the parts of walls look like: from surfaces, pegs and light to what the shader is told.
 #pragma once
 #include "map/textures.h"
+#include "render/light_grids.h"
 #include "render/stencil/look.h"
 #include "render/stencil/plan.h"
 #include "render/stencil/records.h"
@@ -14,7 +15,8 @@ struct Scene {
     const TexelStore& store;
     const Screen& screen;  ///< of the picture; of a tilted one: of its panorama
     const RayField& rays;
-    Records& records;  ///< grow while looks are made
+    Records& records;    ///< grow while looks are made
+    LightGrids* lights;  ///< null: the map has no point lights
 
     const Map& map() const { return world.map; }
 };
@@ -35,8 +37,10 @@ Look hanging_look(const Scene& scene, const SeenWall& wall, double top);
 Look panel_look(const Scene& scene, const PanelOnScreen& panel, const Pose& pose);
 
 /// A floor or ceiling, or the sky: above and below a wall everything up to the picture's edge shows it, because there
-/// a ray has left the room's heights before it reached the wall. height: of the flat above the eye [m].
-Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, double height, SurfaceId id);
+/// a ray has left the room's heights before it reached the wall. height: of the flat above the eye [m]. grid: of point
+/// lights on it; null: none.
+Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, double height, const LightGrid* grid,
+               SurfaceId id);
 
 /// The end of a chain of links.
 Look end_look(const Scene& scene, const SeenWall& wall);

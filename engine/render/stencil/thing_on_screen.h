@@ -12,6 +12,7 @@ namespace enfilade::stencil {
 /// A picture that is met in a room. Its place is like a wall's that faces the eye squarely: all of it has one depth.
 struct ThingOnScreen {
     WallOnScreen place;
+    ThingId thing;
     SurfaceId id = kNothing;
     TextureId texture;
     double light = 1;

@@ -78,7 +78,8 @@ void compare(const World& world, const View& view, int width, int height, Compar
     reset(facts_a, width, height);
     reset(facts_b, width, height);
     columns.render(a, &facts_a, world.map, world.textures, world.snapshot, view);
-    render_reference(b, &facts_b, world.map, world.textures, world.snapshot, view);
+    static LightGrids lights;
+    render_reference(b, &facts_b, world.map, world.textures, world.snapshot, view, {.lights = &lights});
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         sum.not_once += facts_a.writes[i] != 1;
         sum.ambiguous += facts_b.ambiguous[i];

@@ -9,6 +9,7 @@
 #include "render/column/column_renderer.h"
 #include "render/column/strips.h"
 #include "support/count_allocations.h"
+#include "support/furnish.h"
 
 namespace enfilade {
 namespace {
@@ -87,6 +88,87 @@ TEST(ColumnRenderer, AgreesWithTheReferenceUnderSkiesWithLayers) {
     world.textures.textures[world.textures.find("lattice").index] = lattice();
     world.snapshot.time_s = 17.3;
     expect_agreement(world, 9, 100);
+}
+
+/// Rooms of half light with lamps, things, panels and fences.
+MapFile lit_palace() {
+    MapFile file = palace();
+    for (SectorRecord& s : file.sectors) s.light = 0.4;
+    scatter_lights(file, 12, 10);
+    scatter_panels(file, 20, 11);
+    scatter_things(file, 10, 12);
+    for (SectorRecord& s : file.sectors)
+        for (WallRecord& w : s.loops[0].walls)
+            if (!w.next.empty()) w.middle = spec("lattice");
+    return file;
+}
+
+World lit_world(const MapFile& file) {
+    World world(file);
+    world.textures.textures[world.textures.find("lattice").index] = lattice();
+    world.snapshot.time_s = 3.21;
+    return world;
+}
+
+TEST(ColumnRenderer, AgreesWithTheReferenceInTheLightOfLamps) { expect_agreement(lit_world(lit_palace()), 15, 40); }
+
+TEST(ColumnRenderer, AgreesWithTheReferenceInTheLightOfLampsInFog) {
+    MapFile file = lit_palace();
+    file.render.fog_reach = 6;
+    file.render.light = LightModel::classic;
+    expect_agreement(lit_world(file), 11, 20);
+}
+
+TEST(ColumnStrips, DrawTheSameLampsOnAnyNumberOfThreads) {
+    const World world = lit_world(lit_palace());
+    Random random(12);
+    for (int trial = 0; trial < 5; ++trial) {
+        const View view = random_view(world.map, random);
+        Frame one, many;
+        one.resize(97, 61);
+        many.resize(97, 61);
+        ColumnStrips(1).render(one, nullptr, world.map, world.textures, world.snapshot, view);
+        for (std::size_t threads : {2u, 7u}) {
+            ColumnStrips(threads).render(many, nullptr, world.map, world.textures, world.snapshot, view);
+            ASSERT_EQ(one.pixels, many.pixels) << threads << " threads";
+        }
+    }
+}
+
+TEST(ColumnRenderer, AllocatesNothingOnceItHasDrawnTheLampsInView) {
+    const World world = lit_world(lit_palace());
+    Random random(13);
+    ColumnRenderer renderer;
+    Frame frame;
+    frame.resize(160, 100);
+    for (int trial = 0; trial < 5; ++trial) {
+        const View view = random_view(world.map, random);
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        const std::size_t before = allocations();
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        EXPECT_EQ(allocations(), before) << "trial " << trial;
+    }
+}
+
+TEST(ColumnRenderer, DrawsTheSameBitsWhereLampsReachNothingInView) {
+    MapFile file = palace();
+    const World dark(file);
+    file.sectors.push_back(box_room("far", 900, 900, 904, 904));
+    PointLightRecord light;
+    light.position = {902, 902};
+    light.z = 1;
+    file.lights = {light};
+    const World lit(file);
+    Random random(14);
+    Frame a, b;
+    a.resize(160, 100);
+    b.resize(160, 100);
+    for (int trial = 0; trial < 5; ++trial) {
+        const View view = random_view(dark.map, random);
+        ColumnRenderer().render(a, nullptr, dark.map, dark.textures, dark.snapshot, view);
+        ColumnRenderer().render(b, nullptr, lit.map, lit.textures, lit.snapshot, view);
+        ASSERT_EQ(a.pixels, b.pixels) << "trial " << trial;
+    }
 }
 
 TEST(ColumnRenderer, DrawsStripsThatEqualTheWholePicture) {

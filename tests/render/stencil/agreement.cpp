@@ -169,13 +169,13 @@ Picture Sight::by_stencil(const View& view, PictureSize size) {
 
 Picture Sight::by_column(const View& view, PictureSize size) const {
     Picture picture = blank(size);
-    ColumnRenderer().render(picture.frame, &picture.facts, map_, textures_, snapshot_, view);
+    ColumnRenderer(lights_).render(picture.frame, &picture.facts, map_, textures_, snapshot_, view);
     return picture;
 }
 
 Picture Sight::by_reference(const View& view, PictureSize size) const {
     Picture picture = blank(size);
-    render_reference(picture.frame, &picture.facts, map_, textures_, snapshot_, view);
+    render_reference(picture.frame, &picture.facts, map_, textures_, snapshot_, view, {.lights = &lights_});
     return picture;
 }
 

@@ -6,6 +6,7 @@
 #include "hard_cases/poses.h"
 #include "map/textures.h"
 #include "platform/gl_context.h"
+#include "render/light_grids.h"
 #include "render/stencil/stencil_renderer.h"
 #include "world/snapshot.h"
 
@@ -73,6 +74,7 @@ private:
     const TextureSet& textures_;
     Snapshot snapshot_;
     std::unique_ptr<StencilRenderer> stencil_;
+    mutable LightGrids lights_;
     std::vector<Aside> asides_;  ///< of the view that is being compared, as many as were asked for
 };
 

@@ -3,6 +3,7 @@
 
 #include "hard_cases/scenes.h"
 #include "render/stencil/agreement.h"
+#include "support/furnish.h"
 #include "support/map_builder.h"
 
 namespace enfilade::test {
@@ -39,6 +40,21 @@ TEST(StencilFog, IsTheColumnRenderers) {
     expect_agreement(Sight(map, textures).compare_poses(10, {160, 100}, 3));
 }
 
+class StencilLamps : public testing::TestWithParam<NamedScene> {};
+
+TEST_P(StencilLamps, ShineAsInTheColumnRenderer) {
+    MapFile file = GetParam().file();
+    for (SectorRecord& sector : file.sectors) sector.light = 0.4;
+    scatter_lights(file, 12, 1);
+    scatter_panels(file, 20, 2);
+    scatter_things(file, 10, 3);
+    const Map map = built(file);
+    const TextureSet textures = textures_for(file);
+    Sight sight(map, textures);
+    sight.snapshot().time_s = 3.21;
+    expect_agreement(sight.compare_poses(6, {160, 100}, 5), 1e-3);  // what is behind glass has edges of texels, too
+}
+
 /// A picture with alpha whose neighbouring texels are alike, so that the edges between them hardly show.
 Texture haze() {
     Texture texture;
@@ -66,6 +82,10 @@ TEST(StencilSky, HasTheColumnRenderersLayers) {
 
 std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
 
+INSTANTIATE_TEST_SUITE_P(Scenes, StencilLamps,
+                         testing::Values(NamedScene{"SteppedRooms", stepped_rooms},
+                                         NamedScene{"LinkedRooms", linked_rooms}, NamedScene{"Mirrors", mirrors}),
+                         name_of_scene);
 INSTANTIATE_TEST_SUITE_P(Plain, StencilRooms, testing::ValuesIn(plain_scenes()), name_of_scene);
 INSTANTIATE_TEST_SUITE_P(Linked, StencilRooms, testing::ValuesIn(linked_scenes()), name_of_scene);
 

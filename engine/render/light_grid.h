@@ -1,0 +1,89 @@
+// What point lights throw onto a surface: values at points a quarter of a metre apart, fixed to the surface, and the
+// rules by which a place between them is lit. Shared by all renderers.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "render/shade.h"
+
+namespace enfilade {
+
+/// Red, green and blue light that is added to a surface's shade, as one number of three lanes of kLaneBits, red lowest.
+/// Each is 0..kMostLight, in steps of kLightSteps to one of Shade.
+using LightCell = std::uint64_t;
+
+inline constexpr int kLaneBits = 21;
+inline constexpr std::uint32_t kLightSteps = 16;
+
+/// What a lane holds at most: 13 bits, so that a product with 256 still fits it. Almost twice as bright as painted.
+inline constexpr std::uint32_t kMostLight = (1u << 13) - 1;
+
+/// Brighter than this nothing gets: twice as painted.
+inline constexpr Shade kBrightest = 512;
+
+constexpr LightCell light_cell(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
+    return LightCell{red} | LightCell{green} << kLaneBits | LightCell{blue} << 2 * kLaneBits;
+}
+
+/// channel: 0 red, 1 green, 2 blue.
+constexpr std::uint32_t lane(LightCell cell, int channel) {
+    return static_cast<std::uint32_t>(cell >> channel * kLaneBits) & kMostLight;
+}
+
+/// Between two cells, `part` of 256 of the way from a to b. part: 0..256.
+constexpr LightCell between(LightCell a, LightCell b, std::uint32_t part) {
+    constexpr LightCell kLanes = light_cell(kMostLight, kMostLight, kMostLight);
+    return (a * (256 - part) + b * part) >> 8 & kLanes;
+}
+
+/// The colour 0xAABBGGRR in this shade and this light. Alpha becomes opaque.
+constexpr std::uint32_t lit(std::uint32_t color, Shade shade, LightCell light) {
+    std::uint32_t result = 0xFF000000u;
+    for (int channel = 0; channel < 3; ++channel) {
+        const std::uint32_t sum = shade + lane(light, channel) / kLightSteps;
+        const std::uint32_t bright = (color >> 8 * channel & 0xFF) * (sum < kBrightest ? sum : kBrightest) >> 8;
+        result |= (bright < 255 ? bright : 255) << 8 * channel;
+    }
+    return result;
+}
+
+/// Distance of neighbouring points of a grid [m]: a lamp's pool of light is round, and a room has a few thousand.
+inline constexpr double kLightCell = 0.25;
+
+/// The light on a rectangle of a surface. A place is (u, v) on it: walls and panels (metres along from a, height z),
+/// flats (x, y), all in the space of the surface's own sector.
+struct LightGrid {
+    double u = 0, v = 0;           ///< of the first point [m]
+    int columns = 0, rows = 0;     ///< points along u and along v, each >= 2
+    std::vector<LightCell> cells;  ///< by column: cells[column * rows + row]
+};
+
+/// Where a place is between the points of one direction.
+struct GridStep {
+    int cell = 0;            ///< 0..count - 2: the point before it
+    std::uint32_t part = 0;  ///< of the way to the next, 0..256
+};
+
+/// cells: position counted in points from the first; beyond the ends counts as at them. count >= 2.
+constexpr GridStep grid_step(double cells, int count) {
+    const double last = count - 1;
+    const double inside = cells > 0 ? (cells < last ? cells : last) : 0;
+    const int whole = static_cast<int>(inside) < count - 2 ? static_cast<int>(inside) : count - 2;
+    return {whole, static_cast<std::uint32_t>((inside - whole) * 256)};
+}
+
+/// Even between four points.
+inline LightCell light_between(const LightGrid& grid, GridStep across, GridStep along) {
+    const LightCell* first = &grid.cells[static_cast<std::size_t>(across.cell) * static_cast<std::size_t>(grid.rows) +
+                                         static_cast<std::size_t>(along.cell)];
+    const LightCell* second = first + grid.rows;
+    return between(between(first[0], second[0], across.part), between(first[1], second[1], across.part), along.part);
+}
+
+/// The light at a place: even between the four points around it; beyond the grid that of its edge.
+inline LightCell light_on(const LightGrid& grid, double u, double v) {
+    return light_between(grid, grid_step((u - grid.u) / kLightCell, grid.columns),
+                         grid_step((v - grid.v) / kLightCell, grid.rows));
+}
+
+}  // namespace enfilade

@@ -1,0 +1,191 @@
+#include "render/light_grids.h"
+
+#include <algorithm>
+
+#include "base/hash.h"
+
+namespace enfilade {
+namespace {
+
+/// Some of the map's walls and all its lights: enough to notice that it was loaded again, cheap enough for every frame.
+std::uint64_t fingerprint(const Map& map) {
+    constexpr std::size_t kSamples = 16;
+    Hash hash;
+    hash.add(reinterpret_cast<std::uintptr_t>(map.walls.data()));
+    hash.add(map.walls.size());
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        const Wall& wall = map.walls[(map.walls.size() - 1) * i / kSamples];
+        hash.add(wall.a.x);
+        hash.add(wall.a.y);
+    }
+    for (const PointLight& light : map.lights) {
+        hash.add(light.position.x);
+        hash.add(light.position.y);
+        hash.add(light.z);
+        hash.add(light.reach);
+    }
+    return hash.value();
+}
+
+}  // namespace
+
+bool LightGrids::start(const Map& map) {
+    if (map.lights.empty()) return false;
+    const std::uint64_t wanted = fingerprint(map);
+    const Held held(lock_);
+    if (map_ != wanted) forget(map);
+    map_ = wanted;
+    return true;
+}
+
+void LightGrids::forget(const Map& map) {
+    images_ = LightImages(map);
+    memos_.clear();
+    memos_.resize(map.walls.size() + map.panels.size() + map.things.size() + map.sectors.size());
+}
+
+LightGrids::Memo& LightGrids::memo(std::size_t number) {
+    const Held held(lock_);
+    if (!memos_[number]) memos_[number] = std::make_unique<Memo>();
+    return *memos_[number];
+}
+
+void LightGrids::note_sectors(const Map& map, SectorId home, Memo& memo) {
+    memo.sectors = {home};
+    for (const LampOnSurface& lamp : memo.lamps) {
+        const SectorId lit_from = map.lights[lamp.image.light].sector;
+        if (std::find(memo.sectors.begin(), memo.sectors.end(), lit_from) == memo.sectors.end())
+            memo.sectors.push_back(lit_from);
+        lamp.rays.add_sectors(map, memo.sectors);
+    }
+}
+
+/// own_height: of a thing; else 0.
+bool LightGrids::heights_changed(const Snapshot& snapshot, Memo& memo, double own_height) {
+    const std::size_t count = 2 * memo.sectors.size() + 1;
+    bool changed = memo.heights.size() != count;
+    memo.heights.resize(count);
+    const auto note = [&](std::size_t i, double height) {
+        changed |= memo.heights[i] != height;
+        memo.heights[i] = height;
+    };
+    for (std::size_t i = 0; i < memo.sectors.size(); ++i) {
+        note(2 * i, snapshot[memo.sectors[i]].floor_z);
+        note(2 * i + 1, snapshot[memo.sectors[i]].ceiling_z);
+    }
+    note(count - 1, own_height);
+    return changed;
+}
+
+bool LightGrids::colors_changed(const Moment& now, Memo& memo) {
+    bool changed = memo.colors.size() != memo.lamps.size();
+    memo.colors.resize(memo.lamps.size());
+    for (std::size_t i = 0; i < memo.lamps.size(); ++i) {
+        const LampColor color = lamp_color(now.map, now.snapshot, memo.lamps[i].image.light);
+        changed |= memo.colors[i] != color;
+        memo.colors[i] = color;
+    }
+    return changed;
+}
+
+/// make(image): the lamp on this surface. patch(lamp, side): what arrives of it now.
+template <class Make, class Patch>
+const LightGrid* LightGrids::grid(const Moment& now, std::size_t number, SectorId home, int side, double own_height,
+                                  Make make, Patch patch) {
+    const auto images = images_.in(home);
+    if (images.empty()) return nullptr;
+    Memo& memo = this->memo(number);
+    const Held held(memo.lock);
+    if (memo.is_new) {
+        for (const LightImage& image : images) memo.lamps.push_back(make(image));
+        std::erase_if(memo.lamps, [](const LampOnSurface& lamp) { return lamp.box.columns == 0; });
+        note_sectors(now.map, home, memo);
+        memo.is_new = false;
+    }
+    if (memo.lamps.empty()) return nullptr;
+    const bool moved = heights_changed(now.snapshot, memo, own_height);
+    const bool recolored = colors_changed(now, memo);
+    for (int s = 0; s < 2 && (moved || recolored); ++s) {
+        if (moved) memo.patches[s].clear();
+        for (const LampOnSurface& lamp : memo.lamps)
+            if (moved) memo.patches[s].push_back(patch(lamp, s));
+        memo.grids[s] = sum_of(memo.patches[s], memo.colors);
+    }
+    return memo.grids[side].columns > 0 ? &memo.grids[side] : nullptr;
+}
+
+namespace {
+
+UprightSurface upright(const Map& map, WallId id) {
+    const Wall& wall = map[id];
+    return {wall.sector, id, wall.a, wall.b, wall.length};
+}
+UprightSurface upright(const Map& map, PanelId id) {
+    const Panel& panel = map[id];
+    return {panel.sector, {}, panel.a, panel.b, panel.length};
+}
+
+/// Only the first side of what has but one.
+template <class Patch>
+auto one_sided(Patch patch) {
+    return [=](const LampOnSurface& lamp, int side) { return side == 0 ? patch(lamp) : LightPatch{}; };
+}
+
+}  // namespace
+
+const LightGrid* LightGrids::on_wall(const Map& map, const Snapshot& snapshot, WallId id) {
+    const UprightSurface surface = upright(map, id);
+    const SectorSnapshot& room = snapshot[surface.sector];
+    const auto make = [&](const LightImage& image) { return lamp_on(map, surface, image); };
+    const auto patch = [&](const LampOnSurface& lamp) {
+        return patch_on(map, snapshot, surface, lamp, room.floor_z, room.ceiling_z);
+    };
+    return grid({map, snapshot}, id.index, surface.sector, 0, 0, make, one_sided(patch));
+}
+
+const LightGrid* LightGrids::on_panel(const Map& map, const Snapshot& snapshot, PanelId id) {
+    const UprightSurface surface = upright(map, id);
+    const SectorSnapshot& room = snapshot[surface.sector];
+    const double bottom = std::max(map[id].bottom, room.floor_z), top = std::min(map[id].top, room.ceiling_z);
+    const auto make = [&](const LightImage& image) { return lamp_on(map, surface, image); };
+    const auto patch = [&](const LampOnSurface& lamp) { return patch_on(map, snapshot, surface, lamp, bottom, top); };
+    return grid({map, snapshot}, map.walls.size() + id.index, surface.sector, 0, 0, make, one_sided(patch));
+}
+
+const LightGrid* LightGrids::on_thing(const Map& map, const Snapshot& snapshot, ThingId id) {
+    const Thing& thing = map[id];
+    const double z = thing_at(map, snapshot, id).z + thing.height / 2;
+    const auto make = [&](const LightImage& image) { return lamp_on(map, thing.sector, thing.position, image); };
+    const auto patch = [&](const LampOnSurface& lamp) { return patch_at(map, snapshot, thing.position, z, lamp); };
+    const std::size_t number = map.walls.size() + map.panels.size() + id.index;
+    return grid({map, snapshot}, number, thing.sector, 0, z, make, one_sided(patch));
+}
+
+namespace {
+constexpr int kFloor = 0, kCeiling = 1;  ///< sides
+}
+
+const LightGrid* LightGrids::on_floor(const Map& map, const Snapshot& snapshot, SectorId sector) {
+    return on_flat(map, snapshot, sector, kFloor);
+}
+
+const LightGrid* LightGrids::on_ceiling(const Map& map, const Snapshot& snapshot, SectorId sector) {
+    return on_flat(map, snapshot, sector, kCeiling);
+}
+
+const LightGrid* LightGrids::on_flat(const Map& map, const Snapshot& snapshot, SectorId sector, int side) {
+    const SectorSnapshot& room = snapshot[sector];
+    const auto flat = [&](int which) -> const Flat& {
+        return which == kFloor ? map[sector].floor : map[sector].ceiling;
+    };
+    if (flat(side).sky) return nullptr;
+    const auto make = [&](const LightImage& image) { return lamp_on(map, sector, image); };
+    const auto patch = [&](const LampOnSurface& lamp, int which) {
+        if (flat(which).sky) return LightPatch{};
+        return patch_on(map, snapshot, which == kFloor ? room.floor_z : room.ceiling_z, lamp);
+    };
+    const std::size_t number = map.walls.size() + map.panels.size() + map.things.size() + sector.index;
+    return grid({map, snapshot}, number, sector, side, 0, make, patch);
+}
+
+}  // namespace enfilade

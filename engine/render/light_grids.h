@@ -1,0 +1,69 @@
+// The light of all point lights on the surfaces of a map, worked out when somebody looks at a surface, and kept.
+//
+// A surface's grid is a function of the map and the snapshot alone: of the heights of the rooms that light passes on
+// its way, and of the colours its lights have at that moment. What depends on neither, which light comes which way to
+// which place, is found once.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/lock.h"
+#include "render/light_patch.h"
+
+namespace enfilade {
+
+/// Grids of one map at one moment after another. Several threads may ask at the same time, about the same moment. A map
+/// without lights costs nothing: no memory, no time.
+class LightGrids {
+public:
+    /// Before each picture, by each thread: forgets all if the map is another one. False: the map has no lights, do not
+    /// ask for any.
+    bool start(const Map& map);
+
+    // What falls on a surface, or null: nothing, as on a sky. Valid until another moment or map is asked about.
+    // Cost: of the first look at a surface, a look for each quarter of a metre that a light's reach covers; when
+    // something moves on the way of its light, a comparison for each; else one for each sector on the way.
+
+    const LightGrid* on_wall(const Map& map, const Snapshot& snapshot, WallId wall);
+    const LightGrid* on_panel(const Map& map, const Snapshot& snapshot, PanelId panel);
+    const LightGrid* on_floor(const Map& map, const Snapshot& snapshot, SectorId sector);
+    const LightGrid* on_ceiling(const Map& map, const Snapshot& snapshot, SectorId sector);
+    /// The same everywhere on the thing's picture: what arrives in the middle of its body.
+    const LightGrid* on_thing(const Map& map, const Snapshot& snapshot, ThingId thing);
+
+private:
+    /// A wall, a panel, a thing, or a sector's floor and ceiling.
+    struct Memo {
+        Lock lock;
+        bool is_new = true;
+        std::vector<LampOnSurface> lamps;
+        std::vector<SectorId> sectors;       ///< whose heights count
+        std::vector<double> heights;         ///< of the moment that patches are of [m]
+        std::vector<LampColor> colors;       ///< of the moment that grids are of
+        std::vector<LightPatch> patches[2];  ///< by lamp; of a sector: floor, ceiling
+        LightGrid grids[2];
+    };
+    struct Moment {
+        const Map& map;
+        const Snapshot& snapshot;
+    };
+
+    void forget(const Map& map);
+    const LightGrid* on_flat(const Map& map, const Snapshot& snapshot, SectorId sector, int side);
+    Memo& memo(std::size_t number);
+    static void note_sectors(const Map& map, SectorId home, Memo& memo);
+    static bool heights_changed(const Snapshot& snapshot, Memo& memo, double own_height);
+    static bool colors_changed(const Moment& now, Memo& memo);
+    template <class Make, class Patch>
+    const LightGrid* grid(const Moment& now, std::size_t number, SectorId home, int side, double own_height, Make make,
+                          Patch patch);
+
+    Lock lock_;
+    std::optional<std::uint64_t> map_;  ///< fingerprint
+    LightImages images_;
+    std::vector<std::unique_ptr<Memo>> memos_;  ///< of walls, then panels, things, sectors
+};
+
+}  // namespace enfilade

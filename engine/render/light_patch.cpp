@@ -1,0 +1,144 @@
+#include "render/light_patch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "world/light.h"
+
+namespace enfilade {
+namespace {
+
+/// What a surface takes of light that only grazes it [1]. Without it, floors far from a low lamp were black.
+constexpr double kGrazing = 1.0 / 3;
+
+/// Numbers for the lots of lights, apart from those of sectors (world/light.h).
+constexpr std::uint64_t kLightSeeds = std::uint64_t{1} << 32;
+
+/// What arrives at a place, were nothing in between. normal_way: how far the light is from the surface's plane [m].
+double unhindered(double way, double normal_way, double reach) {
+    return way < reach ? light_falloff(way, reach) * light_facing(way > 0 ? normal_way / way : 1) : 0;
+}
+
+}  // namespace
+
+double light_falloff(double way, double reach) {
+    const double left = 1 - way / reach;
+    return left > 0 ? left * left : 0;
+}
+
+LightBox light_box(double u_low, double u_high, double v_low, double v_high) {
+    if (!(u_low <= u_high && v_low <= v_high)) return {};
+    const auto first = [](double metres) { return static_cast<int>(std::floor(metres / kLightCell)); };
+    const auto count = [&](double low, double high) {
+        return std::max(static_cast<int>(std::ceil(high / kLightCell)) - first(low) + 1, 2);
+    };
+    return {first(u_low), count(u_low, u_high), first(v_low), count(v_low, v_high)};
+}
+
+double light_facing(double cosine) { return kGrazing + (1 - kGrazing) * std::fabs(cosine); }
+
+LightPatch patch_on(const Map& map, const Snapshot& snapshot, const UprightSurface& surface, const LampOnSurface& lamp,
+                    double bottom, double top) {
+    const double reach = map.lights[lamp.image.light].reach;
+    const Vec2 along = (surface.b - surface.a) * (1 / surface.length);
+    const double aside = dot(right_of(along), lamp.image.from - surface.a);
+    const double above = std::sqrt(std::max(reach * reach - aside * aside, 0.0));
+    const LightBox rows = light_box(0, 0, std::max(bottom, lamp.image.z - above), std::min(top, lamp.image.z + above));
+    LightPatch patch{{lamp.box.column, lamp.box.columns, rows.row, rows.rows}, {}};
+    patch.arrives.reserve(static_cast<std::size_t>(patch.box.columns) * static_cast<std::size_t>(rows.rows));
+    for (int i = 0; i < patch.box.columns; ++i) {
+        const Vec2 place = surface.a + along * ((patch.box.column + i) * kLightCell);
+        const Vec2 flat_way = place - lamp.image.from;
+        for (int j = 0; j < rows.rows; ++j) {
+            const double z = (rows.row + j) * kLightCell, up = z - lamp.image.z;
+            const double free = unhindered(std::sqrt(dot(flat_way, flat_way) + up * up), aside, reach);
+            const bool is_lit = free > 0 && lamp.rays.arrives(map, snapshot, lamp.image, static_cast<std::size_t>(i),
+                                                              std::clamp(z, bottom, top));
+            patch.arrives.push_back(is_lit ? static_cast<float>(free) : 0);
+        }
+    }
+    return patch;
+}
+
+LightPatch patch_on(const Map& map, const Snapshot& snapshot, double z, const LampOnSurface& lamp) {
+    const double reach = map.lights[lamp.image.light].reach, up = z - lamp.image.z;
+    LightPatch patch{lamp.box, {}};
+    if (std::fabs(up) >= reach) patch.box = {};
+    patch.arrives.reserve(static_cast<std::size_t>(patch.box.columns) * static_cast<std::size_t>(patch.box.rows));
+    for (int i = 0; i < patch.box.columns; ++i)
+        for (int j = 0; j < patch.box.rows; ++j) {
+            const Vec2 place{(patch.box.column + i) * kLightCell, (patch.box.row + j) * kLightCell};
+            const Vec2 flat_way = place - lamp.image.from;
+            const double free = unhindered(std::sqrt(dot(flat_way, flat_way) + up * up), up, reach);
+            const std::size_t ray = patch.arrives.size();
+            const bool is_lit = free > 0 && lamp.rays.arrives(map, snapshot, lamp.image, ray, z);
+            patch.arrives.push_back(is_lit ? static_cast<float>(free) : 0);
+        }
+    return patch;
+}
+
+LightPatch patch_at(const Map& map, const Snapshot& snapshot, Vec2 place, double z, const LampOnSurface& lamp) {
+    const Vec2 flat_way = place - lamp.image.from;
+    const double up = z - lamp.image.z, way = std::sqrt(dot(flat_way, flat_way) + up * up);
+    const double free = unhindered(way, way, map.lights[lamp.image.light].reach);
+    const bool is_lit = free > 0 && lamp.rays.arrives(map, snapshot, lamp.image, 0, z);
+    return {{0, 2, 0, 2}, std::vector<float>(4, is_lit ? static_cast<float>(free) : 0)};
+}
+
+LampColor lamp_color(const Map& map, const Snapshot& snapshot, std::uint32_t number) {
+    const PointLight& light = map.lights[number];
+    const double time_s = std::max(snapshot.time_s, 0.0);
+    const double level = light.effect ? level_of(*light.effect, 1, kLightSeeds + number, time_s) : 1;
+    const double bright = light.brightness * level * 256 * kLightSteps / 255;
+    const auto channel = [&](int shift) { return static_cast<float>((light.color >> shift & 0xFF) * bright); };
+    return {channel(16), channel(8), channel(0)};
+}
+
+namespace {
+
+/// The box around all of them.
+LightBox box_around(std::span<const LightPatch> patches) {
+    LightBox all;
+    for (const auto& [box, arrives] : patches) {
+        if (arrives.empty()) continue;
+        if (all.columns == 0) all = box;
+        const int right = std::max(all.column + all.columns, box.column + box.columns);
+        const int end = std::max(all.row + all.rows, box.row + box.rows);
+        all.column = std::min(all.column, box.column);
+        all.row = std::min(all.row, box.row);
+        all.columns = right - all.column;
+        all.rows = end - all.row;
+    }
+    return all;
+}
+
+std::uint32_t lane_of(float light) {
+    return static_cast<std::uint32_t>(std::min(light, static_cast<float>(kMostLight) - 0.5f) + 0.5f);
+}
+
+}  // namespace
+
+LightGrid sum_of(std::span<const LightPatch> patches, std::span<const LampColor> colors) {
+    const LightBox all = box_around(patches);
+    LightGrid grid{all.column * kLightCell, all.row * kLightCell, all.columns, all.rows, {}};
+    std::vector<LampColor> sums(static_cast<std::size_t>(all.columns) * static_cast<std::size_t>(all.rows));
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        const float* arrives = patches[p].arrives.data();
+        const LightBox& box = patches[p].box;
+        if (patches[p].arrives.empty()) continue;
+        for (int i = box.column - all.column; i < box.column - all.column + box.columns; ++i)
+            for (int j = box.row - all.row; j < box.row - all.row + box.rows; ++j, ++arrives) {
+                LampColor& sum = sums[static_cast<std::size_t>(i) * static_cast<std::size_t>(all.rows) +
+                                      static_cast<std::size_t>(j)];
+                sum.red += *arrives * colors[p].red;
+                sum.green += *arrives * colors[p].green;
+                sum.blue += *arrives * colors[p].blue;
+            }
+    }
+    grid.cells.reserve(sums.size());
+    for (const LampColor& sum : sums)
+        grid.cells.push_back(light_cell(lane_of(sum.red), lane_of(sum.green), lane_of(sum.blue)));
+    return grid;
+}
+
+}  // namespace enfilade
