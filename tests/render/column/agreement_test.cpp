@@ -110,7 +110,7 @@ World lit_world(const MapFile& file) {
     return world;
 }
 
-TEST(ColumnRenderer, AgreesWithTheReferenceInTheLightOfLamps) { expect_agreement(lit_world(lit_palace()), 15, 40); }
+TEST(ColumnRenderer, AgreesWithTheReferenceInTheLightOfLamps) { expect_agreement(lit_world(lit_palace()), 11, 20); }
 
 TEST(ColumnRenderer, AgreesWithTheReferenceInTheLightOfLampsInFog) {
     MapFile file = lit_palace();
