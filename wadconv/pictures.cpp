@@ -106,7 +106,7 @@ void Pictures::list_flats(const WadPile& pile) {
     for (const auto& [name, lump] : pile.flats())
         if (name != kSkyFlat)
             files_.push_back({std::string(kFlatFolder) + picture_name(name), kFlatSide, kFlatSide,
-                              [lump = lump] { return read_flat(*lump); }});
+                              [flat = lump] { return read_flat(*flat); }});
 }
 
 void Pictures::list_sprite(const SpriteFrames& frames, const std::string& frame) {

@@ -68,7 +68,8 @@ private:
 
     void visit(const Json& object, const std::string& prefix) {
         EXPECT_EQ(object["additionalProperties"].text, "false") << prefix;
-        for (const auto& [name, written] : object["properties"].members) {
+        for (const Json& written : object["properties"].members) {
+            const std::string& name = written.name;
             const Json& json = followed(written);
             bool required = false;
             for (const Json& item : object["required"].items) required |= item.text == name;

@@ -10,15 +10,16 @@ namespace enfilade {
 
 /// A JSON value. What is no object, array or string is kept as its text.
 struct Json {
-    std::string text;                                   ///< of a string, or of a number or word
-    std::vector<std::pair<std::string, Json>> members;  ///< of an object
-    std::vector<Json> items;                            ///< of an array
+    std::string name;           ///< of a member of an object
+    std::string text;           ///< of a string, or of a number or word
+    std::vector<Json> members;  ///< of an object
+    std::vector<Json> items;    ///< of an array
 
     /// The member of that name; an empty value where there is none.
-    const Json& operator[](std::string_view name) const {
+    const Json& operator[](std::string_view wanted) const {
         static const Json kNothing;
-        for (const auto& [key, value] : members)
-            if (key == name) return value;
+        for (const Json& member : members)
+            if (member.name == wanted) return member;
         return kNothing;
     }
 };
@@ -61,7 +62,8 @@ private:
         for (++at_, skip_blanks(); text_.at(at_) != '}'; at_ += text_[at_] == ',' ? 1 : 0, skip_blanks()) {
             std::string name = read_string();
             at_ = text_.find(':', at_) + 1;
-            json.members.emplace_back(std::move(name), read());
+            json.members.push_back(read());
+            json.members.back().name = std::move(name);
         }
         ++at_;
     }
