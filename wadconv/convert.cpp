@@ -38,7 +38,8 @@ void count_contents(const DoomMap& doom, Report& report) {
 
 }  // namespace
 
-Conversion convert_map(const DoomMap& doom, const Pictures& pictures, const ConvertOptions& options) {
+Conversion convert_map(const DoomMap& doom, const Pictures& pictures, const Sounds& sounds,
+                       const ConvertOptions& options) {
     Conversion conversion;
     Report& report = conversion.report;
     count_contents(doom, report);
@@ -58,14 +59,21 @@ Conversion convert_map(const DoomMap& doom, const Pictures& pictures, const Conv
     for (const std::uint32_t sector : exits_of(doom, parts.value()))
         if (sector != kNone) exits[sector] = true;
     const TriggerMaker triggers(doom, parts.value(), pictures, neighbours, exits, report);
-    Workbench bench{doom,       pictures, parts.value(),
-                    neighbours, triggers, settle_heights(doom, parts.value(), options.open_doors, report),
-                    report,     file};
+    Workbench bench{doom,
+                    pictures,
+                    sounds,
+                    parts.value(),
+                    neighbours,
+                    triggers,
+                    settle_heights(doom, parts.value(), options.open_doors, report),
+                    report,
+                    file};
     convert_sectors(bench);
     convert_walls(bench);
     convert_panels(bench);
     convert_things(bench);
     convert_picture_changes(bench);
+    convert_sounds(bench);
     report.parts = file.sectors.size();
     conversion.file = std::move(file);
     return conversion;

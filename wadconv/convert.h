@@ -6,6 +6,7 @@
 #include "wadconv/doom_records.h"
 #include "wadconv/pictures.h"
 #include "wadconv/report.h"
+#include "wadconv/sounds.h"
 
 namespace enfilade::wadconv {
 
@@ -22,6 +23,7 @@ struct Conversion {
 /// Converts geometry, textures, light, things, and what lines and sectors do; x/32, -y/32, z/32, exactly. Specials that
 /// have no word here, and flags that say more than the wall itself, are kept as `doom`: a line's on the wall of its
 /// right side, a sector's on all of its parts. Cost: O(n log n) in the lines.
-Conversion convert_map(const DoomMap& doom, const Pictures& pictures, const ConvertOptions& options);
+Conversion convert_map(const DoomMap& doom, const Pictures& pictures, const Sounds& sounds,
+                       const ConvertOptions& options);
 
 }  // namespace enfilade::wadconv

@@ -10,6 +10,7 @@
 #include "map/build.h"
 #include "wadconv/map_lumps.h"
 #include "wadconv/pictures.h"
+#include "wadconv/sounds.h"
 #include "wadconv/thing_table.h"
 
 namespace enfilade::wadconv {
@@ -81,8 +82,8 @@ std::string guesses_text(const Report& report) {
 /// One run's maps.
 class MapWriter {
 public:
-    MapWriter(const WadPile& pile, const Pictures& pictures, const RunOptions& options)
-        : pile_(pile), pictures_(pictures), options_(options), sizes_(pictures.sizes()) {}
+    MapWriter(const WadPile& pile, const Pictures& pictures, const Sounds& sounds, const RunOptions& options)
+        : pile_(pile), pictures_(pictures), sounds_(sounds), options_(options), sizes_(pictures.sizes()) {}
 
     Report convert(const std::string& name) const {
         Conversion conversion = convert_one(name);
@@ -101,7 +102,7 @@ private:
         if (!lumps) return refused(lumps.error());
         const Result<DoomMap> doom = decode_map(lumps.value());
         if (!doom) return refused(doom.error());
-        return convert_map(doom.value(), pictures_, options_.convert);
+        return convert_map(doom.value(), pictures_, sounds_, options_.convert);
     }
 
     static Conversion refused(const Error& error) {
@@ -117,6 +118,7 @@ private:
 
     const WadPile& pile_;
     const Pictures& pictures_;
+    const Sounds& sounds_;
     const RunOptions& options_;
     const TextureSet sizes_;
 };
@@ -135,17 +137,22 @@ Result<RunResult> convert_wads(const RunOptions& options, const Progress& progre
     const Result<Pictures> listed = Pictures::list(pile.value(), idle_frames());
     if (!listed) return listed.error();
     const Pictures& pictures = listed.value();
+    const Sounds sounds = Sounds::list(pile.value());
 
     const std::size_t total = pictures.files().size() + maps.value().size();
     std::atomic<std::size_t> done{0};
     const auto step = [&] { progress(done.fetch_add(1) + 1, total); };
     RunResult result;
     result.light = light_text(pictures);
-    for (const Error& problem : pictures.problems()) result.problems.push_back(problem.text());
-    const auto failures = write_pictures(pictures, options.out + "/textures", options.jobs, step);
-    for (const Error& problem : failures) result.problems.push_back(problem.text());
+    const auto add_problems = [&](const std::vector<Error>& errors) {
+        for (const Error& problem : errors) result.problems.push_back(problem.text());
+    };
+    add_problems(pictures.problems());
+    add_problems(sounds.problems());
+    add_problems(write_pictures(pictures, options.out + "/textures", options.jobs, step));
+    add_problems(sounds.write(options.out));
 
-    const MapWriter writer(pile.value(), pictures, options);
+    const MapWriter writer(pile.value(), pictures, sounds, options);
     result.reports.resize(maps.value().size());
     parallel_for(maps.value().size(), options.jobs, [&](std::size_t i, std::size_t) {
         result.reports[i] = writer.convert(maps.value()[i]);

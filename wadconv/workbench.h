@@ -11,6 +11,7 @@
 #include "wadconv/parts.h"
 #include "wadconv/pictures.h"
 #include "wadconv/report.h"
+#include "wadconv/sounds.h"
 #include "wadconv/triggers.h"
 
 namespace enfilade::wadconv {
@@ -25,6 +26,7 @@ struct Heights {
 struct Workbench {
     const DoomMap& doom;
     const Pictures& pictures;
+    const Sounds& sounds;
     const Parts& parts;
     const Neighbours& neighbours;
     const TriggerMaker& triggers;
@@ -71,6 +73,9 @@ std::vector<std::uint32_t> exits_of(const DoomMap& doom, const Parts& parts);
 
 /// Adds the animations and switches that the map's pictures take part in.
 void convert_picture_changes(Workbench& bench);
+
+/// Adds the sounds of what moves, is switched and is picked up, as far as the archives have them.
+void convert_sounds(Workbench& bench);
 
 /// convert_things.cpp: things and the player's start.
 void convert_things(Workbench& bench);

@@ -107,6 +107,7 @@ struct SectorRecord {
     int damage = 0;                      ///< what a second on its floor costs [points of health]
     bool secret = false;                 ///< counted, and told, when it is found
     std::string move_sound, stop_sound;  ///< when its floor or ceiling moves, and when it arrives; empty: silent
+    std::string down_sound;              ///< instead of move_sound on the way down; empty: no other
     std::optional<DoomRecord> doom;
     TextPlace place;
     bool operator==(const SectorRecord&) const = default;

@@ -64,6 +64,7 @@ constexpr std::array kSectorKeys{
     key<&SectorRecord::damage>("damage", kNew, Need::optional, {0, 1000}),
     key<&SectorRecord::secret>("secret", kNew),
     key<&SectorRecord::move_sound>("move_sound", kNew),
+    key<&SectorRecord::down_sound>("down_sound", kNew),
     key<&SectorRecord::stop_sound>("stop_sound", kNew),
     key<&SectorRecord::doom>("doom", kNew),
     header_key<&SectorRecord::loops>("loops", kBoth, Need::required),

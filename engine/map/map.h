@@ -104,7 +104,8 @@ struct Sector {
     std::optional<LightEffectRecord> light_effect;
     int damage = 0;  ///< of a second on its floor [points of health]
     bool secret = false;
-    SoundId move_sound, stop_sound;  ///< of its floor and ceiling: when they set off, and when they arrive; or none
+    SoundId up_sound, down_sound;  ///< of its floor and ceiling when they set off, or none
+    SoundId stop_sound;            ///< when they arrive, or none
 };
 
 /// One picture of an animation, from each direction.

@@ -34,7 +34,8 @@ public:
         for (std::size_t i = 0; i < map_.sectors.size(); ++i) {
             const SectorRecord& record = *draft_.sectors[i].record;
             Sector& sector = map_.sectors[i];
-            sector.move_sound = found(record.move_sound, record.place);
+            sector.up_sound = found(record.move_sound, record.place);
+            sector.down_sound = record.down_sound.empty() ? sector.up_sound : found(record.down_sound, record.place);
             sector.stop_sound = found(record.stop_sound, record.place);
             place_on_triggers(sector.triggers, record.triggers, [&](Trigger& t) { t.on_sector = SectorId(i); });
         }

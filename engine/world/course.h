@@ -36,9 +36,10 @@ double value_at(const Course& course, double tick);
 /// The first tick at which it has come to rest for good, its last wait not counted; none where it never does.
 std::optional<std::uint64_t> end_of(const Course& course);
 
-/// A time in which a value moves [ticks].
+/// A time in which a value moves.
 struct Move {
-    double begin = 0, end = 0;
+    double begin = 0, end = 0;  ///< [ticks]
+    bool is_down = false;
 };
 
 /// When the course moves, in order: those that end after `since` and begin by `until`. Cost: the laps between the

@@ -74,7 +74,7 @@ private:
     /// From the present change of a value back through those whose sounds may still be heard.
     void hear_movers(SectorId id, Channel channel) {
         const Sector& sector = map_[id];
-        if (!now_.history || (!sector.move_sound && !sector.stop_sound)) return;
+        if (!now_.history || (!sector.up_sound && !sector.down_sound && !sector.stop_sound)) return;
         const auto way_here = hearing_.from(id);
         const std::uint32_t number = 2 * id.index + (channel == Channel::ceiling);
         double cut = kNever, next_begin = kNever;
@@ -84,7 +84,7 @@ private:
             for (auto move = moves.rbegin(); move != moves.rend(); ++move) {
                 if (move->begin >= cut) continue;
                 const double end = std::min(move->end, cut);
-                hear_start(sector.move_sound, number, move->begin, end, way_here);
+                hear_start(move->is_down ? sector.down_sound : sector.up_sound, number, move->begin, end, way_here);
                 if (end != next_begin) add_once(sector.stop_sound, Maker::stop, number, end, way_here);
                 next_begin = move->begin;
             }

@@ -189,6 +189,7 @@ private:
         sector.damage = whole(0, 99);
         sector.secret = flip();
         sector.move_sound = maybe_text();
+        sector.down_sound = maybe_text();
         sector.stop_sound = maybe_text();
         sector.doom = doom();
         return sector;

@@ -62,9 +62,19 @@ TEST(Sounds, AreFoundBySectors) {
     sector(file, "right").move_sound = "hum";
     sector(file, "right").stop_sound = "click";
     const Map map = built(file);
-    EXPECT_EQ(map.sectors[1].move_sound, SoundId(0u));
+    EXPECT_EQ(map.sectors[1].up_sound, SoundId(0u));
+    EXPECT_EQ(map.sectors[1].down_sound, SoundId(0u));
     EXPECT_EQ(map.sectors[1].stop_sound, SoundId(1u));
-    EXPECT_EQ(map.sectors[0].move_sound, SoundId());
+    EXPECT_EQ(map.sectors[0].up_sound, SoundId());
+}
+
+TEST(Sounds, OfSectorsMayDifferOnTheWayDown) {
+    MapFile file = two_rooms();
+    sector(file, "right").move_sound = "hum";
+    sector(file, "right").down_sound = "click";
+    const Map map = built(file);
+    EXPECT_EQ(map.sectors[1].up_sound, SoundId(0u));
+    EXPECT_EQ(map.sectors[1].down_sound, SoundId(1u));
 }
 
 TEST(Sounds, OfTriggersAreHeardFromWhatTheyAreOn) {

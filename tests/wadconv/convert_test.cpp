@@ -375,7 +375,7 @@ TEST(ConvertMap, SaysWhyItRefuses) {
     doom.lines.erase(doom.lines.begin(), doom.lines.begin() + 2);
     doom.lines.erase(doom.lines.begin() + 1);
     const WadPile pile = pile_of({picture_wad().finish()});
-    const Conversion conversion = convert_map(doom, Pictures::list(pile, {}).value(), {});
+    const Conversion conversion = convert_map(doom, Pictures::list(pile, {}).value(), {}, {});
     EXPECT_FALSE(conversion.file);
     EXPECT_NE(conversion.report.refused, "");
 }

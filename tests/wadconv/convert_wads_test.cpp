@@ -68,6 +68,7 @@ TEST(ConvertWads, WritesMapsThatLoadWithoutAWord) {
     const LoadedMap loaded = load_map(bench.dir.path("out/map01.toml"), {}, read_file);
     for (const Finding& finding : loaded.findings) ADD_FAILURE() << finding.sentence;
     EXPECT_TRUE(loaded.map);
+    EXPECT_TRUE(bench.wrote("sounds/doropn.wav"));
 }
 
 TEST(ConvertWads, GivesTheSameBytesWithAnyNumberOfJobs) {

@@ -11,13 +11,14 @@ namespace enfilade::wadconv::test {
 struct Converted {
     WadPile pile = pile_of({picture_wad().finish()});
     Pictures pictures = Pictures::list(pile, {"POSSA", "POSSB", "BAR1A", "BAR1B"}).value();
+    Sounds sounds = Sounds::list(pile);
     MapFile file;
     Report report;
 
     explicit Converted(const Level& level, const ConvertOptions& options = {}, const std::string& name = "MAP01") {
         DoomMap doom = level.map;
         doom.name = name;
-        Conversion conversion = convert_map(doom, pictures, options);
+        Conversion conversion = convert_map(doom, pictures, sounds, options);
         EXPECT_EQ(conversion.report.refused, "");
         file = conversion.file.value_or(MapFile{});
         report = std::move(conversion.report);

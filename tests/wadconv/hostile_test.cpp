@@ -47,7 +47,7 @@ void convert(const WadPile& pile, const std::string& name, const Pictures& pictu
     if (!lumps) return note(outcome, lumps.error().text());
     const Result<DoomMap> doom = decode_map(lumps.value());
     if (!doom) return note(outcome, doom.error().text());
-    const Conversion conversion = convert_map(doom.value(), pictures, {.open_doors = true});
+    const Conversion conversion = convert_map(doom.value(), pictures, Sounds::list(pile), {.open_doors = true});
     if (!conversion.file) return note(outcome, conversion.report.refused);
     EXPECT_TRUE(conversion.report.sides.is_complete());
     Findings findings;
@@ -85,7 +85,7 @@ TEST(HostileWad, IsFineWhenItIsNot) {
     const Outcome outcome = digest(whole_wad().finish_directory_first());
     EXPECT_EQ(outcome.error, "");
     EXPECT_EQ(outcome.maps, 1u);
-    EXPECT_EQ(outcome.pictures, 24u);
+    EXPECT_EQ(outcome.pictures, 26u);
 }
 
 TEST(HostileWad, IsRefusedWhenCutAtAnyLump) {
@@ -182,7 +182,7 @@ TEST(HostileWad, RefusesMoreThingsAndSidesThanCanBePlaced) {
                                        kBlocking, 0, 0, 0, kNoSide});
     }
     const WadPile pile = pile_of({picture_wad().finish()});
-    const Conversion conversion = convert_map(level.map, Pictures::list(pile, {}).value(), {});
+    const Conversion conversion = convert_map(level.map, Pictures::list(pile, {}).value(), {}, {});
     EXPECT_THAT(conversion.report.refused, ::testing::HasSubstr("too many together"));
 }
 

@@ -292,7 +292,7 @@ TEST(WritePictures, WritesEachIntoItsFolder) {
                 ElementsAre("aanull.png", "fence.png", "flats/ceil1_1.png", "flats/floor0_1.png", "sky1.png",
                             "sprites/bar1a.png", "sprites/possa1.png", "sprites/possa2.png", "sprites/possa3.png",
                             "sprites/possa4.png", "sprites/possa5.png", "sprites/possa6.png", "sprites/possa7.png",
-                            "sprites/possa8.png", "wall.png"));
+                            "sprites/possa8.png", "sw1wall.png", "sw2wall.png", "wall.png"));
 }
 
 TEST(WritePictures, WritesTheSameBytesOnAnyNumberOfThreads) {

@@ -256,6 +256,15 @@ Bytes even_colormap() {
     return bytes_of(out);
 }
 
+Bytes sound(int rate, const std::vector<int>& samples) {
+    ByteWriter out;
+    out.u16(3);
+    out.u16(static_cast<std::uint16_t>(rate));
+    out.u32(static_cast<std::uint32_t>(samples.size()));
+    for (const int sample : samples) out.u8(static_cast<std::uint8_t>(sample));
+    return bytes_of(out);
+}
+
 WadBuilder picture_wad() {
     WadBuilder wad;
     wad.add("PLAYPAL", grey_palette());
@@ -263,6 +272,8 @@ WadBuilder picture_wad() {
     wad.add("PNAMES", pnames({"BRICK", "BARS", "CLOUD"}));
     wad.add("TEXTURE1", texture_lump({{"AANULL", 4, 4, {{0, 0, 0}}},
                                       {"WALL", 4, 4, {{0, 0, 0}}},
+                                      {"SW1WALL", 4, 4, {{0, 0, 0}}},
+                                      {"SW2WALL", 4, 4, {{0, 0, 0}}},
                                       {"FENCE", 4, 4, {{0, 0, 1}}},
                                       {"SKY1", 4, 128, {{0, 0, 2}}}}));
     wad.add("BRICK", patch({"abcd", "efgh", "ijkl", "mnop"}));
@@ -277,6 +288,9 @@ WadBuilder picture_wad() {
     wad.add("F_START");
     for (const char* name : {"FLOOR0_1", "CEIL1_1", "F_SKY1"}) wad.add(name, Bytes(4096, std::byte{7}));
     wad.add("F_END");
+    for (const char* name : {"DSDOROPN", "DSDORCLS", "DSBDOPN", "DSBDCLS", "DSPSTART", "DSPSTOP", "DSSTNMOV",
+                             "DSSWTCHN", "DSSWTCHX", "DSTELEPT", "DSITEMUP"})
+        wad.add(name, sound(11025, {127, 255, 0}));
     return wad;
 }
 

@@ -91,7 +91,11 @@ Bytes texture_lump(const std::vector<TextureText>& textures);
 Bytes grey_palette();
 Bytes even_colormap();
 
-/// An IWAD with pictures for the names that Level uses, sky and two sprites.
+/// A lump of samples, 0 to 255.
+Bytes sound(int rate, const std::vector<int>& samples);
+
+/// An IWAD with pictures for the names that Level uses, a switch, sky and two sprites, and with all sounds that are
+/// converted.
 WadBuilder picture_wad();
 
 }  // namespace enfilade::wadconv::test

@@ -204,6 +204,20 @@ TEST(Voices, ThatLoopGoOnForAsLongAsTheDoorMoves) {
     EXPECT_THAT(heard.at(kDoorTicks + kWaitTicks + kDoorTicks, ear), IsEmpty());
 }
 
+TEST(Voices, OfADoorMayDifferOnItsWayDown) {
+    MapFile file = hall_door_room();
+    sector(file, "door").move_sound = "rumble";
+    sector(file, "door").down_sound = "hum";
+    Heard heard(file);
+    heard.game.hold(kUse);
+    heard.game.hold(kNoKeys, 400);
+    const Place ear = heard.game.player().place;
+    ASSERT_THAT(heard.at(kDoorTicks - 1, ear), SizeIs(1));
+    EXPECT_EQ(heard.at(kDoorTicks - 1, ear)[0].sound, SoundId(2u));
+    ASSERT_THAT(heard.at(2 * kDoorTicks + kWaitTicks - 1, ear), SizeIs(1));
+    EXPECT_EQ(heard.at(2 * kDoorTicks + kWaitTicks - 1, ear)[0].sound, SoundId(1u));
+}
+
 TEST(Voices, OfADoorEndWhenItArrives) {
     MapFile file = hall_door_room();
     sector(file, "door").stop_sound = "click";

@@ -30,12 +30,14 @@ protected:
         wads.push_back(Wad::read(path, std::move(bytes).value()).value());
         pile_.emplace(std::move(wads));
         pictures_.emplace(Pictures::list(*pile_, idle_frames()).value());
+        sounds_ = Sounds::list(*pile_);
         for (const std::string& name : map_names(*pile_))
             maps_.push_back(decode_map(find_map(*pile_, name).value()).value());
     }
 
     std::optional<WadPile> pile_;
     std::optional<Pictures> pictures_;
+    Sounds sounds_;
     std::vector<DoomMap> maps_;
 };
 
@@ -51,7 +53,7 @@ TEST_P(FreeDoom, ConvertsEveryMapSoThatItPassesTheCheck) {
     EXPECT_EQ(maps_.size(), GetParam().maps);
     const TextureSet sizes = pictures_->sizes();
     for (const DoomMap& map : maps_) {
-        const Conversion conversion = convert_map(map, *pictures_, {});
+        const Conversion conversion = convert_map(map, *pictures_, sounds_, {});
         ASSERT_TRUE(conversion.file) << map.name << ": " << conversion.report.refused;
         MapReading reading = read_map(write_map(*conversion.file));
         EXPECT_TRUE(build_map(reading.map, sizes, reading.findings)) << map.name;
@@ -64,7 +66,7 @@ TEST_P(FreeDoom, ConvertsEveryMapSoThatItPassesTheCheck) {
 TEST_P(FreeDoom, OpensItsDoorsToMapsThatPassTheCheckToo) {
     const TextureSet sizes = pictures_->sizes();
     for (const DoomMap& map : maps_) {
-        const Conversion conversion = convert_map(map, *pictures_, {.open_doors = true});
+        const Conversion conversion = convert_map(map, *pictures_, sounds_, {.open_doors = true});
         Findings findings;
         EXPECT_TRUE(build_map(conversion.file.value(), sizes, findings)) << map.name;
     }
@@ -96,7 +98,7 @@ TEST_P(FreeDoom, GivesEverySectorTheAreaOfItsParts) {
 
 TEST_P(FreeDoom, KeepsEveryVertexExactly) {
     for (const DoomMap& map : maps_) {
-        const Conversion conversion = convert_map(map, *pictures_, {});
+        const Conversion conversion = convert_map(map, *pictures_, sounds_, {});
         const MapFile back = read_map(write_map(*conversion.file)).map;
         std::set<std::pair<double, double>> doom, ours;
         for (const Linedef& line : map.lines)
@@ -130,7 +132,7 @@ std::size_t sum(const std::map<int, std::size_t>& counts) {
 TEST_P(FreeDoom, TurnsTheSpecialsOfAllLinesAndSectorsIntoWords) {
     Report total;
     for (const DoomMap& map : maps_) {
-        const Conversion conversion = convert_map(map, *pictures_, {});
+        const Conversion conversion = convert_map(map, *pictures_, sounds_, {});
         const Report& report = conversion.report;
         EXPECT_GE(walls_with_effects(*conversion.file) + sum(report.lines_left), sum(report.line_specials)) << map.name;
         for (const auto& [special, count] : report.lines_left) total.lines_left[special] += count;

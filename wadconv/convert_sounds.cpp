@@ -1,0 +1,129 @@
+// What doors, lifts, floors, switches, teleports and pick-ups sound like.
+#include <algorithm>
+#include <set>
+
+#include "wadconv/workbench.h"
+
+namespace enfilade::wadconv {
+namespace {
+
+/// How far a sound of Doom is heard [map units].
+constexpr double kClippingDistance = 1200;
+
+/// Doors that move at least so fast have sounds of their own: Doom's fast ones are four times as fast as the others
+/// [m/s].
+constexpr double kFastDoor = 4;
+
+/// Names of sounds; empty: silent.
+struct MoverSounds {
+    std::string_view up, down, stop;
+};
+
+MoverSounds sounds_of(const TriggerRecord& trigger) {
+    switch (trigger.deed) {
+        case Deed::door:
+        case Deed::open:
+        case Deed::close:
+        case Deed::close_then_open:
+            if (trigger.speed >= kFastDoor) return {"bdopn", "bdcls", ""};
+            return {"doropn", "dorcls", ""};
+        case Deed::lift:
+        case Deed::shuttle: return {"pstart", "pstart", "pstop"};
+        case Deed::floor:
+        case Deed::stairs: return {"stnmov", "stnmov", "pstop"};
+        case Deed::ceiling:
+        case Deed::crush: return {"stnmov", "stnmov", ""};
+        default: return {};
+    }
+}
+
+/// Grinding stone goes on for as long as it moves.
+bool is_looped(std::string_view sound) { return sound == "stnmov"; }
+
+class SoundMaker {
+public:
+    explicit SoundMaker(Workbench& bench) : bench_(bench) {
+        for (std::size_t i = 0; i < bench.file.sectors.size(); ++i) {
+            const SectorRecord& sector = bench.file.sectors[i];
+            called_[sector.name].push_back(i);
+            for (const std::string& tag : sector.tags) called_[tag].push_back(i);
+        }
+        for (const SwitchRecord& pair : bench.pictures.switches()) switches_.insert({pair.off, pair.on});
+    }
+
+    void run() {
+        for (SectorRecord& sector : bench_.file.sectors)
+            for (LoopRecord& loop : sector.loops)
+                for (WallRecord& wall : loop.walls) give_sounds(wall);
+        for (ThingRecord& thing : bench_.file.things) give_sound(thing);
+        for (const std::string_view sound : used_)
+            bench_.file.sounds.push_back(
+                {std::string(sound), Sounds::file_of(sound), 1, metres(kClippingDistance), is_looped(sound), {}});
+    }
+
+private:
+    void give_sounds(WallRecord& wall) {
+        const bool is_switch = shows_switch(wall);
+        for (TriggerRecord& trigger : wall.triggers) {
+            if (trigger.deed == Deed::teleport)
+                trigger.sound = use("telept");
+            else if (is_switch && trigger.on == Occasion::use)
+                trigger.sound = use(trigger.deed == Deed::exit ? "swtchx" : "swtchn");
+            give_movers(trigger, wall.next);
+        }
+    }
+
+    bool shows_switch(const WallRecord& wall) const {
+        const auto is_one = [this](const std::optional<TextureSpec>& spec) {
+            return spec && switches_.contains(spec->name);
+        };
+        return is_one(wall.texture) || is_one(wall.upper) || is_one(wall.lower) || is_one(wall.middle);
+    }
+
+    /// Whatever first moves a sector decides.
+    void give_movers(const TriggerRecord& trigger, const std::string& behind) {
+        const MoverSounds sounds = sounds_of(trigger);
+        if (sounds.up.empty()) return;
+        if (trigger.targets.empty()) return give_movers(sounds, behind);
+        for (const std::string& target : trigger.targets) give_movers(sounds, target);
+    }
+
+    void give_movers(const MoverSounds& sounds, const std::string& name) {
+        const auto found = called_.find(name);
+        if (found == called_.end()) return;
+        for (const std::size_t i : found->second) {
+            SectorRecord& sector = bench_.file.sectors[i];
+            if (!sector.move_sound.empty()) continue;
+            sector.move_sound = use(sounds.up);
+            if (sounds.down != sounds.up) sector.down_sound = use(sounds.down);
+            sector.stop_sound = use(sounds.stop);
+        }
+    }
+
+    void give_sound(ThingRecord& thing) {
+        if (thing.gives_key.empty() && thing.gives_health == 0) return;
+        TriggerRecord trigger;
+        trigger.on = Occasion::touch;
+        trigger.deed = Deed::sound;
+        trigger.sound = use("itemup");
+        if (!trigger.sound.empty()) thing.triggers.push_back(std::move(trigger));
+    }
+
+    /// Its name, if the archives have it.
+    std::string use(std::string_view sound) {
+        if (!bench_.sounds.has(sound)) return "";
+        used_.insert(sound);
+        return std::string(sound);
+    }
+
+    Workbench& bench_;
+    std::map<std::string, std::vector<std::size_t>, std::less<>> called_;  ///< sectors by name and tag
+    std::set<std::string> switches_;                                       ///< pictures of switches
+    std::set<std::string_view> used_;
+};
+
+}  // namespace
+
+void convert_sounds(Workbench& bench) { SoundMaker(bench).run(); }
+
+}  // namespace enfilade::wadconv
