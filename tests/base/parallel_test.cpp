@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/lock.h"
+
 namespace enfilade {
 namespace {
 
@@ -63,6 +65,18 @@ TEST(ParallelFor, IsDoneWhenItReturns) {
 
 TEST(ParallelForDeathTest, WithoutWorkersIsABrokenContract) {
     EXPECT_DEATH(parallel_for(1, 0, [](std::size_t, std::size_t) {}), "workers >= 1");
+}
+
+TEST(Lock, LetsOneThreadInAtATime) {
+    Lock lock;
+    std::size_t sum = 0;  // not atomic
+    parallel_for(8, 8, [&](std::size_t, std::size_t) {
+        for (int i = 0; i < 10'000; ++i) {
+            const Held held(lock);
+            ++sum;
+        }
+    });
+    EXPECT_EQ(sum, 80'000u);
 }
 
 }  // namespace

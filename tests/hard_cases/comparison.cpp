@@ -95,6 +95,14 @@ bool is_what_shines_through(TexelPosition p, const Texture& texture, std::uint32
     return alpha < 255;
 }
 
+/// Two colours one step apart on a surface that lamps may light: between the points of their grid the place counts in
+/// whole 256ths, of which rounding may choose either.
+bool is_on_step_of_lamps(const Map& map, std::uint32_t a, std::uint32_t b) {
+    for (const int shift : {0, 8, 16})
+        if (std::abs(static_cast<int>(a >> shift & 0xFF) - static_cast<int>(b >> shift & 0xFF)) > 1) return false;
+    return !map.lights.empty();
+}
+
 struct BothPictures {
     Frame column, reference;
     FrameFacts column_facts, reference_facts;
@@ -113,7 +121,8 @@ void note_pixel(const Subject& subject, const BothPictures& both, std::size_t i,
         const Texture& texture = texture_of(subject, truth);
         const bool on_edge = is_on_edge(texel, texture) ||
                              is_on_light_step(subject.map, both.reference_facts.depths[i]) ||
-                             is_what_shines_through(texel, texture, both.column.pixels[i], both.reference.pixels[i]);
+                             is_what_shines_through(texel, texture, both.column.pixels[i], both.reference.pixels[i]) ||
+                             is_on_step_of_lamps(subject.map, both.column.pixels[i], both.reference.pixels[i]);
         ++(on_edge || !is_sure ? result.other_texel : result.wrong_color);
     }
     if (result.is_faultless() || !result.first_fault.empty()) return;

@@ -148,6 +148,19 @@ TEST(PointLight, ComesWithTheOpeningOfADoorAndGoesWithItsClosing) {
     EXPECT_EQ(lit.red_on_floor("east", {6, 2}), open);
 }
 
+TEST(PointLight, ThrowsTheShadowOfALintelOntoTheWallFarBehind) {
+    MapFile file = two_rooms();
+    sector(file, "door").ceiling.z = 1.25;
+    LitMap lit(file);
+    for (std::size_t i = 0; i < lit.map.walls.size(); ++i) {
+        if (lit.map.walls[i].a != Vec2{8, 0}) continue;
+        const LightGrid* east = lit.grids.on_wall(lit.map, lit.snapshot, WallId(i));
+        ASSERT_NE(east, nullptr);
+        EXPECT_GT(lane(light_on(*east, 2, 1.5), 0), 0u);
+        EXPECT_EQ(lane(light_on(*east, 2, 1.9), 0), 0u);
+    }
+}
+
 TEST(PointLight, IsHeldBackByAHighStep) {
     MapFile file = map_of({box_room("low", 0, 0, 4, 4, 0, 4), box_room("high", 4, 0, 8, 4, 2, 4)});
     join_all(file);
@@ -223,7 +236,7 @@ TEST(PointLight, LightsPanelsFromBothSides) {
     panel.texture = spec("cloth");
     file.sectors[0].panels = {panel};
     std::swap(panel.a, panel.b);
-    panel.a.y = panel.b.y = 0;  // along the wall, like a poster
+    panel.a.y = panel.b.y = 8;  // along the wall, like a poster
     file.sectors[0].panels.push_back(panel);
     LitMap lit(file);
     for (const PanelId id : {PanelId(0u), PanelId(1u)}) {

@@ -8,6 +8,7 @@
 #include "math/grid.h"
 #include "math/predicates.h"
 #include "space/locate.h"
+#include "space/sight_line.h"
 #include "space/trace.h"
 #include "support/map_builder.h"
 
@@ -200,6 +201,40 @@ TEST(TraceThroughLinks, ComesBackFromOtherTurnsWithinAFewGridSteps) {
         ASSERT_LE(std::fabs(back.point.x - from.point.x), bound);
         ASSERT_LE(std::fabs(back.point.y - from.point.y), bound);
     }
+}
+
+TEST(SightLine, PassesThePortalsOfAPathAndMeetsTheSameWall) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 100, 50, 104, 54, 3, 6), box_room("c", 4, 4, 8, 8),
+                           box_room("d", 0, 4, 4, 8)});
+    cut_pillar(sector(file, "b"), 101, 51, 102, 52);
+    link(file, "a", {4, 0}, {4, 4}, "b", {100, 50}, {104, 50});
+    join_all(file);
+    const Map map = built(file);
+    Random random(9);
+    SightLine line;
+    for (int i = 0; i < 2000; ++i) {
+        const Place from{kFirst, snap_to_point_grid({random.uniform(0.5, 3.5), random.uniform(0.5, 3.5)})};
+        const Vec2 to = snap_to_point_grid({random.uniform(-2, 9), random.uniform(-2, 9)});
+        const Trace path = trace(map, from, to);
+        look_along(map, from, to, line);
+        ASSERT_EQ(line.met, path.stopped);
+        ASSERT_GE(line.passed.size(), path.crossings.size());  // a body stops before the wall, maybe before a portal
+        for (std::size_t k = 0; k < path.crossings.size(); ++k)
+            ASSERT_EQ(line.passed[k].portal, path.crossings[k].portal);
+    }
+}
+
+TEST(SightLine, SaysWhereAlongTheWayPortalsAreAndHowMuchTheyRaise) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 100, 50, 104, 54, 3, 6)});
+    link(file, "a", {4, 0}, {4, 4}, "b", {100, 50}, {104, 50});
+    SightLine line;
+    look_along(built(file), {kFirst, {2, 1}}, {6, 2}, line);
+    ASSERT_EQ(line.passed.size(), 1u);
+    EXPECT_EQ(line.passed[0].at, 0.5);
+    EXPECT_EQ(line.passed[0].rise, 0);
+    EXPECT_EQ(line.rise, 3);
+    EXPECT_EQ(line.from, (Vec2{103, 48}));
+    EXPECT_FALSE(line.met);
 }
 
 }  // namespace
