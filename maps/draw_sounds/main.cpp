@@ -65,6 +65,14 @@ Wave wind() {
     return loud(looped(low * gusts + high * gusts * gusts * 0.3, 1), 0.7);
 }
 
+// Much of a hiss and little of a roar, and bubbles that nobody can tell apart.
+Wave water() {
+    const Wave roar = below(noise(4, 8), 500) * 1.2, hiss = below(above(noise(4, 9), 900), 4000) * 0.35;
+    const Wave bubbles =
+        drawn(4, [](double t) { return 0.85 + 0.1 * tone(t, 3.5) * tone(t, 1.25) + 0.05 * tone(t, 9); });
+    return loud(looped((roar + hiss) * bubbles, 0.5), 0.6);
+}
+
 }  // namespace
 }  // namespace draw_sounds
 
@@ -82,6 +90,7 @@ int main(int count, char** arguments) {
         save_wav(click(), folder + "click.wav");
         save_wav(torch(), folder + "torch.wav");
         save_wav(wind(), folder + "wind.wav");
+        save_wav(water(), folder + "water.wav");
     } catch (const std::exception& problem) {
         std::fprintf(stderr, "draw_sounds: %s\n", problem.what());
         return 1;
