@@ -119,7 +119,7 @@ private:
     Place place_;
     double radius_;
     const MayPass& may_pass_;
-    std::vector<Room> rooms_;
+    ShortList<Room, 16> rooms_;
     Reach found_;
 };
 

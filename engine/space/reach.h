@@ -6,8 +6,7 @@
 // that the portals lead to counts. A wall that stands behind another wall of the same room is reported, too: then
 // the other one is nearer.
 #pragma once
-#include <vector>
-
+#include "base/short_list.h"
 #include "space/cone.h"
 #include "space/trace.h"
 
@@ -30,8 +29,8 @@ struct ReachedSector {
 };
 
 struct Reach {
-    std::vector<ReachedWall> walls;
-    std::vector<ReachedSector> sectors;  ///< the place's own first; one that is overlapped in two ways is there twice
+    ShortList<ReachedWall, 16> walls;
+    ShortList<ReachedSector, 16> sectors;  ///< the place's own first; one that is overlapped in two ways is there twice
 };
 
 /// Everything nearer to the place than `radius`; touching at exactly that distance does not count. Exact where a wall
@@ -39,7 +38,8 @@ struct Reach {
 ///
 /// radius   : on the point grid [m]; 0 reaches the place's own sector only
 /// may_pass : asked for each portal the disc touches; empty: every portal may be passed
-/// Cost: the walls of the sectors overlapped. Beyond kMaxReachedSectors, portals count as walls.
+/// Cost: the walls of the sectors overlapped; takes no memory where they are few. Beyond kMaxReachedSectors, portals
+/// count as walls.
 Reach reach(const Map& map, const Place& place, double radius, const MayPass& may_pass = {});
 
 /// A disc as large as a body overlaps a dozen sectors on a fine stair. Around a point where links meet at a small

@@ -9,7 +9,9 @@ namespace {
 /// A path under way: its legs so far, each in the space of its own sector.
 class Path {
 public:
-    Path(const Map& map, const Place& from, Vec2 to) : map_(map), legs_{{{from.sector, from.point, to, {}}, {}}} {}
+    Path(const Map& map, const Place& from, Vec2 to) : map_(map) {
+        legs_.push_back({{from.sector, from.point, to, {}}, {}});
+    }
 
     /// The wall the newest leg leaves its sector by, or none.
     WallId way_out() const { return enfilade::way_out(map_, legs_.back().leg); }
@@ -51,8 +53,8 @@ private:
     }
 
     const Map& map_;
-    std::vector<LegInSpace> legs_;
-    std::vector<Crossing> crossings_;
+    ShortList<LegInSpace, 8> legs_;
+    Crossings crossings_;
     int links_ = 0;
 };
 

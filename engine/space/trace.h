@@ -2,8 +2,8 @@
 // look and sound goes through here; nothing else in the engine knows how to cross a portal.
 #pragma once
 #include <functional>
-#include <vector>
 
+#include "base/short_list.h"
 #include "map/map.h"
 
 namespace enfilade {
@@ -26,12 +26,15 @@ struct Crossing {
     bool operator==(const Crossing&) const = default;
 };
 
+/// As many as a path of a tick or a look at what is ahead has in honest maps; more are as good, but take memory.
+using Crossings = ShortList<Crossing, 16>;
+
 /// What a straight path did.
 struct Trace {
-    std::vector<Crossing> crossings;  ///< in order along the path
-    Place end;                        ///< the path's end; where it was stopped: the last place before the wall
-    WallId stopped;                   ///< the wall that ended it (solid, or not to be passed), or none
-    Rigid passage;                    ///< from the space of the start into the space of the end
+    Crossings crossings;  ///< in order along the path
+    Place end;            ///< the path's end; where it was stopped: the last place before the wall
+    WallId stopped;       ///< the wall that ended it (solid, or not to be passed), or none
+    Rigid passage;        ///< from the space of the start into the space of the end
 };
 
 /// Follows the path from `from` along `to - from.point` through every portal it crosses, however many, linked or not.
@@ -50,7 +53,7 @@ struct Trace {
 /// Where the path is stopped, end is the last grid point found on the way that is inside, and stopped is the wall.
 /// Crossings made on the way stay made, but for those behind which there is no grid point inside.
 /// A path that passes kMaxLinksOnPath links is stopped by the next.
-/// Cost: the walls of the sectors passed.
+/// Cost: the walls of the sectors passed. Takes no memory where the path is short.
 Trace trace(const Map& map, const Place& from, Vec2 to, const MayPass& may_pass = {});
 
 /// A straight path winds around a point where links meet as often as the angle around it fits into half a turn.

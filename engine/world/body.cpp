@@ -18,7 +18,7 @@ double distance_to(const ReachedWall& wall) {
 
 }  // namespace
 
-Clearance clearance(const Instant& now, const Body& body, const std::vector<ReachedSector>& sectors) {
+Clearance clearance(const Instant& now, const Body& body, std::span<const ReachedSector> sectors) {
     Clearance free{-kWorldLimit, kWorldLimit};
     for (const ReachedSector& s : sectors) {
         const Heights heights = heights_of(now, s.sector);

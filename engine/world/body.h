@@ -1,5 +1,7 @@
 // A body: an upright cylinder that stands, walks and falls in the rooms its disc overlaps.
 #pragma once
+#include <span>
+
 #include "map/map.h"
 #include "math/grid.h"
 #include "space/reach.h"
@@ -29,7 +31,7 @@ struct Clearance {
     double ceiling_z;
 };
 /// sectors: those that the body's disc overlaps.
-Clearance clearance(const Instant& now, const Body& body, const std::vector<ReachedSector>& sectors);
+Clearance clearance(const Instant& now, const Body& body, std::span<const ReachedSector> sectors);
 
 /// Heights are compared to the millimetre of the vertex grid, so that a step that was written as 0.75 may be climbed
 /// whatever binary fractions its two floors became. True where `height` is not more than `limit` [m].

@@ -16,6 +16,7 @@ struct Mover {
     const Change* change;
     bool crushes;
 };
+using Movers = ShortList<Mover, 8>;
 
 class Carrier {
 public:
@@ -43,8 +44,8 @@ private:
     }
 
     /// The changes that narrow the sectors around the body in this tick.
-    std::vector<Mover> movers() const {
-        std::vector<Mover> found;
+    Movers movers() const {
+        Movers found;
         for (const ReachedSector& reached : around_.sectors) {
             const Heights before = heights_of(here(), reached.sector), after = heights_of(then(), reached.sector);
             if (after.floor_z > before.floor_z) add(reached.sector, Channel::floor, found);
@@ -53,7 +54,7 @@ private:
         return found;
     }
 
-    void add(SectorId sector, Channel channel, std::vector<Mover>& found) const {
+    void add(SectorId sector, Channel channel, Movers& found) const {
         const Change* change = world_.history.change_of(sector, channel, then().tick);
         found.push_back({change, crushes(map_, *change)});
     }
@@ -61,11 +62,11 @@ private:
     /// What crushes may go on while there is room for who is crushed; then everything answers.
     void make_room() {
         if (is_at_most(body_.height, room())) return;
-        const std::vector<Mover> found = movers();
+        const Movers found = movers();
         const bool some_crush = std::any_of(found.begin(), found.end(), [](const Mover& m) { return m.crushes; });
         if (some_crush) hurt();
         const bool is_crushed_to_the_last = !is_at_most(kCrushedHeight, room());
-        std::vector<Change> answers;
+        ShortList<Change, 8> answers;
         for (const Mover& mover : found)
             if (!mover.crushes || is_crushed_to_the_last)
                 answers.push_back(answer_to(here(), *mover.change, world_.tick));

@@ -60,7 +60,7 @@ std::optional<Contact> first_contact(const Map& map, const Reach& around, Vec2 t
     return first;
 }
 
-std::optional<Contact> first_contact(const Map& map, const std::vector<Obstacle>& obstacles, Vec2 target) {
+std::optional<Contact> first_contact(const Map& map, const Obstacles& obstacles, Vec2 target) {
     std::optional<Contact> first;
     for (const Obstacle& obstacle : obstacles) {
         const Vec2 to = snap_to_point_grid(obstacle.passage.apply(target));

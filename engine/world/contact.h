@@ -24,6 +24,6 @@ std::optional<Contact> first_contact(const Map& map, const Reach& around, Vec2 t
 
 /// The same for solid things; each may be approached up to its limit, and one that is nearer already may not be
 /// approached at all.
-std::optional<Contact> first_contact(const Map& map, const std::vector<Obstacle>& obstacles, Vec2 target);
+std::optional<Contact> first_contact(const Map& map, const Obstacles& obstacles, Vec2 target);
 
 }  // namespace enfilade

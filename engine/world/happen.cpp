@@ -63,8 +63,8 @@ bool cross(const Map& map, World& world, WallId id) {
 }
 
 /// Things that the player touches: their discs overlap, and they are neither above nor below.
-std::vector<ThingId> things_touched(const Map& map, const World& world) {
-    std::vector<ThingId> found;
+ShortList<ThingId, 16> things_touched(const Map& map, const World& world) {
+    ShortList<ThingId, 16> found;
     const Instant at = now(map, world);
     const Body body = body_of(at, world.player);
     for (const ReachedSector& reached : around(at, body).sectors) {
@@ -81,7 +81,7 @@ std::vector<ThingId> things_touched(const Map& map, const World& world) {
         }
     }
     std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    found.erase_from(std::unique(found.begin(), found.end()));
     return found;
 }
 
@@ -137,9 +137,10 @@ void pass(const Map& map, World& world, std::span<const Crossing> crossings) {
 
 void touch_what_is_near(const Map& map, World& world) {
     if (map.touchables.empty()) return;
-    const std::vector<ThingId> before = std::move(world.touched);
-    world.touched = things_touched(map, world);
-    const std::vector<ThingId> touched = world.touched;
+    ShortList<ThingId, 16> before;
+    before.append(world.touched);
+    const ShortList<ThingId, 16> touched = things_touched(map, world);
+    world.touched.assign(touched.begin(), touched.end());
     for (const ThingId id : touched) {
         pick_up(map, world, id);
         if (std::binary_search(before.begin(), before.end(), id)) continue;

@@ -5,8 +5,7 @@
 namespace enfilade {
 namespace {
 
-void add_things_of(const Instant& now, const ReachedSector& reached, const Body& body, double way,
-                   std::vector<Obstacle>& found) {
+void add_things_of(const Instant& now, const ReachedSector& reached, const Body& body, double way, Obstacles& found) {
     const Sector& sector = now.map[reached.sector];
     const Vec2 centre = snap_to_point_grid(reached.passage.apply(body.place.point));
     for (std::uint32_t i = sector.first_solid; i < sector.first_solid + sector.solid_count; ++i) {
@@ -21,8 +20,8 @@ void add_things_of(const Instant& now, const ReachedSector& reached, const Body&
 
 }  // namespace
 
-std::vector<Obstacle> obstacles_near(const Instant& now, const Body& body, double way) {
-    std::vector<Obstacle> found;
+Obstacles obstacles_near(const Instant& now, const Body& body, double way) {
+    Obstacles found;
     if (now.map.widest_solid_m == 0) return found;
     const double way_on_grid = way > 0 ? snap_to_point_grid(way) + kPointGrid : 0;
     const Reach around = reach(now.map, body.place, body.radius + now.map.widest_solid_m + way_on_grid);

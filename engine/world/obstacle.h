@@ -1,7 +1,6 @@
 // Solid things near a body: upright cylinders that it may not get into.
 #pragma once
-#include <vector>
-
+#include "base/short_list.h"
 #include "world/body.h"
 
 namespace enfilade {
@@ -16,10 +15,13 @@ struct Obstacle {
     double top;     ///< [m], likewise
 };
 
+/// As many as anybody stands between; more are as good, but take memory.
+using Obstacles = ShortList<Obstacle, 8>;
+
 /// The solid things whose discs come nearer to the body's than `way`; with 0, those that overlap it. At whatever height
 /// they are, and also behind portals that the body cannot pass. Exact.
 /// Cost: the solid things and the walls of the sectors around the body; none in a map without solid things.
-std::vector<Obstacle> obstacles_near(const Instant& now, const Body& body, double way);
+Obstacles obstacles_near(const Instant& now, const Body& body, double way);
 
 /// Whether the obstacle is neither below the body's feet nor above its head.
 bool is_beside(const Obstacle& obstacle, const Body& body);

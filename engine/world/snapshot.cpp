@@ -34,14 +34,13 @@ bool shows_other_face(const Instant& now, const Firing& firing) {
     return now.map[firing.trigger].once || now.tick < static_cast<double>(firing.tick) + kSwitchSeconds * kTickRate;
 }
 
-std::vector<WallId> walls_pressed(const Instant& now) {
-    std::vector<WallId> walls;
+void find_pressed(const Instant& now, std::vector<WallId>& walls) {
+    walls.clear();
     for (const Firing& firing : now.history->firings())
         if (firing.wall && static_cast<double>(firing.tick) <= now.tick && shows_other_face(now, firing))
             walls.push_back(firing.wall);
     std::sort(walls.begin(), walls.end());
     walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
-    return walls;
 }
 
 }  // namespace
@@ -60,7 +59,7 @@ void show(const Instant& now, Snapshot& snapshot) {
     for (const SectorId id : snapshot.changed) snapshot.sectors[id.index] = sector_now(now, id);
     for (const SectorId id : now.history->changed_sectors()) snapshot.sectors[id.index] = sector_now(now, id);
     snapshot.changed = now.history->changed_sectors();
-    snapshot.pressed = walls_pressed(now);
+    find_pressed(now, snapshot.pressed);
     snapshot.taken.clear();
     for (const Taking& taking : now.history->takings())
         if (static_cast<double>(taking.tick) <= now.tick) snapshot.taken.push_back(taking.thing);

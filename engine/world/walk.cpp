@@ -121,9 +121,9 @@ private:
 
     /// The solid things that the body might bump into on a way of this length. Of one that it was in already when the
     /// walk began, it only may not get nearer to the middle: so it can leave, but not go deeper.
-    std::vector<Obstacle> obstacles_beside(const Body& body, double way) const {
-        std::vector<Obstacle> found = obstacles_near(now_, body, way);
-        std::erase_if(found, [&](const Obstacle& obstacle) { return !is_beside(obstacle, body); });
+    Obstacles obstacles_beside(const Body& body, double way) const {
+        Obstacles found = obstacles_near(now_, body, way);
+        found.erase_if([&](const Obstacle& obstacle) { return !is_beside(obstacle, body); });
         for (const Overlapped& old : overlapped_)
             for (Obstacle& obstacle : found)
                 if (obstacle.thing == old.thing) obstacle.limit = std::fmin(obstacle.limit, old.distance);
@@ -160,8 +160,8 @@ private:
             if (way.stopped) return false;
             const Body there = carried(way);
             const Reach found = around(now_, there);
-            std::vector<Obstacle> things = obstacles_beside(there, 0);
-            std::erase_if(things, [&](const Obstacle& obstacle) { return !overlaps(map_, obstacle); });
+            Obstacles things = obstacles_beside(there, 0);
+            things.erase_if([&](const Obstacle& obstacle) { return !overlaps(map_, obstacle); });
             if (things.empty() && fits(now_, there, found)) {
                 settle(there, way);
                 *turned = way.passage;
@@ -191,7 +191,7 @@ private:
         return sum;
     }
 
-    Vec2 away_from(const std::vector<Obstacle>& things) const {
+    Vec2 away_from(const Obstacles& things) const {
         Vec2 sum;
         for (const Obstacle& thing : things) {
             const Vec2 out = thing.centre - map_[thing.thing].position;
@@ -203,7 +203,7 @@ private:
     void settle(const Body& there, const Trace& way) {
         const Rigid& passage = way.passage;
         body_ = there;
-        crossings_.insert(crossings_.end(), way.crossings.begin(), way.crossings.end());
+        crossings_.append(way.crossings);
         passage_ = then(passage_, passage);
         move_ = passage.turn(move_);
         velocity_ = passage.turn(velocity_);
@@ -215,7 +215,7 @@ private:
     Body body_;
     Vec2 velocity_, move_;
     Rigid passage_;
-    std::vector<Crossing> crossings_;
+    Crossings crossings_;
     Normals normals_;
 
     /// A thing that the body was in when the walk began, and how far from its middle.
@@ -223,7 +223,7 @@ private:
         ThingId thing;
         double distance;
     };
-    std::vector<Overlapped> overlapped_;
+    ShortList<Overlapped, 8> overlapped_;
 };
 
 }  // namespace

@@ -5,8 +5,6 @@
 // there (space/reach.h). If it does not fit, it is moved off by a few grid steps, and failing that it goes only part of
 // the way. So a body that fits goes on fitting, for ever, and no tolerance decides anything.
 #pragma once
-#include <vector>
-
 #include "world/body.h"
 
 namespace enfilade {
@@ -14,9 +12,9 @@ namespace enfilade {
 /// Where a walk led.
 struct Walk {
     Place end;
-    Rigid passage;                    ///< from the space of the start into that of the end
-    Vec2 velocity;                    ///< what the walls left of it, in the space of the end [m/s]
-    std::vector<Crossing> crossings;  ///< the portals that the middle of the body passed, in order
+    Rigid passage;        ///< from the space of the start into that of the end
+    Vec2 velocity;        ///< what the walls left of it, in the space of the end [m/s]
+    Crossings crossings;  ///< the portals that the middle of the body passed, in order
 };
 
 /// Moves a body that fits for some time. Its feet stay at their height: steps are taken afterwards.

@@ -76,7 +76,7 @@ std::vector<MosaicPlan> plans(double solid) {
             {.jitter = 0.5, .jitter_step = 0.5, .origin = {32736, -32768}, .labels = 6, .solid = solid}};
 }
 
-std::vector<Crossing> backward(const Map& map, std::vector<Crossing> crossings) {
+Crossings backward(const Map& map, Crossings crossings) {
     std::reverse(crossings.begin(), crossings.end());
     for (Crossing& c : crossings) c.portal = map[c.portal].exit;
     return crossings;
@@ -138,11 +138,11 @@ TEST(TraceOverMosaics, IsTheSumOfItsParts) {
         const Vec2 part = snap_to_point_grid((points.next() - from.point) * (1.0 / 7));
         const Trace whole = trace(mosaic.map, from, from.point + part * 7);
         if (whole.stopped) return;
-        std::vector<Crossing> joined;
+        Crossings joined;
         Place at = from;
         for (int i = 0; i < 7; ++i) {
             const Trace step = trace(mosaic.map, at, at.point + part);
-            joined.insert(joined.end(), step.crossings.begin(), step.crossings.end());
+            joined.append(step.crossings);
             at = step.end;
         }
         ASSERT_EQ(joined, whole.crossings);

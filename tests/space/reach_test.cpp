@@ -92,7 +92,7 @@ TEST(Reach, FindsNoNearestWallThatAStraightWayDoesNotRunInto) {
         for (int i = 0; i < 300; ++i) {
             const Place place = random_place(mosaic, random);
             Reach found = reach(mosaic.map, place, 2);
-            std::erase_if(found.walls, [](const ReachedWall& w) { return w.stretch.a == w.stretch.b; });
+            found.walls.erase_if([](const ReachedWall& w) { return w.stretch.a == w.stretch.b; });
             if (found.walls.empty()) continue;
             const auto nearest = std::min_element(
                 found.walls.begin(), found.walls.end(),

@@ -1,0 +1,78 @@
+// A tick takes no memory: not while nothing happens, nor while somebody runs about, nor while things move.
+#include <gtest/gtest.h>
+
+#include "support/count_allocations.h"
+#include "support/generate_map.h"
+#include "world/random_walks.h"
+#include "world/snapshot.h"
+
+namespace enfilade {
+namespace {
+
+using namespace test;
+
+constexpr int kWarmUp = 200, kTicks = 600;
+
+/// What is taken from the heap while somebody presses keys and looks, once everything has grown as large as it gets.
+std::size_t allocations_of_ticks(const Map& map, World world, RandomKeys* keys) {
+    Snapshot snapshot = at_rest(map);
+    std::size_t before = 0;
+    for (int tick = 0; tick < kWarmUp + kTicks; ++tick) {
+        if (tick == kWarmUp) before = allocations();
+        step(map, world, keys ? keys->next() : kNoKeys);
+        show(now(map, world), snapshot);
+    }
+    return allocations() - before;
+}
+
+/// Rooms with an effect each, things among them.
+MapFile furnished_rooms() {
+    MapFile file = grid_of_rooms(200);
+    for (SectorRecord& sector : file.sectors) {
+        sector.triggers = {trigger_on(Occasion::use, Deed::door)};
+        sector.light_effect = LightEffectRecord{};
+    }
+    for (int i = 0; i < 40; ++i) {
+        ThingRecord thing;
+        thing.position = {4.0 + 8 * (i % 8), 2.0 + 8 * (i / 8)};
+        thing.solid = true;
+        thing.radius = 0.25;
+        thing.height = 1;
+        thing.gives_health = 10;
+        file.things.push_back(thing);
+    }
+    return file;
+}
+
+TEST(Tick, TakesNoMemoryWhileNothingHappens) {
+    const Game game(furnished_rooms());
+    EXPECT_EQ(allocations_of_ticks(game.map, game.world, nullptr), 0u);
+}
+
+TEST(Tick, TakesNoMemoryWhileSomebodyRunsAbout) {
+    const Game game(furnished_rooms());
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        RandomKeys keys(seed);
+        EXPECT_EQ(allocations_of_ticks(game.map, game.world, &keys), 0u) << "seed " << seed;
+    }
+}
+
+TEST(Tick, TakesNoMemoryOnStairsAndInCornersOfAnyShape) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        const Map map = mosaic_of_steps(seed);
+        Random random(seed);
+        RandomKeys keys(seed);
+        EXPECT_EQ(allocations_of_ticks(map, start_somewhere(map, random), &keys), 0u) << "seed " << seed;
+    }
+}
+
+TEST(Tick, TakesNoMemoryWhileFloorsMove) {
+    MapFile file = furnished_rooms();
+    for (std::size_t i = 0; i < 10; ++i) file.sectors[i].triggers.push_back(trigger_on(Occasion::start, Deed::shuttle));
+    const Game game(file);
+    RandomKeys keys(1);
+    EXPECT_EQ(allocations_of_ticks(game.map, game.world, &keys), 0u);
+}
+
+}  // namespace
+}  // namespace enfilade
