@@ -8,7 +8,7 @@ namespace {
 
 /// The frame of the picture's animation; the picture itself shows when it would be its own turn.
 TextureId animated(const PictureChanges& pictures, TextureId picture, double time_s) {
-    if (!picture || pictures.animation_of.empty()) return picture;
+    if (!built_in::kAnimation || !picture || pictures.animation_of.empty()) return picture;
     const std::uint32_t number = pictures.animation_of[picture.index];
     if (number == PictureChanges::kNone) return picture;
     const Animation& animation = pictures.animations[number];
@@ -19,7 +19,7 @@ TextureId animated(const PictureChanges& pictures, TextureId picture, double tim
 }
 
 TextureId face_of(const Map& map, const Snapshot& snapshot, WallId wall, TextureId picture) {
-    if (!picture || snapshot.pressed.empty() || map.pictures.other_face.empty()) return picture;
+    if (!built_in::kSwitches || !picture || snapshot.pressed.empty() || map.pictures.other_face.empty()) return picture;
     const TextureId other = map.pictures.other_face[picture.index];
     return other && std::binary_search(snapshot.pressed.begin(), snapshot.pressed.end(), wall) ? other : picture;
 }
@@ -31,7 +31,7 @@ double moved(double offset_tiles, double by) { return offset_tiles + by - std::f
 Flat flat_now(const Map& map, Flat flat, TextureId given, double time_s) {
     Surface& surface = flat.surface;
     surface.texture = animated(map.pictures, given ? given : surface.texture, time_s);
-    if (flat.scroll == Vec2{}) return flat;
+    if (!built_in::kScrolling || flat.scroll == Vec2{}) return flat;
     if (flat.sky) {
         surface.offset_tiles.x = moved(surface.offset_tiles.x, flat.scroll.x / 360 * time_s * surface.tile_m.x);
         return flat;
@@ -47,7 +47,7 @@ Surface picture_now(const Map& map, const Snapshot& snapshot, WallId id, const S
     Surface surface = at_rest;
     surface.texture = animated(map.pictures, face_of(map, snapshot, id, at_rest.texture), snapshot.time_s);
     const Vec2 scroll = map[id].scroll;
-    if (scroll == Vec2{}) return surface;
+    if (!built_in::kScrolling || scroll == Vec2{}) return surface;
     surface.offset_tiles.x = moved(surface.offset_tiles.x, scroll.x * snapshot.time_s / surface.tile_m.x);
     surface.offset_tiles.y = moved(surface.offset_tiles.y, -scroll.y * snapshot.time_s / surface.tile_m.y);
     return surface;

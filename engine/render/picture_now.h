@@ -2,6 +2,7 @@
 // moved. Asked once for each surface that is drawn, never for each pixel.
 #pragma once
 #include "map/map.h"
+#include "render/built_in.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
@@ -15,5 +16,10 @@ Flat ceiling_now(const Map& map, const Snapshot& snapshot, SectorId sector);
 
 /// A layer of a sky at the snapshot's time, turned.
 Surface layer_now(const Map& map, const Snapshot& snapshot, const SkyLayer& layer);
+
+/// Its light then, 0..1.
+inline double light_now(const Snapshot& snapshot, SectorId sector) {
+    return built_in::kChangingLights ? light_at(snapshot, sector) : snapshot[sector].light;
+}
 
 }  // namespace enfilade

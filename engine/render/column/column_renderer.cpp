@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/check.h"
+#include "render/built_in.h"
 #include "render/column/viewport_drawer.h"
 
 namespace enfilade {
@@ -66,7 +67,7 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& 
     Scratch& s = *scratch_;
     s.screen.set(Projection(view, frame.width, frame.height));
     s.canvas.set(columns.begin, columns.end, frame.height);
-    LightGrids* lights = s.lights.start(map) ? &s.lights : nullptr;
+    LightGrids* lights = built_in::kPointLights && s.lights.start(map) ? &s.lights : nullptr;
     const Scene scene{map, textures, snapshot, s.screen, s.canvas, facts, lights, s.glow};
     start_frame(s.state, view, columns, frame.height);
     while (!s.state.stack.empty()) {

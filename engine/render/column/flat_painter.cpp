@@ -4,12 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "render/column/fog.h"
 #include "render/picture_now.h"
 
 namespace enfilade::column {
 namespace {
-
-bool has_fog(const Scene& scene) { return scene.map.render.fog_reach > 0; }
 
 /// What a ray climbs from one row to the next, per metre along the ground: per metre of depth it climbs more, by the
 /// length of `ray`.
@@ -26,11 +25,13 @@ void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, 
     height_ = height;
     light_ = light;
     glow_ = glow;
+    fog_ = fog_of(scene.map);
     is_extended_ = side == FlatSide::floor ? height >= 0 : height <= 0;
     const Surface& surface = flat.surface;
     base_u_ = fraction((pose.eye.x - flat.origin.x) / surface.tile_m.x - surface.offset_tiles.x);
     base_v_ = fraction((pose.eye.y - flat.origin.y) / surface.tile_m.y - surface.offset_tiles.y);
     prepared_top_ = prepared_bottom_ = 0;
+    if (!built_in::kSkyLayers) return;
     layers_.clear();
     for (std::uint32_t i = 0; i < flat.layer_count; ++i)
         layers_.push_back(layer_now(scene.map, scene.snapshot, scene.map.sky_layers[flat.first_layer + i]));
@@ -38,7 +39,7 @@ void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, 
 
 void FlatPainter::paint(const Scene& scene, int x, int top, int bottom, double wall_depth) {
     if (top >= bottom) return;
-    if (flat_.sky)
+    if (built_in::kSky && flat_.sky)
         paint_sky(scene, x, top, bottom);
     else
         paint_level(scene, x, top, bottom, wall_depth);
@@ -57,10 +58,10 @@ void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, do
                        wall_depth,
                        row_depths_.data(),
                        row_shades_.data(),
-                       has_fog(scene) ? row_mists_.data() : nullptr,
-                       pixel_of(scene.map.render.fog_color)};
+                       is_there(fog_) ? row_mists_.data() : nullptr,
+                       fog_.color};
     const Run run = scene.canvas.run(x, top, bottom);
-    if (glow_)
+    if (built_in::kPointLights && glow_)
         fill_lit_flat(run, flat,
                       {glow_, (pose_->eye.x - glow_->u) / kLightCell, (pose_->eye.y - glow_->v) / kLightCell,
                        ray.x / kLightCell, ray.y / kLightCell});
@@ -98,7 +99,7 @@ SkyRun FlatPainter::sky_run(const Scene& scene, const Surface& surface, Vec2 ray
 void FlatPainter::prepare_rows(const Scene& scene, int top, int bottom) {
     row_depths_.resize(scene.screen.row_depths.size());
     row_shades_.resize(scene.screen.row_depths.size());
-    if (has_fog(scene)) row_mists_.resize(scene.screen.row_depths.size());
+    if (is_there(fog_)) row_mists_.resize(scene.screen.row_depths.size());
     if (prepared_top_ >= prepared_bottom_) prepared_top_ = prepared_bottom_ = top;
     while (prepared_top_ > top) prepare_row(scene, --prepared_top_);
     while (prepared_bottom_ < bottom) prepare_row(scene, prepared_bottom_++);
@@ -114,7 +115,7 @@ void FlatPainter::prepare_row(const Scene& scene, int row) {
 
 void FlatPainter::shade_row(const Scene& scene, int row, double depth) {
     row_shades_[row] = shade_at(scene.map.render.light, light_, 1, depth);
-    if (has_fog(scene)) row_mists_[row] = mist_at(scene.map.render.fog_reach, depth);
+    if (is_there(fog_)) row_mists_[row] = mist_at(fog_.reach, depth);
 }
 
 /// A flat seen from its wrong side (past a step that is not drawn, or by an eye outside the room's heights) never comes

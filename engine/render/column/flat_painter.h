@@ -37,6 +37,7 @@ private:
     SurfaceId id_ = kNothing;
     double height_ = 0, light_ = 1;
     const LightGrid* glow_ = nullptr;
+    Fog fog_;
     bool is_extended_ = false;        ///< a floor not below the eye, or a ceiling not above it
     double base_u_ = 0, base_v_ = 0;  ///< tile position under the eye, in [0, 1)
     std::vector<double> row_depths_;  ///< valid for rows [prepared_top_, prepared_bottom_)

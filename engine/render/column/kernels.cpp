@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/built_in.h"
+
 namespace enfilade::column {
 namespace {
 
@@ -80,6 +82,19 @@ void fill_lit_flat_as(const Run& run, const FlatRun& flat, const FlatGlow& glow)
 }
 
 template <bool kHasFog>
+void lay_wall_as(const Run& run, const WallRun& wall) {
+    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
+    for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
+        const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
+        const std::uint32_t alpha = texel & 0xFF000000u;
+        if (alpha == 0) continue;
+        const std::uint32_t clear = shaded(texel, wall.shade);
+        const std::uint32_t color = kHasFog ? misted(clear, wall.fog, wall.mist) : clear;
+        run.pixels[i] = laid_over(run.pixels[i], (color & 0x00FFFFFFu) | alpha);
+    }
+}
+
+template <bool kHasFog>
 void fill_flat_as(const Run& run, const FlatRun& flat) {
     const Texture& texture = *flat.texture;
     const std::uint32_t* texels = texture.pixels.data();
@@ -101,7 +116,7 @@ void fill_flat_as(const Run& run, const FlatRun& flat) {
 TileSteps tile_steps(double tiles) { return static_cast<TileSteps>(fraction(tiles) * 0x1p64); }
 
 void fill_wall(const Run& run, const WallRun& wall) {
-    if (wall.mist != 0)
+    if (built_in::kFog && wall.mist != 0)
         fill_wall_in_fog(run, wall);
     else if (wall.shade == kFullBright)
         fill_wall_as<false>(run, wall);
@@ -110,36 +125,35 @@ void fill_wall(const Run& run, const WallRun& wall) {
 }
 
 void lay_wall(const Run& run, const WallRun& wall) {
-    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
-    for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
-        const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
-        const std::uint32_t alpha = texel & 0xFF000000u;
-        if (alpha == 0) continue;
-        const std::uint32_t color = misted(shaded(texel, wall.shade), wall.fog, wall.mist);
-        run.pixels[i] = laid_over(run.pixels[i], (color & 0x00FFFFFFu) | alpha);
-    }
+    if (built_in::kFog && wall.mist != 0)
+        lay_wall_as<true>(run, wall);
+    else
+        lay_wall_as<false>(run, wall);
 }
 
 void fill_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
-    if (wall.mist != 0)
+    if (built_in::kFog && wall.mist != 0)
         paint_lit_wall<true, false>(run, wall, glow);
     else
         paint_lit_wall<false, false>(run, wall, glow);
 }
 
 void lay_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
-    paint_lit_wall<true, true>(run, wall, glow);
+    if (built_in::kFog && wall.mist != 0)
+        paint_lit_wall<true, true>(run, wall, glow);
+    else
+        paint_lit_wall<false, true>(run, wall, glow);
 }
 
 void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
-    if (flat.row_mists)
+    if (built_in::kFog && flat.row_mists)
         fill_lit_flat_as<true>(run, flat, glow);
     else
         fill_lit_flat_as<false>(run, flat, glow);
 }
 
 void fill_flat(const Run& run, const FlatRun& flat) {
-    if (flat.row_mists)
+    if (built_in::kFog && flat.row_mists)
         fill_flat_as<true>(run, flat);
     else
         fill_flat_as<false>(run, flat);

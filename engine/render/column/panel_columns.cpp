@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/picture_now.h"
+
 namespace enfilade::column {
 
 bool PanelColumns::gather(const RoomView& view, MaskedColumns& masked) {
@@ -31,7 +33,7 @@ void PanelColumns::add(const RoomView& view, PanelId id, MaskedColumns& masked) 
     const double top = panel.top - view.pose.eye_z;
     board.rows = within(view.here, panel.bottom - view.pose.eye_z, top);
     WallPainter painter;
-    painter.start_panel(scene, panel, top, light_at(scene.snapshot, panel.sector), panel_id(scene.map, id));
+    painter.start_panel(scene, panel, top, light_now(scene.snapshot, panel.sector), panel_id(scene.map, id));
     painter.light_up(scene.light_on(id), panel.length, view.pose.eye_z);
     board.painter = masked.add(painter);
     boards_.push_back(board);

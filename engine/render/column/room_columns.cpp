@@ -1,10 +1,12 @@
 #include "render/column/room_columns.h"
 
+#include "render/built_in.h"
+
 namespace enfilade::column {
 
 void RoomColumns::note(const RoomView& view, MaskedColumns& masked) {
-    const bool has_things = things_.gather(view, masked);
-    if (!panels_.gather(view, masked)) {
+    const bool has_things = built_in::kThings && things_.gather(view, masked);
+    if (!built_in::kPanels || !panels_.gather(view, masked)) {
         if (has_things) things_.note_all(view, masked);
         return;
     }

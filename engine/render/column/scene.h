@@ -12,6 +12,12 @@
 
 namespace enfilade::column {
 
+/// Fog before a surface (render/column/fog.h).
+struct Fog {
+    double reach = 0;         ///< depth at which it hides half; 0: no fog [m]
+    std::uint32_t color = 0;  ///< as a pixel
+};
+
 struct Scene {
     const Map& map;
     const TextureSet& textures;

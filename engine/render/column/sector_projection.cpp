@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "math/predicates.h"
+#include "render/built_in.h"
 
 namespace enfilade::column {
 namespace {
@@ -17,7 +18,7 @@ void set_columns(ProjectedWall& w, const Pose& pose, const Screen& screen) {
 
 ProjectedWall ends_of(const Segment& wall, const Pose& pose) {
     ProjectedWall w;
-    w.swapped = pose.flip < 0;
+    w.swapped = built_in::kMirrors && pose.flip < 0;
     w.left_v = to_view(w.swapped ? wall.b : wall.a, pose);
     w.right_v = to_view(w.swapped ? wall.a : wall.b, pose);
     return w;
@@ -36,7 +37,8 @@ WallHit hit(const ProjectedWall& w, double slope) {
     const double span = edge_span(w, slope);
     if (!(span > 0)) return {w.farthest, w.swapped ? 1.0 : 0.0};  // only where the wall does not cover the column
     const double along = std::clamp(edge(w.left_v, slope) / span, 0.0, 1.0);
-    return {std::clamp(w.cross / span, w.nearest, w.farthest), w.swapped ? 1 - along : along};
+    const bool is_swapped = (built_in::kMirrors || built_in::kPanels) && w.swapped;
+    return {std::clamp(w.cross / span, w.nearest, w.farthest), is_swapped ? 1 - along : along};
 }
 
 void project(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, std::vector<ProjectedWall>& out) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/built_in.h"
 #include "render/open_steps.h"
 #include "render/picture_now.h"
 
@@ -14,8 +15,14 @@ constexpr std::size_t kMostViewports = 1u << 16;
 
 constexpr double kBrightestDepth = 0;
 
-RelativeHeights heights_above(const SectorSnapshot& sector, double eye_z) {
+RelativeHeights heights_above(const Scene& scene, SectorId id, double eye_z) {
+    if (!built_in::kMovers) return {scene.map[id].floor.z - eye_z, scene.map[id].ceiling.z - eye_z};
+    const SectorSnapshot& sector = scene.snapshot[id];
     return {sector.floor_z - eye_z, sector.ceiling_z - eye_z};
+}
+
+Rigid passage_of(const Scene& scene, const Wall& portal) {
+    return built_in::kLinks ? scene.map.passage(portal) : Rigid{};
 }
 
 }  // namespace
@@ -32,8 +39,8 @@ void ViewportDrawer::start_viewport(const Scene& scene, FrameState& state, Viewp
     pose_ = state.poses[static_cast<std::size_t>(viewport.pose)];
     nearest_.choose(scene.map, scene.screen, viewport, pose_,
                     state.projections.get(scene.map, viewport.sector, viewport.pose, pose_, scene.screen));
-    here_ = heights_above(scene.snapshot[viewport.sector], pose_.eye_z);
-    const double light = light_at(scene.snapshot, viewport.sector);
+    here_ = heights_above(scene, viewport.sector, pose_.eye_z);
+    const double light = light_now(scene.snapshot, viewport.sector);
     floor_.start(scene, pose_, floor_now(scene.map, scene.snapshot, viewport.sector), FlatSide::floor, here_.floor,
                  light, scene.light_on_floor(viewport.sector), floor_id(viewport.sector));
     ceiling_.start(scene, pose_, ceiling_now(scene.map, scene.snapshot, viewport.sector), FlatSide::ceiling,
@@ -64,7 +71,7 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
     wall_index_ = wall_index;
     const WallId id = nearest_.wall(wall_index).wall;
     const Wall& wall = scene.map[id];
-    const double light = light_at(scene.snapshot, wall.sector);
+    const double light = light_now(scene.snapshot, wall.sector);
     is_portal_ = wall.kind != WallKind::solid;
     masked_ = kNoMasked;
     glow_ = scene.light_on(id);
@@ -74,12 +81,12 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
         middle_.light_up(glow_, wall.length, pose_.eye_z);
         return;
     }
-    if (wall.kind == WallKind::mirror) {
+    if (built_in::kMirrors && wall.kind == WallKind::mirror) {
         behind_ = here_;
         upper_open_ = lower_open_ = false;
         return;
     }
-    behind_ = heights_above(scene.snapshot[wall.behind], scene.map.passage(wall).apply_height(pose_.eye_z));
+    behind_ = heights_above(scene, wall.behind, passage_of(scene, wall).apply_height(pose_.eye_z));
     upper_open_ = !has_upper_step(scene.map, wall);
     lower_open_ = !has_lower_step(wall);
     upper_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.upper),
@@ -88,7 +95,7 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
                  peg_height(wall.lower.peg, here_, &behind_), light, wall_id(scene.map, id, WallPart::lower));
     upper_.light_up(glow_, wall.length, pose_.eye_z);
     lower_.light_up(glow_, wall.length, pose_.eye_z);
-    if (wall.middle.texture) start_masked(scene, state, id);
+    if (built_in::kMasked && wall.middle.texture) start_masked(scene, state, id);
 }
 
 /// A fence or window in the portal. Its picture is shown once from top to bottom, hanging from its peg or standing on
@@ -101,18 +108,20 @@ void ViewportDrawer::start_masked(const Scene& scene, FrameState& state, WallId 
     picture_.ceiling = top - wall.middle.offset_tiles.y * surface.tile_m.y;
     picture_.floor = picture_.ceiling - surface.tile_m.y;
     WallPainter painter;
-    painter.start(scene, wall, surface, top, light_at(scene.snapshot, wall.sector),
+    painter.start(scene, wall, surface, top, light_now(scene.snapshot, wall.sector),
                   wall_id(scene.map, id, WallPart::middle));
     painter.light_up(glow_, wall.length, pose_.eye_z);
     masked_ = state.masked.add(painter);
 }
+
+bool ViewportDrawer::has_masked() const { return built_in::kMasked && masked_ != kNoMasked; }
 
 void ViewportDrawer::open_behind(const Scene& scene, FrameState& state, int x, const RowSplit& rows,
                                  const WallHit& look) {
     const OpenRows open{upper_open_ ? rows.wall_top : rows.opening_top,
                         lower_open_ ? rows.wall_bottom : rows.opening_bottom};
     if (open.is_closed()) return;
-    if (masked_ != kNoMasked) {
+    if (has_masked()) {
         const RowSplit picture = split_rows(scene.screen, open, look.depth, picture_, nullptr);
         state.masked.note(masked_, x, {picture.wall_top, picture.wall_bottom}, look);
     }
@@ -135,7 +144,7 @@ void ViewportDrawer::open_behind(const Scene& scene, FrameState& state, int x, c
 /// A viewport for what is seen through the portal, or null where a limit of the frame is reached.
 Viewport* ViewportDrawer::child_of(const Scene& scene, FrameState& state, const Wall& wall,
                                    const ProjectedWall& projected) {
-    const bool is_link = wall.link != Wall::kNoLink;
+    const bool is_link = built_in::kLinks && wall.link != Wall::kNoLink;
     if (state.pool.used() >= kMostViewports || (is_link && pose_.links >= scene.map.render.max_depth)) {
         ++state.cut;
         return nullptr;
@@ -148,7 +157,7 @@ Viewport* ViewportDrawer::child_of(const Scene& scene, FrameState& state, const 
     child.pose = viewport_->pose;
     if (is_link) {
         child.pose = static_cast<int>(state.poses.size());
-        state.poses.push_back(beyond(pose_, scene.map.passage(wall)));
+        state.poses.push_back(beyond(pose_, passage_of(scene, wall)));
     }
     state.deepest = std::max(state.deepest, child.depth);
     return &child;

@@ -36,6 +36,7 @@ private:
     void start_wall(const Scene& scene, FrameState& state, int wall_index);
     void start_masked(const Scene& scene, FrameState& state, WallId wall);
     void open_behind(const Scene& scene, FrameState& state, int x, const RowSplit& rows, const WallHit& look);
+    bool has_masked() const;
     Viewport* child_of(const Scene& scene, FrameState& state, const Wall& wall, const ProjectedWall& projected);
     void push_children(FrameState& state);
 

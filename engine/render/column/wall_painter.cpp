@@ -2,28 +2,27 @@
 
 #include <algorithm>
 
+#include "render/column/fog.h"
+
 namespace enfilade::column {
 
 void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& surface, double peg, double light,
                         SurfaceId id) {
     hang(scene, surface, wall.length, peg);
     id_ = id;
-    light_ = light;
-    contrast_ = wall.contrast;
+    shade_by(scene.map, light, wall.contrast);
 }
 
 void WallPainter::start_panel(const Scene& scene, const Panel& panel, double top, double light, SurfaceId id) {
     hang(scene, panel.surface, panel.length, top);
     id_ = id;
-    light_ = light;
-    contrast_ = panel.contrast;
+    shade_by(scene.map, light, panel.contrast);
 }
 
 /// length: of the wall [m].
 void WallPainter::hang(const Scene& scene, const Surface& surface, double length, double peg) {
     texture_ = &scene.textures[surface.texture];
     light_grid_ = nullptr;
-    render_ = &scene.map.render;
     u_per_along_ = length / surface.tile_m.x;
     u_offset_ = surface.offset_tiles.x;
     v_per_m_ = 1 / surface.tile_m.y;
@@ -35,9 +34,7 @@ void WallPainter::start_picture(const Scene& scene, const Texture& texture, doub
     texture_ = &texture;
     light_grid_ = nullptr;
     id_ = id;
-    render_ = &scene.map.render;
-    light_ = light;
-    contrast_ = 1;
+    shade_by(scene.map, light, 1);
     u_per_along_ = 1;
     u_offset_ = 0;
     v_per_m_ = 1 / height;
@@ -67,6 +64,13 @@ WallGlow WallPainter::glow_at(const Scene& scene, int top, int bottom, const Wal
             tile_steps(cells_per_row * kWrap)};
 }
 
+void WallPainter::shade_by(const Map& map, double light, double contrast) {
+    model_ = map.render.light;
+    light_ = light;
+    contrast_ = contrast;
+    fog_ = fog_of(map);
+}
+
 WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallHit& hit) const {
     const double v_per_row = hit.depth / scene.screen.focal_y * v_per_m_;
     return {hit.along * u_per_along_ - u_offset_, v_at_peg_ - (scene.screen.horizon - 0.5) * v_per_row, v_per_row};
@@ -78,16 +82,16 @@ WallRun WallPainter::run_of(const ColumnTexels& at, const WallHit& hit) const {
             texture_->height,
             tile_steps(at.v_at_row_0),
             tile_steps(at.v_per_row),
-            shade_at(render_->light, light_, contrast_, hit.depth),
-            mist_at(render_->fog_reach, hit.depth),
-            pixel_of(render_->fog_color)};
+            shade_at(model_, light_, contrast_, hit.depth),
+            is_there(fog_) ? mist_at(fog_.reach, hit.depth) : 0,
+            fog_.color};
 }
 
 void WallPainter::paint(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
     if (top >= bottom) return;
     const ColumnTexels at = texels_at(scene, hit);
     const Run run = scene.canvas.run(x, top, bottom);
-    if (light_grid_)
+    if (built_in::kPointLights && light_grid_)
         fill_lit_wall(run, run_of(at, hit), glow_at(scene, top, bottom, hit));
     else
         fill_wall(run, run_of(at, hit));
@@ -99,7 +103,7 @@ void WallPainter::lay_over(const Scene& scene, int x, int top, int bottom, const
     if (top >= bottom) return;
     const ColumnTexels at = texels_at(scene, hit);
     const WallRun run = run_of(at, hit);
-    if (light_grid_)
+    if (built_in::kPointLights && light_grid_)
         lay_lit_wall(scene.canvas.run(x, top, bottom), run, glow_at(scene, top, bottom, hit));
     else
         lay_wall(scene.canvas.run(x, top, bottom), run);

@@ -42,11 +42,13 @@ private:
     void hang(const Scene& scene, const Surface& surface, double length, double peg);
     ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
     WallRun run_of(const ColumnTexels& at, const WallHit& hit) const;
+    void shade_by(const Map& map, double light, double contrast);
 
     const Texture* texture_ = nullptr;
     SurfaceId id_ = kNothing;
-    const RenderRecord* render_ = nullptr;
+    LightModel model_ = LightModel::smooth;
     double light_ = 1, contrast_ = 1;
+    Fog fog_;
     double u_per_along_ = 1, u_offset_ = 0;  ///< [tiles]
     double v_at_peg_ = 0, v_per_m_ = 1;      ///< v at the eye's height, and tiles per metre downwards
     const LightGrid* light_grid_ = nullptr;  ///< of point lights

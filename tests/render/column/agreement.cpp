@@ -6,8 +6,10 @@
 
 #include "math/grid.h"
 #include "render/column/column_renderer.h"
+#include "render/column/strips.h"
 #include "render/reference/reference_renderer.h"
 #include "space/locate.h"
+#include "support/count_allocations.h"
 
 namespace enfilade::test {
 namespace {
@@ -108,6 +110,38 @@ void expect_agreement(const World& world, std::uint64_t seed, int poses) {
     EXPECT_EQ(sum.wrong_colors, 0u);
     EXPECT_LE(sum.ambiguous * 100, sum.pixels) << "marks must stay rare";
     std::printf("%zu pixels, %zu marked, %zu colours differ\n", sum.pixels, sum.ambiguous, sum.wrong_colors);
+}
+
+void expect_strips_equal_the_whole(const World& world, std::uint64_t seed, int poses) {
+    Random random(seed);
+    for (int trial = 0; trial < poses; ++trial) {
+        const View view = random_view(world.map, random);
+        const int width = 3 + static_cast<int>(random.below(200));
+        Frame whole, cut, shared;
+        for (Frame* frame : {&whole, &cut, &shared}) frame->resize(width, 90);
+        ColumnRenderer renderer;
+        renderer.render(whole, nullptr, world.map, world.textures, world.snapshot, view);
+        const int x = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(width - 2)));
+        for (ColumnRange range : {ColumnRange{0, x}, ColumnRange{x, x + 1}, ColumnRange{x + 1, width}})
+            renderer.render_columns(cut, nullptr, world.map, world.textures, world.snapshot, view, range);
+        ASSERT_EQ(whole.pixels, cut.pixels) << "trial " << trial;
+        ColumnStrips(4).render(shared, nullptr, world.map, world.textures, world.snapshot, view);
+        ASSERT_EQ(whole.pixels, shared.pixels) << "trial " << trial;
+    }
+}
+
+void expect_no_allocations(const World& world, std::uint64_t seed, int poses) {
+    Random random(seed);
+    ColumnRenderer renderer;
+    Frame frame;
+    frame.resize(320, 200);
+    for (int trial = 0; trial < poses; ++trial) {
+        const View view = random_view(world.map, random);
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        const std::size_t before = allocations();
+        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        EXPECT_EQ(allocations(), before) << "trial " << trial;
+    }
 }
 
 }  // namespace enfilade::test

@@ -40,4 +40,10 @@ void compare(const World& world, const View& view, int width, int height, Compar
 /// Fails where any of `poses` random views differs.
 void expect_agreement(const World& world, std::uint64_t seed, int poses);
 
+/// Fails where a picture put together from strips, of any widths and by any number of threads, differs from the whole.
+void expect_strips_equal_the_whole(const World& world, std::uint64_t seed, int poses);
+
+/// Fails where drawing a view for the second time takes anything from the heap.
+void expect_no_allocations(const World& world, std::uint64_t seed, int poses);
+
 }  // namespace enfilade::test

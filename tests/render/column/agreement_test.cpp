@@ -8,7 +8,6 @@
 #include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
 #include "render/column/strips.h"
-#include "support/count_allocations.h"
 #include "support/furnish.h"
 
 namespace enfilade {
@@ -119,35 +118,12 @@ TEST(ColumnRenderer, AgreesWithTheReferenceInTheLightOfLampsInFog) {
     expect_agreement(lit_world(file), 11, 20);
 }
 
-TEST(ColumnStrips, DrawTheSameLampsOnAnyNumberOfThreads) {
-    const World world = lit_world(lit_palace());
-    Random random(12);
-    for (int trial = 0; trial < 5; ++trial) {
-        const View view = random_view(world.map, random);
-        Frame one, many;
-        one.resize(97, 61);
-        many.resize(97, 61);
-        ColumnStrips(1).render(one, nullptr, world.map, world.textures, world.snapshot, view);
-        for (std::size_t threads : {2u, 7u}) {
-            ColumnStrips(threads).render(many, nullptr, world.map, world.textures, world.snapshot, view);
-            ASSERT_EQ(one.pixels, many.pixels) << threads << " threads";
-        }
-    }
+TEST(ColumnRenderer, DrawsStripsOfLampsThatEqualTheWholePicture) {
+    expect_strips_equal_the_whole(lit_world(lit_palace()), 12, 5);
 }
 
 TEST(ColumnRenderer, AllocatesNothingOnceItHasDrawnTheLampsInView) {
-    const World world = lit_world(lit_palace());
-    Random random(13);
-    ColumnRenderer renderer;
-    Frame frame;
-    frame.resize(160, 100);
-    for (int trial = 0; trial < 5; ++trial) {
-        const View view = random_view(world.map, random);
-        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
-        const std::size_t before = allocations();
-        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
-        EXPECT_EQ(allocations(), before) << "trial " << trial;
-    }
+    expect_no_allocations(lit_world(lit_palace()), 13, 5);
 }
 
 TEST(ColumnRenderer, DrawsTheSameBitsWhereLampsReachNothingInView) {
@@ -171,23 +147,7 @@ TEST(ColumnRenderer, DrawsTheSameBitsWhereLampsReachNothingInView) {
     }
 }
 
-TEST(ColumnRenderer, DrawsStripsThatEqualTheWholePicture) {
-    const World world(palace());
-    Random random(5);
-    for (int trial = 0; trial < 40; ++trial) {
-        const View view = random_view(world.map, random);
-        const int width = 3 + static_cast<int>(random.below(200));
-        Frame whole, parts;
-        whole.resize(width, 90);
-        parts.resize(width, 90);
-        ColumnRenderer renderer;
-        renderer.render(whole, nullptr, world.map, world.textures, world.snapshot, view);
-        const int cut = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(width - 2)));
-        for (ColumnRange range : {ColumnRange{0, cut}, ColumnRange{cut, cut + 1}, ColumnRange{cut + 1, width}})
-            renderer.render_columns(parts, nullptr, world.map, world.textures, world.snapshot, view, range);
-        ASSERT_EQ(whole.pixels, parts.pixels) << "trial " << trial;
-    }
-}
+TEST(ColumnRenderer, DrawsStripsThatEqualTheWholePicture) { expect_strips_equal_the_whole(World(palace()), 5, 40); }
 
 TEST(ColumnStrips, DrawTheSamePictureOnAnyNumberOfThreads) {
     const World world(palace());
@@ -205,20 +165,7 @@ TEST(ColumnStrips, DrawTheSamePictureOnAnyNumberOfThreads) {
     }
 }
 
-TEST(ColumnRenderer, AllocatesNothingOnceItHasDrawnTheView) {
-    const World world(palace());
-    Random random(7);
-    ColumnRenderer renderer;
-    Frame frame;
-    frame.resize(320, 200);
-    for (int trial = 0; trial < 20; ++trial) {
-        const View view = random_view(world.map, random);
-        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
-        const std::size_t before = allocations();
-        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
-        EXPECT_EQ(allocations(), before) << "trial " << trial;
-    }
-}
+TEST(ColumnRenderer, AllocatesNothingOnceItHasDrawnTheView) { expect_no_allocations(World(palace()), 7, 20); }
 
 // Every pixel of a frame belongs to one chain of viewports: the eye's own, then one more for each portal looked
 // through. So windows only ever shrink, and no two chains share a pixel (NUMERICS I3).

@@ -5,9 +5,7 @@
 #include "math/grid.h"
 #include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
-#include "render/column/strips.h"
 #include "space/locate.h"
-#include "support/count_allocations.h"
 #include "support/furnish.h"
 
 namespace enfilade {
@@ -199,32 +197,11 @@ TEST(PanelColumns, ShowAThingThatStandsInAPanelsPlaneBeforeIt) {
 }
 
 TEST(PanelColumns, DrawStripsThatEqualTheWholePicture) {
-    const World world = world_of(furnished_palace(30));
-    Random random(5);
-    for (int trial = 0; trial < 20; ++trial) {
-        const View view = random_view(world.map, random);
-        Frame whole, parts;
-        whole.resize(131, 90);
-        parts.resize(131, 90);
-        ColumnRenderer().render(whole, nullptr, world.map, world.textures, world.snapshot, view);
-        ColumnStrips(4).render(parts, nullptr, world.map, world.textures, world.snapshot, view);
-        ASSERT_EQ(whole.pixels, parts.pixels) << "trial " << trial;
-    }
+    expect_strips_equal_the_whole(world_of(furnished_palace(30)), 5, 20);
 }
 
 TEST(PanelColumns, AllocateNothingOnceTheViewHasBeenDrawn) {
-    const World world = world_of(furnished_palace(30));
-    Random random(7);
-    ColumnRenderer renderer;
-    Frame frame;
-    frame.resize(320, 200);
-    for (int trial = 0; trial < 20; ++trial) {
-        const View view = random_view(world.map, random);
-        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
-        const std::size_t before = allocations();
-        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
-        EXPECT_EQ(allocations(), before) << "trial " << trial;
-    }
+    expect_no_allocations(world_of(furnished_palace(30)), 7, 20);
 }
 
 }  // namespace
