@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kRenderers = "column (by the CPU), stencil (by OpenGL) or reference (slow, simply right)";
 constexpr double kLatestMoment = 1e9;                     // [s], thirty years
 constexpr double kLeastStretch = 0.1, kMostStretch = 10;  // beyond them nothing can be told apart
-constexpr int kMostThreads = 256, kMostFramesBetween = 1'000'000;
+constexpr int kMostThreads = 256, kMostFramesBetween = 1'000'000, kMostRounds = 10'000;
 
 /// A finite number from low to high. CLI11's own Range lets NaN through.
 CLI::Validator number_within(double low, double high) {
@@ -185,6 +185,30 @@ CLI::App* declare_check(CLI::App& enfilade, CheckRequest& request) {
     return command;
 }
 
+CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
+    CLI::App* command = enfilade.add_subcommand("bench", "Measure how long frames take, or what effects cost");
+    command->add_option("MAP|SCRIPT", request.files,
+                        "Maps, seen from the player's start, and flythroughs, every frame of them");
+    command->add_option("--size", request.size, "Size in pixels, 1280x800 if not given")->type_name("WxH");
+    command->add_option("--renderer", request.renderer, kRenderers)->type_name("NAME");
+    command->add_option("--rounds", request.rounds, "How often each frame is drawn, 9 if not given")
+        ->type_name("N")
+        ->check(number_within(1, kMostRounds));
+    declare_threads(*command, request.threads);
+    declare_textures(*command, request.texture_folders);
+    auto* csv = command->add_option("--csv", request.csv, "Times of every frame: subject,frame,minimum_ns,median_ns");
+    csv->type_name("FILE");
+    command
+        ->add_flag("--effects", request.effects,
+                   "Instead, a table in Markdown of what each effect of the maps costs; without maps, of effects.toml")
+        ->excludes(csv);
+    command->footer(
+        "Frames are drawn in turn, so that what else the machine does troubles all of them alike.\nExamples:\n  "
+        "enfilade bench maps/enfilade.toml maps/flythroughs/cells.toml --threads 1 --csv times.csv\n  enfilade bench "
+        "--effects\nExit status: 0 done, 1 something is at fault, 2 wrong usage.");
+    return command;
+}
+
 /// The subcommand that was being read, or the whole program: whose help to point to.
 std::string command_at_fault(const CLI::App& enfilade) {
     const auto chosen = enfilade.get_subcommands();
@@ -202,9 +226,11 @@ int run_command_line(int argc, const char* const* argv) {
     RenderRequest render;
     FlyRequest fly;
     CheckRequest check;
+    BenchRequest bench;
     const CLI::App* const declared_play = declare_play(app, play);
     const CLI::App* const declared_render = declare_render(app, render);
     const CLI::App* const declared_fly = declare_fly(app, fly);
+    const CLI::App* const declared_bench = declare_bench(app, bench);
     declare_check(app, check);
     try {
         app.parse(argc, argv);
@@ -216,6 +242,7 @@ int run_command_line(int argc, const char* const* argv) {
     if (declared_play->parsed()) return run_play(play);
     if (declared_render->parsed()) return run_render(render);
     if (declared_fly->parsed()) return run_fly(fly);
+    if (declared_bench->parsed()) return run_bench(bench);
     return run_check(check);
 }
 

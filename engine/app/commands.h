@@ -43,10 +43,20 @@ struct CheckRequest {
     bool effects = false;
 };
 
+struct BenchRequest {
+    std::vector<std::string> files;  ///< maps and scripts
+    std::string size = "1280x800", renderer = "column", csv;
+    std::vector<std::string> texture_folders;
+    std::size_t threads = hardware_threads();
+    std::size_t rounds = 9;
+    bool effects = false;
+};
+
 /// Each does its work, says on stderr what went wrong and returns an exit code (app/exit_codes.h).
 int run_play(const PlayRequest& request);
 int run_render(const RenderRequest& request);
 int run_fly(const FlyRequest& request);
 int run_check(const CheckRequest& request);
+int run_bench(const BenchRequest& request);
 
 }  // namespace enfilade

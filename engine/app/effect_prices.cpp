@@ -3,100 +3,194 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
+#include "app/progress.h"
 #include "app/viewing.h"
 #include "map/build.h"
+#include "map/inside.h"
+#include "math/grid.h"
 #include "platform/clock.h"
 #include "render/column/column_renderer.h"
+#include "world/player.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
 namespace {
 
-constexpr int kWidth = 640, kHeight = 400;  ///< of the pictures [px]
-constexpr std::size_t kLooks = 8;           ///< all around
-constexpr int kRounds = 12;                 ///< how often each is drawn; the fastest counts
-constexpr double kTime = 10.3;              ///< when, so that what moves has moved [s]
+constexpr int kWidth = 640, kHeight = 400;       ///< of the pictures [px]
+constexpr std::size_t kPlaces = 8, kAround = 8;  ///< places apart from the start, and looks from each
+constexpr std::size_t kRounds = 12;              ///< how often each look is drawn; the fastest counts
+constexpr double kTime = 10.3;                   ///< when, so that what moves has moved [s]
 
-/// A map ready to be drawn, and the fastest time of each look.
+/// Somewhere in the sector, a metre from one of its walls, at eye level; none in a sector that is too narrow.
+std::optional<View> view_in(const Map& map, SectorId id, const View& like) {
+    const Sector& sector = map[id];
+    for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i) {
+        const Wall& wall = map.walls[i];
+        View view = like;
+        view.sector = id;
+        view.eye = snap_to_point_grid((wall.a + wall.b) * 0.5 + right_of(wall.b - wall.a) * (1 / wall.length));
+        view.eye_z = sector.floor.z + std::min(eye_height(kStandingHeight), (sector.ceiling.z - sector.floor.z) / 2);
+        if (is_inside(map, id, view.eye)) return view;
+    }
+    return {};
+}
+
+/// All around from the start and from places spread over the map.
+std::vector<View> looks_at(const Map& map, const View& start) {
+    std::vector<View> places{start};
+    for (std::size_t i = 0; i < kPlaces; ++i)
+        if (const auto view = view_in(map, SectorId(i * map.sectors.size() / kPlaces), start)) places.push_back(*view);
+    std::vector<View> looks;
+    for (const View& place : places)
+        for (std::size_t i = 0; i < kAround; ++i) {
+            looks.push_back(place);
+            looks.back().forward = direction(Angle::from_degrees(360.0 / kAround * static_cast<double>(i)));
+        }
+    return looks;
+}
+
+/// What drawing one look gave.
+struct Drawn {
+    std::int64_t fastest_ns = std::numeric_limits<std::int64_t>::max();
+    std::uint64_t hash = 0;
+};
+
+/// A map ready to be drawn.
 struct Sample {
     Map map;
     Snapshot snapshot;
-    View view;
-    std::array<std::int64_t, kLooks> fastest_ns;
+    std::vector<Drawn> drawn;  ///< by look
 
     double frame_ms() const {
         double sum = 0;
-        for (const std::int64_t ns : fastest_ns) sum += static_cast<double>(ns);
-        return sum / (1e6 * kLooks);
+        for (const Drawn& look : drawn) sum += static_cast<double>(look.fastest_ns);
+        return sum / (1e6 * static_cast<double>(drawn.size()));
     }
 };
 
-std::optional<Sample> sample_of(const MapFile& file, const TextureSet& textures) {
+class Measuring {
+public:
+    Measuring(const TextureSet& textures, std::vector<View> looks) : textures_(textures), looks_(std::move(looks)) {
+        frame_.resize(kWidth, kHeight);
+    }
+
+    std::size_t looks() const { return looks_.size(); }
+
+    /// The map of a file, not drawn yet; none where it has errors.
+    std::optional<Sample> sample_of(const MapFile& file) const {
+        Findings findings;
+        std::optional<Map> map = build_map(file, textures_, findings);
+        if (!map) return {};
+        Sample sample{std::move(*map), {}, std::vector<Drawn>(looks_.size())};
+        sample.snapshot = at_rest(sample.map);
+        sample.snapshot.time_s = kTime;
+        return sample;
+    }
+
+    /// Draws every look of both once, in turn.
+    void draw_round(Sample& with, Sample& without) {
+        for (std::size_t look = 0; look < looks_.size(); ++look)
+            for (Sample* sample : {&with, &without}) draw(*sample, look);
+    }
+
+private:
+    void draw(Sample& sample, std::size_t look) {
+        const std::int64_t began = now_ns();
+        renderer_.render(frame_, nullptr, sample.map, textures_, sample.snapshot, looks_[look]);
+        Drawn& drawn = sample.drawn[look];
+        drawn.fastest_ns = std::min(drawn.fastest_ns, now_ns() - began);
+        if (drawn.hash == 0) drawn.hash = hash_of(frame_);
+    }
+
+    const TextureSet& textures_;
+    std::vector<View> looks_;
+    ColumnRenderer renderer_;
+    Frame frame_;
+};
+
+/// Means over the looks that differ, and over those that do not.
+Price price_of(const Sample& with, const Sample& without) {
+    double sums[2] = {0, 0};
+    std::size_t counts[2] = {0, 0};
+    for (std::size_t i = 0; i < with.drawn.size(); ++i) {
+        const bool is_seen = with.drawn[i].hash != without.drawn[i].hash;
+        sums[is_seen] += static_cast<double>(with.drawn[i].fastest_ns - without.drawn[i].fastest_ns) * 1e-6;
+        ++counts[is_seen];
+    }
+    Price price{counts[1], {}, {}};
+    if (counts[1] > 0) price.seen = sums[1] / static_cast<double>(counts[1]);
+    if (counts[0] > 0) price.unseen = sums[0] / static_cast<double>(counts[0]);
+    return price;
+}
+
+std::vector<View> looks_of(const MapFile& file, const TextureSet& textures) {
     Findings findings;
-    std::optional<Map> map = build_map(file, textures, findings);
+    const std::optional<Map> map = build_map(file, textures, findings);
     if (!map) return {};
-    const auto view = view_at_start(*map, {90, map->render.stretch});
-    if (!view.ok()) return {};
-    Sample sample{std::move(*map), {}, view.value(), {}};
-    sample.snapshot = at_rest(sample.map);
-    sample.snapshot.time_s = kTime;
-    sample.fastest_ns.fill(std::numeric_limits<std::int64_t>::max());
-    return sample;
+    const auto start = view_at_start(*map, {90, map->render.stretch});
+    return start.ok() ? looks_at(*map, start.value()) : std::vector<View>();
 }
 
-/// Draws every look of every sample once, in turn.
-void draw_round(std::vector<Sample*> samples, const TextureSet& textures, ColumnRenderer& renderer, Frame& frame) {
-    for (std::size_t look = 0; look < kLooks; ++look)
-        for (Sample* sample : samples) {
-            View view = sample->view;
-            view.forward = direction(Angle::from_degrees(360.0 / kLooks * static_cast<double>(look)));
-            const std::int64_t began = now_ns();
-            renderer.render(frame, nullptr, sample->map, textures, sample->snapshot, view);
-            sample->fastest_ns[look] = std::min(sample->fastest_ns[look], now_ns() - began);
-        }
+bool can_be_taken_out(const EffectPrice& effect) { return effect.use.effect->take_out != nullptr; }
+
+/// Draws with and without one effect.
+void measure(EffectPrice& effect, const MapFile& file, Measuring& measuring, Prices& prices, Progress& progress) {
+    MapFile plain = file;
+    effect.use.effect->take_out(plain);
+    auto with = measuring.sample_of(file), without = measuring.sample_of(plain);
+    if (!with || !without) return;
+    for (std::size_t round = 0; round < kRounds; ++round) {
+        measuring.draw_round(*with, *without);
+        progress.step(0);
+    }
+    prices.frame_ms = with->frame_ms();
+    effect.price = price_of(*with, *without);
 }
 
-void measure(const std::vector<Sample*>& samples, const TextureSet& textures) {
-    ColumnRenderer renderer;
-    Frame frame;
-    frame.resize(kWidth, kHeight);
-    for (int round = 0; round < kRounds; ++round) draw_round(samples, textures, renderer, frame);
+std::string ms_text(const std::optional<double>& ms) { return ms ? fmt::format("{:+.3f} ms", *ms) : "-"; }
+
+std::string footnote(const Prices& prices) {
+    return fmt::format(
+        "a frame with everything: {:.3f} ms (column, {}x{}, one thread, mean of {} looks; each the fastest of {})\n",
+        prices.frame_ms, kWidth, kHeight, prices.looks, kRounds);
 }
 
 }  // namespace
 
 Prices effect_prices(const MapFile& file, const TextureSet& textures) {
     Prices prices;
-    for (const EffectUse& use : effects_in(file)) {
-        prices.effects.push_back({use, {}});
-        if (!use.effect->take_out) continue;
-        MapFile plain = file;
-        use.effect->take_out(plain);
-        std::optional<Sample> with = sample_of(file, textures), without = sample_of(plain, textures);
-        if (!with || !without) continue;
-        measure({&*with, &*without}, textures);
-        prices.frame_ms = with->frame_ms();
-        prices.effects.back().ms = with->frame_ms() - without->frame_ms();
-    }
+    for (const EffectUse& use : effects_in(file)) prices.effects.push_back({use, {}});
+    if (prices.effects.empty()) return prices;
+    Measuring measuring(textures, looks_of(file, textures));
+    prices.looks = measuring.looks();
+    if (prices.looks == 0) return prices;
+    const auto count = std::ranges::count_if(prices.effects, can_be_taken_out);
+    Progress progress(kRounds * static_cast<std::size_t>(count), "rounds");
+    for (EffectPrice& effect : prices.effects)
+        if (can_be_taken_out(effect)) measure(effect, file, measuring, prices, progress);
     return prices;
 }
 
 std::string to_text(const Prices& prices) {
     if (prices.effects.empty()) return "  nothing beyond plain rooms\n";
-    std::string text;
-    for (const EffectPrice& price : prices.effects) {
-        const Effect& effect = *price.use.effect;
-        const std::string ms = price.ms ? fmt::format("{:+.3f} ms", *price.ms) : "-";
-        text += fmt::format("  {:<17}{:>6} {:<9}{:>11}  {}\n", effect.name, price.use.count, effect.counted, ms,
-                            effect.cost);
-    }
-    if (prices.frame_ms > 0)
-        text +=
-            fmt::format("  a frame with everything: {:.3f} ms (column, {}x{}, one thread, all around from the start)\n",
-                        prices.frame_ms, kWidth, kHeight);
+    std::string text = fmt::format("  {:<17}{:>16}{:>14}{:>14}\n", "", "", "where seen", "elsewhere");
+    for (const auto& [use, price] : prices.effects)
+        text += fmt::format("  {:<17}{:>6} {:<9}{:>14}{:>14}  {}\n", use.effect->name, use.count, use.effect->counted,
+                            ms_text(price ? price->seen : std::nullopt), ms_text(price ? price->unseen : std::nullopt),
+                            use.effect->cost);
+    if (prices.frame_ms > 0) text += "  " + footnote(prices);
+    return text;
+}
+
+std::string to_markdown(const Prices& prices) {
+    std::string text = "| effect | in the map | where it is seen | elsewhere | what is paid |\n|---|---|---|---|---|\n";
+    for (const auto& [use, price] : prices.effects)
+        text += fmt::format("| {} | {} {} | {} | {} | {} |\n", use.effect->name, use.count, use.effect->counted,
+                            ms_text(price ? price->seen : std::nullopt), ms_text(price ? price->unseen : std::nullopt),
+                            use.effect->cost);
+    if (prices.frame_ms > 0) text += "\n" + footnote(prices);
     return text;
 }
 

@@ -9,22 +9,34 @@
 
 namespace enfilade {
 
+/// What one effect costs. A look shows it where its picture is another one without it.
+struct Price {
+    std::size_t looks = 0;         ///< that show it
+    std::optional<double> seen;    ///< of a frame that shows it; none where none does [ms]
+    std::optional<double> unseen;  ///< of a frame that does not; none where all do [ms]
+};
+
 struct EffectPrice {
     EffectUse use;
-    std::optional<double> ms;  ///< of a frame, more than without the effect; none where it cannot be taken out [ms]
+    std::optional<Price> price;  ///< none where it cannot be taken out
 };
 
 struct Prices {
-    double frame_ms = 0;  ///< of a frame with everything [ms]
+    std::size_t looks = 0;  ///< how many were drawn
+    double frame_ms = 0;    ///< of a frame with everything [ms]
     std::vector<EffectPrice> effects;
 };
 
-/// Draws eight looks around from the player's start at 640 x 400 by the column renderer on one thread, in turn with and
-/// without each effect, and takes each view's fastest time. file: sound, with a player; else every price is none.
+/// Draws eight looks around from the player's start and from some other places of the map at 640 x 400, by the column
+/// renderer on one thread, in turn with and without each effect, and takes each look's fastest time. Shows on a
+/// terminal how far it is. file: sound, with a player; else there are no prices.
 /// Cost: some seconds for each effect that can be taken out.
 Prices effect_prices(const MapFile& file, const TextureSet& textures);
 
 /// The prices as aligned lines for a terminal.
 std::string to_text(const Prices& prices);
+
+/// The prices as a table in Markdown, for a README.
+std::string to_markdown(const Prices& prices);
 
 }  // namespace enfilade

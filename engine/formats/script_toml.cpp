@@ -174,6 +174,13 @@ std::vector<KeyInfo> script_keys() {
     return all;
 }
 
+bool is_script(std::string_view text) {
+    if (text.size() > kMaxScriptBytes) return false;
+    Findings ignored;
+    const auto document = TomlDocument::parse(text, {kMaxScriptBytes, kMaxScriptValues}, ignored);
+    return document && document->root().find("map").kind() == TomlKind::string;
+}
+
 ScriptReading read_script(std::string_view text) {
     ScriptReading result;
     const auto document = TomlDocument::parse(text, {kMaxScriptBytes, kMaxScriptValues}, result.findings);

@@ -19,6 +19,9 @@ struct ScriptReading {
 /// Any bytes are safe; scripts over kMaxScriptBytes are refused.
 ScriptReading read_script(std::string_view text);
 
+/// Whether a text is meant to be a script: one that names a map, as no map does.
+bool is_script(std::string_view text);
+
 /// Every key of a script, for the tests of schema and manual.
 std::vector<KeyInfo> script_keys();
 

@@ -22,6 +22,18 @@ TEST(MakeRenderer, SaysWhyThereIsNoContext) {
     EXPECT_EQ(stencil.error().text(), "OpenGL: none here");
 }
 
+TEST(MakeRenderer, AsksForAContextWhereItDrawsByOpenGlAndNowhereElse) {
+    for (const RendererKind kind : {RendererKind::column, RendererKind::reference, RendererKind::stencil}) {
+        int asked = 0;
+        const auto counting = [&] {
+            ++asked;
+            return no_gl();
+        };
+        (void)make_renderer(kind, 2, counting);
+        EXPECT_EQ(asked, kind == RendererKind::stencil ? 1 : 0) << name_of(kind);
+    }
+}
+
 TEST(ParseRenderer, RefusesOtherNamesAndTellsTheRightOnes) {
     const auto other = parse_renderer("Column");
     ASSERT_FALSE(other.ok());

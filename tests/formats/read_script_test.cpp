@@ -53,6 +53,14 @@ TEST(ReadScript, HasNothingAgainstASoundOne) {
     EXPECT_THAT(codes_and_places(read_script(kScript).findings), IsEmpty());
 }
 
+TEST(IsScript, KnowsAScriptByTheMapItNames) {
+    EXPECT_TRUE(is_script(kScript));
+    EXPECT_TRUE(is_script("map = \"m\"\nnonsense = 1\n"));
+    EXPECT_FALSE(is_script("format = 1\n"));
+    EXPECT_FALSE(is_script("[map]\n"));
+    EXPECT_FALSE(is_script("map = "));
+}
+
 TEST(ReadScript, ReadsThePicture) {
     const ScriptFile script = read_script(kScript).script;
     EXPECT_EQ(script.map, "enfilade.toml");

@@ -1,33 +1,17 @@
 // `enfilade play`: walk through a map in a window.
 #include <fmt/format.h>
 
-#include <array>
-#include <filesystem>
-
 #include "app/commands.h"
 #include "app/exit_codes.h"
 #include "app/play/play_loop.h"
 #include "app/play/saved_game.h"
+#include "app/shipped_maps.h"
 #include "app/viewing.h"
 #include "base/parallel.h"
 #include "platform/gl_context.h"
 
 namespace enfilade {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// The map that is played if nobody names one: beside the program's share folder where it is installed, else in the
-/// source tree it was built from.
-std::string default_map() {
-    std::error_code unknown;
-    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
-    const std::array<fs::path, 2> folders{program.parent_path() / "../share/enfilade/maps", ENFILADE_MAPS_DIR};
-    for (const fs::path& folder : folders)
-        if (fs::exists(folder / "enfilade.toml", unknown))
-            return (folder / "enfilade.toml").lexically_normal().string();
-    return "maps/enfilade.toml";
-}
 
 Result<PlayOptions> options_of(const PlayRequest& request) {
     PlayOptions options;
@@ -63,7 +47,8 @@ Result<std::unique_ptr<Window>> window_for(const Game& game, const PlayOptions& 
 int run_play(const PlayRequest& request) {
     const auto options = options_of(request);
     if (!options.ok()) return refuse_usage(options.error());
-    auto game = Game::start(request.map.empty() ? default_map() : request.map, request.texture_folders, request.skill);
+    auto game = Game::start(request.map.empty() ? shipped_map("enfilade.toml") : request.map, request.texture_folders,
+                            request.skill);
     if (!game.ok()) return fail(game.error());
     if (!request.load.empty())
         if (Status failed = game.value()->load_saved(request.load)) return fail(*failed);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/cli/program.h"
 #include "formats/tape.h"
@@ -15,9 +16,11 @@ using test::Program;
 using ::testing::HasSubstr;
 
 /// Plays for about half a second; the signal is what closing the window is.
-Ended play_for_a_moment(const Program& program, const std::string& driver, const std::string& renderer = "column") {
-    return program.run({"play", "map.toml", "--size", "64x40", "--record", "walk.tape", "--renderer", renderer},
-                       "LIBGL_ALWAYS_SOFTWARE=1 SDL_VIDEODRIVER=" + driver + " timeout --preserve-status -s INT 0.7");
+Ended play_for_a_moment(const Program& program, const std::string& driver, const std::string& renderer = "column",
+                        const std::string& more = "") {
+    return program.run(
+        {"play", "map.toml", "--size", "64x40", "--record", "walk.tape", "--renderer", renderer},
+        "LIBGL_ALWAYS_SOFTWARE=1 SDL_VIDEODRIVER=" + driver + " timeout --preserve-status -s INT 0.7 " + more);
 }
 
 TEST(Play, RunsWithoutADisplayWhereTheDriverIsNamed) {
@@ -36,6 +39,23 @@ TEST(Play, RunsByOpenGlWhereTheDriverHasItAndWhereItHasNot) {
         const Ended ended = play_for_a_moment(program, driver, "stencil");
         EXPECT_EQ(ended.exit_code, 0) << driver << ": " << ended.err;
     }
+}
+
+/// Whether the library that makes OpenGL contexts was loaded while somebody played, as the dynamic linker tells it.
+bool loads_opengl(const std::string& renderer) {
+    const Program program;
+    program.write("map.toml", test::kTwoRooms);
+    play_for_a_moment(program, "offscreen", renderer, "env LD_DEBUG=files LD_DEBUG_OUTPUT=linker");
+    std::string told;
+    for (const auto& entry : std::filesystem::directory_iterator(program.path("")))
+        if (entry.path().filename().string().starts_with("linker.")) told += program.text(entry.path().filename());
+    EXPECT_THAT(told, HasSubstr("libc.so"));
+    return told.find("file=libEGL.so") != std::string::npos;
+}
+
+TEST(Play, OpensNoOpenGlContextForTheColumnRenderer) {
+    EXPECT_TRUE(loads_opengl("stencil")) << "it would not be seen";
+    EXPECT_FALSE(loads_opengl("column"));
 }
 
 TEST(Play, RecordsWhatWasPlayed) {

@@ -1,0 +1,69 @@
+// Times of frames: drawn in turn, summed up, written down.
+#include "app/bench.h"
+
+#include <gmock/gmock.h>
+
+namespace enfilade {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::vector<std::pair<std::size_t, int>> order_of(const std::vector<BenchFrame>& frames) {
+    std::vector<std::pair<std::size_t, int>> order;
+    for (const BenchFrame& frame : frames) order.emplace_back(frame.subject, frame.number);
+    return order;
+}
+
+TEST(FramesInTurn, TakeOneOfEachSubjectUntilTheyEnd) {
+    using Step = std::pair<std::size_t, int>;
+    EXPECT_THAT(order_of(frames_in_turn({1, 3, 2})),
+                ElementsAre(Step{0, 0}, Step{1, 0}, Step{2, 0}, Step{1, 1}, Step{2, 1}, Step{1, 2}));
+    EXPECT_TRUE(frames_in_turn({}).empty());
+}
+
+/// Measures one frame that takes these times, one after the other.
+BenchFrame measured(const std::vector<std::int64_t>& times_ns) {
+    std::vector<BenchFrame> frames = frames_in_turn({1});
+    std::size_t next = 0;
+    const auto draw = [&](std::size_t, int) -> Result<std::int64_t> { return times_ns[next++]; };
+    EXPECT_FALSE(measure(frames, times_ns.size() - 1, draw));
+    return frames[0];
+}
+
+TEST(Measure, TakesTheFastestAndTheMiddleTime) {
+    const BenchFrame frame = measured({5, 70, 20, 90, 30, 40});
+    EXPECT_EQ(frame.minimum_ns, 20);
+    EXPECT_EQ(frame.median_ns, 40);
+}
+
+TEST(Measure, DoesNotCountTheFirstTime) { EXPECT_EQ(measured({1, 7}).minimum_ns, 7); }
+
+TEST(Measure, EndsWithTheFirstError) {
+    std::vector<BenchFrame> frames = frames_in_turn({4});
+    int drawn = 0;
+    const auto draw = [&](std::size_t, int) -> Result<std::int64_t> {
+        if (++drawn == 3) return Error{"card", "gone"};
+        return std::int64_t{1};
+    };
+    EXPECT_EQ(measure(frames, 2, draw)->text(), "card: gone");
+    EXPECT_EQ(drawn, 3);
+}
+
+const std::vector<BenchFrame> kTimes{
+    {0, 0, 1'000'000, 1'500'000}, {1, 0, 2'000'000, 2'000'000}, {1, 1, 4'000'000, 6'000'000}};
+
+TEST(BenchCsv, HasALineForEachFrameAndQuotesOddNames) {
+    EXPECT_EQ(bench_csv({"a.toml", "b, \"c\".toml"}, kTimes),
+              "subject,frame,minimum_ns,median_ns\na.toml,0,1000000,1500000\n"
+              "\"b, \"\"c\"\".toml\",0,2000000,2000000\n\"b, \"\"c\"\".toml\",1,4000000,6000000\n");
+}
+
+TEST(BenchTable, TellsMeansAndTheSlowestFrameOfEachSubject) {
+    const std::string table = bench_table({"a.toml", "b.toml"}, kTimes);
+    EXPECT_THAT(table, HasSubstr("a.toml        1       1.000       1.500       1.000 (frame 0)\n"));
+    EXPECT_THAT(table, HasSubstr("b.toml        2       3.000       4.000       4.000 (frame 1)\n"));
+}
+
+}  // namespace
+}  // namespace enfilade
