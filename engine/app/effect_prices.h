@@ -28,8 +28,8 @@ struct Prices {
 };
 
 /// Draws eight looks around from the player's start and from some other places of the map at 640 x 400, by the column
-/// renderer on one thread, in turn with and without each effect, and takes each look's fastest time. Shows on a
-/// terminal how far it is. file: sound, with a player; else there are no prices.
+/// renderer on one thread, in turn with and without each effect, and takes each look's middle difference of processor
+/// time. Shows on a terminal how far it is. file: sound, with a player; else there are no prices.
 /// Cost: some seconds for each effect that can be taken out.
 Prices effect_prices(const MapFile& file, const TextureSet& textures);
 

@@ -7,6 +7,9 @@ namespace enfilade {
 /// Since some fixed moment; never goes back [ns].
 std::int64_t now_ns();
 
+/// Processor time that this thread has used: what measuring work needs where other programs run beside it [ns].
+std::int64_t thread_time_ns();
+
 /// Returns when now_ns() has reached the moment, at once where it lies in the past.
 void sleep_until_ns(std::int64_t moment);
 
