@@ -5,6 +5,7 @@
 //
 // Prints for each picture which share of its blocks is alike; exits with 1 where one is below the bound. Fields of view
 // are 90 degrees, the picture is not stretched, things are left out: pictures called …_things.png are passed over.
+// Lights have not begun to change, as when a level has just been entered.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -81,6 +82,7 @@ std::optional<Walk> load_walk(const std::string& folder, const std::string& map)
               read_views(as_text(csv.value())).views};
     if (!walk.loaded.map) return {};
     walk.loaded.map->things.clear();
+    for (Sector& sector : walk.loaded.map->sectors) sector.light_effect.reset();
     return walk;
 }
 
