@@ -1,4 +1,5 @@
 // Where the player starts, and where the things and the lights are.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,13 @@
 
 namespace enfilade {
 namespace {
+
+/// What lamps together may reach [m^2]: each holds 16 numbers for a square metre of every surface that it lights, and a
+/// file must not fill the memory with them. 4096 lamps of 8 m.
+constexpr double kMostLitArea = 0x1p20;
+
+/// What a lamp counts for at least [m^2].
+constexpr double kLeastLitArea = 16;
 
 NameIndex sector_names(const Draft& draft) {
     std::vector<ScopedName> names;
@@ -69,6 +77,16 @@ public:
     }
 
     void place_light(const PointLightRecord& record) {
+        lit_area_ += std::max(4 * record.reach * record.reach, kLeastLitArea);
+        if (lit_area_ > kMostLitArea) {
+            if (!has_too_many_lights_)
+                draft_.error(record.place, "too-many-lights",
+                             "with this light the lights of the map reach too far together: expected at most " +
+                                 number_text(kMostLitArea) +
+                                 " square metres, counting the square of twice its reach for each");
+            has_too_many_lights_ = true;
+            return;
+        }
         const Vec2 position = snap_to_point_grid(record.position);
         const auto found = names_.find(0, record.sector);
         if (!record.sector.empty() && !found)
@@ -126,6 +144,8 @@ private:
     NameIndex names_;
     SpriteShelf sprites_{draft_};
     SectorFinder finder_;
+    double lit_area_ = 0;  ///< [m^2]
+    bool has_too_many_lights_ = false;
 };
 
 void check_thing_names(Draft& draft) {

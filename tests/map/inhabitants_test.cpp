@@ -124,5 +124,19 @@ TEST(PointLight, IsInTheRoomAroundItUnlessItNamesOne) {
     EXPECT_EQ(map.lights[1].sector, SectorId(1u));
 }
 
+TEST(PointLights, AreRefusedOnceWhereTogetherTheyReachTooFar) {
+    MapFile file = map_of({box_room("room", 0, 0, 4, 4)});
+    file.lights.resize(5000);
+    for (PointLightRecord& light : file.lights) {
+        light.position = {1, 2};
+        light.z = 1;
+    }
+    const Findings findings = findings_of(file);
+    const auto is_it = [](const Finding& finding) { return finding.code == "too-many-lights"; };
+    EXPECT_EQ(std::count_if(findings.begin(), findings.end(), is_it), 1);
+    file.lights.resize(4000);
+    EXPECT_FALSE(has_errors(findings_of(file)));
+}
+
 }  // namespace
 }  // namespace enfilade
