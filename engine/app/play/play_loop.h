@@ -61,9 +61,16 @@ private:
     /// The automap learns what is in the picture.
     void remember_seen(std::int64_t now);
     Status show(std::int64_t now);
-    void draw_over(const View& view, double now_s);
-    void take_screenshot(double now_s);
+    void draw_over(const View& view);
+    void take_screenshot();
     Status save_tape();
+    /// Shows a notice for a while.
+    void tell(const std::string& text);
+    double now_s() const;
+    /// How much of the present tick has passed, 0..1.
+    double part_of_tick(std::int64_t now) const;
+
+    static constexpr std::int64_t kBetweenLooks = 250'000'000;  ///< at the map's files, and at what the map shows [ns]
 
     Game& game_;
     Window& window_;

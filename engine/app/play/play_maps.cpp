@@ -1,0 +1,115 @@
+// What becomes of the map that is played: it is edited, left, saved and come back to.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/play/play_loop.h"
+#include "app/play/saved_game.h"
+#include "base/files.h"
+
+namespace enfilade {
+namespace {
+
+/// More findings than fit a screen help nobody.
+constexpr std::size_t kMostLines = 12;
+
+std::vector<std::string> split_lines(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        lines.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return lines;
+}
+
+}  // namespace
+
+void PlayLoop::look_for_changes(std::int64_t now) {
+    if (now - looked_ns_ < kBetweenLooks) return;
+    looked_ns_ = now;
+    if (game_.map_changed()) reload();
+}
+
+void PlayLoop::reload() {
+    const bool was_recording = game_.is_recording();
+    const Status unsaved = was_recording ? save_tape() : Status{};
+    if (Status refused = game_.reload()) {
+        std::vector<std::string> lines = split_lines(refused->text());
+        const std::size_t all = lines.size();
+        lines.resize(std::min(all, kMostLines));
+        if (all > kMostLines) lines.push_back(fmt::format("and {} more", all - kMostLines));
+        lines.emplace_back("The map before is kept until this is put right.");
+        return notices_.pin(std::move(lines));
+    }
+    begin_sounds();
+    notices_.pin({});
+    tell("The map was changed and loaded again.");
+    if (unsaved) tell(unsaved->text());
+    if (was_recording) tell("The recording ended with the map before.");
+}
+
+void PlayLoop::follow_events() {
+    const World& world = game_.world();
+    if (world.tick < told_) told_ = world.tick;
+    if (world.news && world.news->tick > told_) {
+        told_ = world.news->tick;
+        const std::string text = news_text(game_.map(), *world.news);
+        if (!text.empty()) tell(text);
+    }
+    if (world.left_by) leave_map();
+}
+
+/// The next map lies beside this one; where there is none, one begins again.
+void PlayLoop::leave_map() {
+    namespace fs = std::filesystem;
+    const std::string left = game_.map().name, next = game_.map()[*game_.world().left_by].leads_to;
+    fs::path path = fs::path(game_.path()).parent_path() / next;
+    if (path.extension() != ".toml") path += ".toml";
+    std::error_code unknown;
+    told_ = 0;
+    if (next.empty() || !fs::exists(path, unknown)) {
+        game_.restart();
+        return tell(next.empty() ? fmt::format("You left {}.", left)
+                                 : fmt::format("You left {}; the next map, {}, is not here.", left, next));
+    }
+    if (Status failed = game_.enter(path.string())) {
+        game_.restart();
+        return notices_.pin(split_lines(failed->text()));
+    }
+    options_.save = saved_game_of(game_.path());
+    begin_sounds();
+    tell(fmt::format("{} lies behind you. This is {}.", left, game_.map().name));
+}
+
+void PlayLoop::save_game() {
+    const Status failed = game_.save(options_.save);
+    tell(failed ? failed->text() : "Saved. F9 comes back here.");
+}
+
+void PlayLoop::load_game() {
+    const Status failed = game_.load_saved(options_.save);
+    told_ = game_.world().tick;
+    tell(failed ? failed->text() : "Back where you saved.");
+}
+
+Status PlayLoop::save_tape() {
+    if (!game_.is_recording()) return {};
+    const Bytes bytes = write_tape(game_.tape());
+    return write_file(options_.tape, bytes);
+}
+
+void PlayLoop::begin_sounds() {
+    if (options_.mute) return;
+    for (const std::string& fault : sounds_.begin(game_.map(), game_.path())) tell(fault);
+}
+
+void PlayLoop::hear() {
+    if (menu_.is_open() || rewinding_)
+        sounds_.fall_silent();
+    else
+        sounds_.hear(game_.map(), game_.world(), settings_.volume);
+}
+
+}  // namespace enfilade

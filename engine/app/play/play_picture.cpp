@@ -1,0 +1,81 @@
+// What is shown while one plays: the view, and over it the map, notices and the menu.
+#include "app/play/play_loop.h"
+#include "app/play/screenshot.h"
+#include "base/parallel.h"
+#include "platform/clock.h"
+#include "platform/gl_context.h"
+
+namespace enfilade {
+
+void PlayLoop::remember_seen(std::int64_t now) {
+    if (now - remembered_ns_ < kBetweenLooks) return;
+    remembered_ns_ = now;
+    for (const ViewportShape& shape : renderer_->viewports()) game_.automap().see(shape.sector);
+}
+
+void PlayLoop::change_renderer() {
+    const auto other = options_.renderer == RendererKind::stencil ? RendererKind::column : RendererKind::stencil;
+    auto renderer = make_renderer(other, hardware_threads(), open_gl_for_play);
+    if (!renderer.ok()) return tell(renderer.error().text());
+    renderer_ = std::move(renderer).value();
+    options_.renderer = other;
+    tell("Drawn by the " + name_of(other) + " renderer.");
+}
+
+View PlayLoop::view_now(double part) const {
+    const bool tilts = settings_.true_pitch && options_.renderer == RendererKind::stencil;
+    return game_.view(part, input_.ahead(part), settings_.fov_degrees, tilts);
+}
+
+/// A graphics card that fails is no reason to stop playing.
+Status PlayLoop::draw_view(double part) {
+    const auto draw = [&] {
+        return renderer_->render(frame_, nullptr, game_.map(), game_.textures(), game_.snapshot(part), view_now(part));
+    };
+    const Status failed = draw();
+    if (!failed || options_.renderer != RendererKind::stencil) return failed;
+    change_renderer();
+    tell(failed->text());
+    return draw();
+}
+
+Status PlayLoop::show(std::int64_t now) {
+    const PixelSize size = options_.size ? PixelSize{options_.size->width, options_.size->height} : window_.size();
+    frame_.resize(size.width, size.height);
+    const double part = part_of_tick(now);
+    const std::int64_t began = now_ns();
+    if (Status failed = draw_view(part)) return failed;
+    const std::int64_t drawn = now_ns();
+    remember_seen(now);
+    draw_over(view_now(part));
+    Status failed = window_.present(frame_);
+    times_.add(drawn - began, now_ns());
+    return failed;
+}
+
+void PlayLoop::draw_over(const View& view) {
+    Overlay overlay(frame_, font_, comfortable_scale(frame_.height));
+    game_.automap().draw(overlay, game_.map(), {view.sector, view.eye}, view.forward);
+    if (readout_open_) {
+        const double degrees_per_step = 360 / 4294967296.0;
+        draw_readout(overlay, times_,
+                     {game_.map()[view.sector].name, name_of(options_.renderer), view.eye.x, view.eye.y, view.eye_z,
+                      game_.player().yaw.degrees(), game_.player().pitch_steps * degrees_per_step},
+                     renderer_->viewports());
+    }
+    draw_status(overlay, game_.map(), game_.world());
+    if (game_.world().health == 0) draw_death(overlay);
+    if (rewinding_) draw_rewind(overlay, rewound_ticks_);
+    if (screenshot_wanted_) take_screenshot();
+    notices_.draw(overlay, now_s());
+    Overlay menu_overlay(frame_, font_, Menu::scale_for(frame_.height));
+    menu_.draw(menu_overlay, settings_);
+}
+
+void PlayLoop::take_screenshot() {
+    screenshot_wanted_ = false;
+    const auto name = save_screenshot(frame_, ".");
+    tell(name.ok() ? "Saved " + name.value() : name.error().text());
+}
+
+}  // namespace enfilade
