@@ -45,6 +45,13 @@ void FlatPainter::paint(const Scene& scene, int x, int top, int bottom, double w
         paint_level(scene, x, top, bottom, wall_depth);
 }
 
+// Out of line, so that flats without point lights do not save registers for it.
+[[gnu::noinline]] void FlatPainter::fill_lit(const Run& run, const FlatRun& flat, Vec2 ray) const {
+    fill_lit_flat(run, flat,
+                  {glow_, (pose_->eye.x - glow_->u) / kLightCell, (pose_->eye.y - glow_->v) / kLightCell,
+                   ray.x / kLightCell, ray.y / kLightCell});
+}
+
 void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, double wall_depth) {
     prepare_rows(scene, top, bottom);
     if (is_extended_) shade_extended_rows(scene, top, bottom, wall_depth);
@@ -62,9 +69,7 @@ void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, do
                        fog_.color};
     const Run run = scene.canvas.run(x, top, bottom);
     if (built_in::kPointLights && glow_)
-        fill_lit_flat(run, flat,
-                      {glow_, (pose_->eye.x - glow_->u) / kLightCell, (pose_->eye.y - glow_->v) / kLightCell,
-                       ray.x / kLightCell, ray.y / kLightCell});
+        fill_lit(run, flat, ray);
     else
         fill_flat(run, flat);
     if (scene.facts == nullptr) return;

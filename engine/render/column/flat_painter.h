@@ -23,6 +23,7 @@ public:
 
 private:
     void paint_level(const Scene& scene, int x, int top, int bottom, double wall_depth);
+    void fill_lit(const Run& run, const FlatRun& flat, Vec2 ray) const;
     void paint_sky(const Scene& scene, int x, int top, int bottom);
     SkyRun sky_run(const Scene& scene, const Surface& surface, Vec2 ray) const;
     void prepare_rows(const Scene& scene, int top, int bottom);

@@ -31,7 +31,8 @@ void fill_wall_as(const Run& run, const WallRun& wall) {
     }
 }
 
-void fill_wall_in_fog(const Run& run, const WallRun& wall) {
+// What few surfaces need is kept out of line, so that the others do not save registers for it.
+[[gnu::noinline]] void fill_wall_in_fog(const Run& run, const WallRun& wall) {
     TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
     for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
         const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
@@ -111,6 +112,8 @@ void fill_flat_as(const Run& run, const FlatRun& flat) {
     }
 }
 
+[[gnu::noinline]] void fill_flat_in_fog(const Run& run, const FlatRun& flat) { fill_flat_as<true>(run, flat); }
+
 }  // namespace
 
 TileSteps tile_steps(double tiles) { return static_cast<TileSteps>(fraction(tiles) * 0x1p64); }
@@ -154,7 +157,7 @@ void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
 
 void fill_flat(const Run& run, const FlatRun& flat) {
     if (built_in::kFog && flat.row_mists)
-        fill_flat_as<true>(run, flat);
+        fill_flat_in_fog(run, flat);
     else
         fill_flat_as<false>(run, flat);
 }

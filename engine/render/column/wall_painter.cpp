@@ -76,15 +76,22 @@ WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallH
     return {hit.along * u_per_along_ - u_offset_, v_at_peg_ - (scene.screen.horizon - 0.5) * v_per_row, v_per_row};
 }
 
-WallRun WallPainter::run_of(const ColumnTexels& at, const WallHit& hit) const {
+// Inlined by order: whether it is must not depend on what else is in it.
+[[gnu::always_inline]] inline WallRun WallPainter::run_of(const ColumnTexels& at, const WallHit& hit) const {
     const std::uint32_t column = texel_index(fraction(at.u), texture_->width);
-    return {&texture_->pixels[std::size_t{column} * texture_->height],
-            texture_->height,
-            tile_steps(at.v_at_row_0),
-            tile_steps(at.v_per_row),
-            shade_at(model_, light_, contrast_, hit.depth),
-            is_there(fog_) ? mist_at(fog_.reach, hit.depth) : 0,
-            fog_.color};
+    WallRun run{&texture_->pixels[std::size_t{column} * texture_->height], texture_->height, tile_steps(at.v_at_row_0),
+                tile_steps(at.v_per_row), shade_at(model_, light_, contrast_, hit.depth)};
+    if (is_there(fog_)) {
+        run.mist = mist_at(fog_.reach, hit.depth);
+        run.fog = fog_.color;
+    }
+    return run;
+}
+
+// Out of line, so that walls without point lights do not save registers for it.
+[[gnu::noinline]] void WallPainter::fill_lit(const Scene& scene, const Run& run, const ColumnTexels& at,
+                                             const WallHit& hit) const {
+    fill_lit_wall(run, run_of(at, hit), glow_at(scene, run.first_row, run.first_row + run.count, hit));
 }
 
 void WallPainter::paint(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
@@ -92,7 +99,7 @@ void WallPainter::paint(const Scene& scene, int x, int top, int bottom, const Wa
     const ColumnTexels at = texels_at(scene, hit);
     const Run run = scene.canvas.run(x, top, bottom);
     if (built_in::kPointLights && light_grid_)
-        fill_lit_wall(run, run_of(at, hit), glow_at(scene, top, bottom, hit));
+        fill_lit(scene, run, at, hit);
     else
         fill_wall(run, run_of(at, hit));
     if (scene.facts == nullptr) return;

@@ -41,6 +41,7 @@ private:
     WallGlow glow_at(const Scene& scene, int top, int bottom, const WallHit& hit) const;
     void hang(const Scene& scene, const Surface& surface, double length, double peg);
     ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
+    void fill_lit(const Scene& scene, const Run& run, const ColumnTexels& at, const WallHit& hit) const;
     WallRun run_of(const ColumnTexels& at, const WallHit& hit) const;
     void shade_by(const Map& map, double light, double contrast);
 
