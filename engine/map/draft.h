@@ -84,4 +84,7 @@ void place_sounds(Draft& draft);
 /// Animations and switches (picture_changes.cpp).
 void note_picture_changes(Draft& draft);
 
+/// Last of all (fingerprint.cpp).
+void take_fingerprint(Draft& draft);
+
 }  // namespace enfilade

@@ -192,6 +192,7 @@ struct Map {
     PictureChanges pictures;
     std::optional<PlayerStart> player;
     RenderRecord render;
+    std::uint64_t fingerprint = 0;  ///< of its shapes, portals and lights; 0: not made by build_map
 
     const Sector& operator[](SectorId id) const { return sectors[id.index]; }
     const Wall& operator[](WallId id) const { return walls[id.index]; }
@@ -208,5 +209,15 @@ struct Map {
         return portal.link == Wall::kNoLink ? point : grid_links[portal.link].apply(point);
     }
 };
+
+/// Which map something was worked out from. Another map differs, also one that was loaded into the same memory.
+struct MapIdentity {
+    const Wall* walls = nullptr;
+    std::uint64_t fingerprint = 0;
+
+    bool operator==(const MapIdentity&) const = default;
+};
+
+inline MapIdentity identity_of(const Map& map) { return {map.walls.data(), map.fingerprint}; }
 
 }  // namespace enfilade

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/hash.h"
 #include "base/parallel.h"
 #include "formats/png.h"
 
@@ -159,6 +160,7 @@ void TextureLoader::unpack(std::size_t i) {
             picture.texture = by_columns(image.value());
         else
             picture.fault = image.error().what;
+        picture.texture.fingerprint = hash_of_text(as_text(*picture.bytes));
     }
     picture.texture.missing = !picture.bytes;
     picture.texture.name = picture.name;

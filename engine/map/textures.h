@@ -20,8 +20,9 @@ struct Texture {
     std::uint32_t width = 1;   ///< >= 1 [px]
     std::uint32_t height = 1;  ///< >= 1 [px]
     std::vector<std::uint32_t> pixels;
-    bool has_holes = false;  ///< some pixel is not opaque
-    bool missing = false;    ///< a placeholder for a file that was not found
+    bool has_holes = false;         ///< some pixel is not opaque
+    bool missing = false;           ///< a placeholder for a file that was not found
+    std::uint64_t fingerprint = 0;  ///< of the file it was read from
 
     std::uint32_t at(std::uint32_t x, std::uint32_t y) const { return pixels[std::size_t{x} * height + y]; }
 };

@@ -2,39 +2,12 @@
 
 #include <algorithm>
 
-#include "base/hash.h"
-
 namespace enfilade {
-namespace {
-
-/// Some of the map's walls and all its lights: enough to notice that it was loaded again, cheap enough for every frame.
-std::uint64_t fingerprint(const Map& map) {
-    constexpr std::size_t kSamples = 16;
-    Hash hash;
-    hash.add(reinterpret_cast<std::uintptr_t>(map.walls.data()));
-    hash.add(map.walls.size());
-    for (std::size_t i = 0; i < kSamples; ++i) {
-        const Wall& wall = map.walls[(map.walls.size() - 1) * i / kSamples];
-        hash.add(wall.a.x);
-        hash.add(wall.a.y);
-    }
-    for (const PointLight& light : map.lights) {
-        hash.add(light.position.x);
-        hash.add(light.position.y);
-        hash.add(light.z);
-        hash.add(light.reach);
-    }
-    return hash.value();
-}
-
-}  // namespace
-
 bool LightGrids::start(const Map& map) {
     if (map.lights.empty()) return false;
-    const std::uint64_t wanted = fingerprint(map);
     const Held held(lock_);
-    if (map_ != wanted) forget(map);
-    map_ = wanted;
+    if (map_ != identity_of(map)) forget(map);
+    map_ = identity_of(map);
     return true;
 }
 

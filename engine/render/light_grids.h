@@ -6,7 +6,6 @@
 #pragma once
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "base/lock.h"
@@ -61,7 +60,7 @@ private:
                           Patch patch);
 
     Lock lock_;
-    std::optional<std::uint64_t> map_;  ///< fingerprint
+    MapIdentity map_;
     LightImages images_;
     std::vector<std::unique_ptr<Memo>> memos_;  ///< of walls, then panels, things, sectors
 };

@@ -86,7 +86,8 @@ std::vector<Move> moves_of(const Course& course, double since, double until) {
     const auto walk = [&] {
         for (std::uint8_t i = 0; i < course.count; ++i) {
             const double end = begin + static_cast<double>(ticks_between(from, course.stops[i]));
-            if (end > begin && end > since && begin <= until) moves.push_back({begin, end, course.stops[i].value < from});
+            if (end > begin && end > since && begin <= until)
+                moves.push_back({begin, end, course.stops[i].value < from});
             begin = end + course.stops[i].wait;
             from = course.stops[i].value;
         }

@@ -1,11 +1,9 @@
 #include "render/stencil/stencil_renderer.h"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
 #include "base/check.h"
-#include "base/hash.h"
 #include "render/stencil/layer_painter.h"
 #include "render/stencil/panorama.h"
 #include "space/overlap.h"
@@ -28,7 +26,7 @@ struct StencilRenderer::State {
     Mesh mesh;
     LightGrids lights;
     MapFacts facts;
-    std::optional<std::uint64_t> facts_of;  ///< fingerprint of the map that `facts` belong to
+    MapIdentity facts_of;
     StencilCounts counts;
     std::vector<SeenRoom> rooms;  ///< of the last frame
     bool was_tilted = false;      ///< the last frame
@@ -55,21 +53,6 @@ Status check_version() {
                                                  "or its driver has OpenGL ") +
                                          (epoxy_is_desktop_gl() ? "" : "ES ") + std::to_string(version / 10) + "." +
                                          std::to_string(version % 10)};
-}
-
-/// Some of the map's walls: enough to notice that it was loaded again, cheap enough for every frame.
-std::uint64_t fingerprint(const Map& map) {
-    constexpr std::size_t kSamples = 64;
-    Hash hash;
-    hash.add(reinterpret_cast<std::uintptr_t>(map.walls.data()));
-    hash.add(map.walls.size());
-    for (std::size_t i = 0; i < kSamples; ++i) {
-        const Wall& wall = map.walls[(map.walls.size() - 1) * i / kSamples];
-        hash.add(wall.a.x);
-        hash.add(wall.a.y);
-        hash.add(wall.behind.index);
-    }
-    return hash.value();
 }
 
 /// What went wrong since the last question.
@@ -135,9 +118,8 @@ Status StencilRenderer::render(Frame& frame, FrameFacts* facts, const Map& map, 
     State& state = *state_;
     if (Status failed = state.context->make_current()) return failed;
     frame.resize(frame.width, frame.height);
-    const std::uint64_t wanted = fingerprint(map);
-    if (state.facts_of != wanted) state.facts.overlaps = overlapping_sectors(map);
-    state.facts_of = wanted;
+    if (state.facts_of != identity_of(map)) state.facts.overlaps = overlapping_sectors(map);
+    state.facts_of = identity_of(map);
     const Status failed = state.draw(frame, facts, map, textures, snapshot, view);
     state.context->release();
     return failed;

@@ -8,11 +8,13 @@
 namespace enfilade::stencil {
 namespace {
 
-/// Some texels of every picture: enough to notice that a map was loaded again, cheap enough for every frame.
+/// Tells sets of pictures apart, cheap enough for every frame. Those that were not read from files are told apart by
+/// some of their texels.
 std::uint64_t fingerprint(const TextureSet& set) {
     constexpr std::size_t kSamples = 16;
     Hash hash;
     const auto add = [&](const Texture& texture) {
+        hash.add(texture.fingerprint);
         hash.add(texture.width);
         hash.add(texture.height);
         hash.add(reinterpret_cast<std::uintptr_t>(texture.pixels.data()));

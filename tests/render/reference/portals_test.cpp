@@ -154,8 +154,12 @@ TEST_F(Doorway, SeesNothingOfARoomWithoutHeightFromInsideButItsFlats) {
 
 TEST_F(Doorway, ShowsTheSkyInItsDirectionWhereverTheEyeIs) {
     MapFile file = two_rooms(0, 2);
-    for (SectorRecord& s : file.sectors) s.ceiling = {2, spec("sky"), {}, false, true, {}, false, {}};
-    for (SectorRecord& s : file.sectors) s.ceiling.texture->tile_m = Vec2{4, 1.5};
+    for (SectorRecord& s : file.sectors) {
+        s.ceiling.z = 2;
+        s.ceiling.texture = spec("sky");
+        s.ceiling.texture->tile_m = Vec2{4, 1.5};
+        s.ceiling.parallax = true;
+    }
     const Rooms rooms(file);
     const Picture here = rooms.look(look_from(rooms.map, {1.25, 1}, 1, 20), kWidth, kHeight);
     const Picture there = rooms.look(look_from(rooms.map, {2.75, 3}, 0.5, 20), kWidth, kHeight);
