@@ -1,9 +1,9 @@
 #!/bin/sh
 # Instructions that a pixel of rooms without any effect takes: in the engine as it is, and in builds with one effect
 # left out, so that the difference is what that effect costs those who do not use it. Counted by callgrind while
-# pictures are drawn, as the difference of two runs of different length, so that the first round does not count. Prints a table in Markdown, last
-# the same with inner loops that ask five flags for each pixel. Exit status 1 where an effect costs more than 0.2 %, or
-# where a picture differs. `effect_cost.sh BUILD_FOLDER`: builds in that folder, one variant after the other.
+# pictures are drawn, as the difference of two runs of different length, so that the first round does not count. Prints
+# a table in Markdown, last the same with inner loops that ask five flags for each pixel. Exit status 1 where an effect
+# costs more than 0.2 %, or where a picture differs. `effect_cost.sh BUILD_FOLDER`: builds in that folder, one variant after the other.
 set -eu
 
 top=$(cd "$(dirname "$0")/../.." && pwd)
