@@ -19,7 +19,7 @@ namespace enfilade {
 namespace {
 
 constexpr int kWidth = 640, kHeight = 400;       ///< of the pictures [px]
-constexpr std::size_t kPlaces = 8, kAround = 8;  ///< places apart from the start, and looks from each
+constexpr std::size_t kPlaces = 4, kAround = 8;  ///< places apart from the start, and looks from each
 constexpr std::size_t kRounds = 14;              ///< how often each look is drawn; even, its half odd
 constexpr double kTime = 10.3;                   ///< when, so that what moves has moved [s]
 

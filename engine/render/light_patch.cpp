@@ -138,7 +138,8 @@ LightGrid sum_of(std::span<const LightPatch> patches, std::span<const LampColor>
     grid.cells.reserve(sums.size());
     for (const LampColor& sum : sums)
         grid.cells.push_back(light_cell(lane_of(sum.red), lane_of(sum.green), lane_of(sum.blue)));
-    return grid;
+    const bool is_dark = std::all_of(grid.cells.begin(), grid.cells.end(), [](LightCell cell) { return cell == 0; });
+    return is_dark ? LightGrid{} : grid;
 }
 
 }  // namespace enfilade

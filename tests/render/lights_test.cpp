@@ -221,10 +221,9 @@ TEST(PointLight, LightsThingsUnlessSomethingIsBefore) {
     for (ThingRecord& thing : file.things) thing.frames = {{"figure", 0, {}}};
     LitMap lit(file);
     const LightGrid* near = lit.grids.on_thing(lit.map, lit.snapshot, ThingId(0u));
-    const LightGrid* hidden = lit.grids.on_thing(lit.map, lit.snapshot, ThingId(1u));
-    ASSERT_TRUE(near && hidden);
+    ASSERT_TRUE(near);
     EXPECT_GT(lane(light_on(*near, 0, 0), 0), 0u);
-    EXPECT_EQ(light_on(*hidden, 0, 0), 0u);
+    EXPECT_FALSE(lit.grids.on_thing(lit.map, lit.snapshot, ThingId(1u)));
 }
 
 TEST(PointLight, LightsPanelsFromBothSides) {
@@ -274,6 +273,15 @@ TEST(LightGrids, AreAlikeWhateverWasAskedBefore) {
 }
 
 TEST(LightGrids, AskNothingOfAMapWithoutLights) { EXPECT_FALSE(LightGrids().start(built(hall_with({})))); }
+
+TEST(LightGrids, AreNoneWhereNothingArrives) {
+    LitMap lit(hall_with({lamp(1, 1, 1, 2)}));
+    ASSERT_TRUE(lit.grids.on_floor(lit.map, lit.snapshot, lit.sector("hall")));
+    lit.map.lights[0].brightness = 0;
+    LightGrids fresh;
+    fresh.start(lit.map);
+    EXPECT_FALSE(fresh.on_floor(lit.map, lit.snapshot, lit.sector("hall")));
+}
 
 TEST(LightGrids, NoticeAnotherMap) {
     LitMap lit(hall_with({lamp(4, 4)}));
