@@ -51,10 +51,12 @@ std::vector<View> looks_at(const Map& map, const View& start) {
     return looks;
 }
 
-/// A map ready to be drawn, and what drawing its looks gave.
+/// A map ready to be drawn, by a renderer of its own that keeps what it works out from it, and what drawing its looks
+/// gave.
 struct Sample {
     Map map;
     Snapshot snapshot;
+    ColumnRenderer renderer;
     std::vector<std::array<std::int64_t, kRounds>> took_ns;  ///< by look
     std::vector<std::uint64_t> hashes;                       ///< by look
 
@@ -78,7 +80,7 @@ public:
         Findings findings;
         std::optional<Map> map = build_map(file, textures_, findings);
         if (!map) return {};
-        Sample sample{std::move(*map), {}, {}, {}};
+        Sample sample{std::move(*map), {}, {}, {}, {}};
         sample.took_ns.resize(looks_.size());
         sample.hashes.resize(looks_.size());
         sample.snapshot = at_rest(sample.map);
@@ -98,14 +100,13 @@ public:
 private:
     void draw(Sample& sample, std::size_t look, std::size_t round) {
         const std::int64_t began = thread_time_ns();
-        renderer_.render(frame_, nullptr, sample.map, textures_, sample.snapshot, looks_[look]);
+        sample.renderer.render(frame_, nullptr, sample.map, textures_, sample.snapshot, looks_[look]);
         sample.took_ns[look][round] = thread_time_ns() - began;
         if (round == 0) sample.hashes[look] = hash_of(frame_);
     }
 
     const TextureSet& textures_;
     std::vector<View> looks_;
-    ColumnRenderer renderer_;
     Frame frame_;
 };
 
