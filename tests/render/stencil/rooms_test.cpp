@@ -52,7 +52,7 @@ TEST_P(StencilLamps, ShineAsInTheColumnRenderer) {
     const TextureSet textures = textures_for(file);
     Sight sight(map, textures);
     sight.snapshot().time_s = 3.21;
-    expect_agreement(sight.compare_poses(6, {160, 100}, 5), 1e-3);  // what is behind glass has edges of texels, too
+    expect_agreement(sight.compare_poses(6, {160, 100}, 5));
 }
 
 /// A picture with alpha whose neighbouring texels are alike, so that the edges between them hardly show.
