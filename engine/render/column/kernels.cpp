@@ -62,27 +62,6 @@ void paint_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
 }
 
 template <bool kHasFog>
-void fill_lit_flat_as(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
-    const Texture& texture = *flat.texture;
-    const LightGrid& grid = *glow.grid;
-    const double most =
-        std::max(flat.step_u < 0 ? -flat.step_u : flat.step_u, flat.step_v < 0 ? -flat.step_v : flat.step_v);
-    const double farthest = std::min(flat.farthest, kMostTiles / most);
-    for (int i = 0; i < run.count; ++i) {
-        const int row = run.first_row + i;
-        const double depth = std::min(flat.row_depths[row], farthest);
-        const std::uint32_t u = texel_of(fraction_bits(flat.base_u + depth * flat.step_u), texture.width);
-        const std::uint32_t v = texel_of(fraction_bits(flat.base_v + depth * flat.step_v), texture.height);
-        const GridStep across = grid_step(glow.base_u + depth * glow.step_u, grid.columns);
-        const GridStep along = grid_step(glow.base_v + depth * glow.step_v, grid.rows);
-        const LightCell light = light_between(grid, across, along);
-        const std::uint32_t texel = texture.pixels[std::size_t{u} * texture.height + v];
-        const std::uint32_t color = lit(texel, flat.row_shades[row], light);
-        run.pixels[i] = kHasFog ? misted(color, flat.fog, flat.row_mists[row]) : color;
-    }
-}
-
-template <bool kHasFog>
 void lay_wall_as(const Run& run, const WallRun& wall) {
     TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
     for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
@@ -95,8 +74,9 @@ void lay_wall_as(const Run& run, const WallRun& wall) {
     }
 }
 
-template <bool kHasFog>
-void fill_flat_as(const Run& run, const FlatRun& flat) {
+/// color_at(texel, row, depth): what a pixel shows, without fog.
+template <bool kHasFog, class ColorAt>
+void fill_flat_with(const Run& run, const FlatRun& flat, ColorAt color_at) {
     const Texture& texture = *flat.texture;
     const std::uint32_t* texels = texture.pixels.data();
     const double most =
@@ -107,9 +87,25 @@ void fill_flat_as(const Run& run, const FlatRun& flat) {
         const double depth = std::min(flat.row_depths[row], farthest);
         const std::uint32_t u = texel_of(fraction_bits(flat.base_u + depth * flat.step_u), texture.width);
         const std::uint32_t v = texel_of(fraction_bits(flat.base_v + depth * flat.step_v), texture.height);
-        const std::uint32_t color = shaded(texels[std::size_t{u} * texture.height + v], flat.row_shades[row]);
+        const std::uint32_t color = color_at(texels[std::size_t{u} * texture.height + v], row, depth);
         run.pixels[i] = kHasFog ? misted(color, flat.fog, flat.row_mists[row]) : color;
     }
+}
+
+template <bool kHasFog>
+void fill_flat_as(const Run& run, const FlatRun& flat) {
+    fill_flat_with<kHasFog>(
+        run, flat, [&flat](std::uint32_t texel, int row, double) { return shaded(texel, flat.row_shades[row]); });
+}
+
+template <bool kHasFog>
+void fill_lit_flat_as(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
+    const LightGrid& grid = *glow.grid;
+    fill_flat_with<kHasFog>(run, flat, [&](std::uint32_t texel, int row, double depth) {
+        const GridStep across = grid_step(glow.base_u + depth * glow.step_u, grid.columns);
+        const GridStep along = grid_step(glow.base_v + depth * glow.step_v, grid.rows);
+        return lit(texel, flat.row_shades[row], light_between(grid, across, along));
+    });
 }
 
 [[gnu::noinline]] void fill_flat_in_fog(const Run& run, const FlatRun& flat) { fill_flat_as<true>(run, flat); }
