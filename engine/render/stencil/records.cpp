@@ -53,20 +53,11 @@ std::uint32_t Records::glow(const LightGrid& grid, Vec2 scale, Vec2 start) {
 
 Status Records::upload() {
     if (pairs_.size() <= 1) return {};
-    const std::size_t rows = (pairs_.size() + kRow - 1) / kRow;
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-    if (rows > static_cast<std::size_t>(most))
+    if (pairs_.size() > ListTexture::most())
         return Error{"stencil renderer", "there is more light in view than this graphics card has room for: " +
                                              std::to_string(pairs_.size()) + " pairs of numbers, of at most " +
-                                             std::to_string(std::size_t(most) * kRow)};
-    pairs_.resize(rows * kRow);
-    texture_.create();
-    glBindTexture(GL_TEXTURE_2D, texture_.id());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32UI, GLsizei(kRow), static_cast<GLsizei>(rows), 0, GL_RG_INTEGER,
-                 GL_UNSIGNED_INT, pairs_.data());
+                                             std::to_string(ListTexture::most())};
+    texture_.hold(pairs_, GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT);
     return {};
 }
 

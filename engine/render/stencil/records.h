@@ -11,18 +11,16 @@
 #include "map/map.h"
 #include "map/textures.h"
 #include "render/light_grid.h"
-#include "render/stencil/gl_object.h"
+#include "render/stencil/list_texture.h"
 #include "render/stencil/texel_store.h"
 #include "world/snapshot.h"
 
 namespace enfilade::stencil {
 
-/// The records of one frame. Pair n is at (n mod kRow, n / kRow); the first is not used, so that 0 is no record.
+/// The records of one frame. The first pair is not used, so that 0 is no record.
 class Records {
 public:
     using Pair = std::array<std::uint32_t, 2>;
-    static constexpr std::uint32_t kRow = 2048;  ///< pairs; OpenGL ES 3.0 promises textures this wide
-
     /// Forgets all of the frame before.
     void clear();
 
@@ -42,7 +40,7 @@ public:
     GLuint texture() const { return texture_.id(); }
 
 private:
-    GlTexture texture_;
+    ListTexture texture_;
     std::vector<Pair> pairs_;
     std::map<const LightGrid*, std::uint32_t> grids_;  ///< where their points are
     std::vector<std::uint32_t> skies_;                 ///< by first layer; 0: not yet asked for

@@ -43,22 +43,13 @@ Status TexelStore::upload(const TextureSet& textures) {
     };
     for (const Texture& texture : textures.textures) add(texture);
     add(textures.placeholder);
-    const std::size_t rows = (texels.size() + kRow - 1) / kRow;
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-    if (rows > static_cast<std::size_t>(most)) {
+    if (texels.size() > ListTexture::most()) {
         places_.clear();
-        return Error{"stencil renderer", "expected at most " + std::to_string(std::size_t(most) * kRow) +
+        return Error{"stencil renderer", "expected at most " + std::to_string(ListTexture::most()) +
                                              " pixels in all pictures of a map; found " +
                                              std::to_string(texels.size()) + ", which this graphics card cannot hold"};
     }
-    texels.resize(rows * kRow);
-    texture_.create();
-    glBindTexture(GL_TEXTURE_2D, texture_.id());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8UI, GLsizei(kRow), static_cast<GLsizei>(rows), 0, GL_RGBA_INTEGER,
-                 GL_UNSIGNED_BYTE, texels.data());
+    texture_.hold(texels, GL_RGBA8UI, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE);
     return {};
 }
 

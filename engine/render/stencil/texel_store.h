@@ -5,19 +5,17 @@
 
 #include "base/result.h"
 #include "map/textures.h"
-#include "render/stencil/gl_object.h"
+#include "render/stencil/list_texture.h"
 
 namespace enfilade::stencil {
 
 /// Width and height of a picture, each less than 2^16, as one number.
 inline std::uint32_t size_of(const Texture& picture) { return picture.width | picture.height << 16; }
 
-/// Texel (x, y) of a picture is number place + x * height + y; number n is at (n mod kRow, n / kRow). Exact whole
-/// numbers are read back, so nearest sampling is the same arithmetic as in the other renderers.
+/// Texel (x, y) of a picture is number place + x * height + y; whole numbers are read
+/// back, so nearest sampling is the same arithmetic as in the other renderers.
 class TexelStore {
 public:
-    static constexpr std::uint32_t kRow = 2048;  ///< texels; OpenGL ES 3.0 promises textures this wide
-
     /// Loads the pictures unless the same ones are there already. An error where they do not fit.
     Status hold(const TextureSet& textures);
 
@@ -27,7 +25,7 @@ public:
 private:
     Status upload(const TextureSet& textures);
 
-    GlTexture texture_;
+    ListTexture texture_;
     std::vector<std::uint32_t> places_;  ///< by TextureId; the placeholder comes last
     std::uint64_t held_ = 0;             ///< what hold() loaded last
 };
