@@ -20,7 +20,8 @@ namespace {
 
 constexpr int kWidth = 640, kHeight = 400;       ///< of the pictures [px]
 constexpr std::size_t kPlaces = 4, kAround = 8;  ///< places apart from the start, and looks from each
-constexpr std::size_t kRounds = 14;              ///< how often each look is drawn; even, its half odd
+constexpr std::size_t kRounds = 10;              ///< how often each look is drawn; even, its half odd
+constexpr std::size_t kBuilds = 2;               ///< how often all that is drawn is built anew for it; even
 constexpr double kTime = 10.3;                   ///< when, so that what moves has moved [s]
 
 /// Somewhere in the sector, a metre from one of its walls, at eye level; none in a sector that is too narrow.
@@ -90,10 +91,10 @@ public:
 
     /// Draws every look of both once, side by side; which of the two comes first changes from round to round, because
     /// the second finds what the first has read.
-    void draw_round(Sample& with, Sample& without, std::size_t round) {
+    void draw_round(Sample& one, Sample& other, std::size_t round) {
         for (std::size_t look = 0; look < looks_.size(); ++look) {
-            draw(round % 2 == 0 ? with : without, look, round);
-            draw(round % 2 == 0 ? without : with, look, round);
+            draw(round % 2 == 0 ? one : other, look, round);
+            draw(round % 2 == 0 ? other : one, look, round);
         }
     }
 
@@ -121,20 +122,30 @@ double more_ms(const Sample& with, const Sample& without, std::size_t look, std:
     return static_cast<double>(more[more.size() / 2]) * 1e-6;
 }
 
-/// Means over the looks that differ, and over those that do not.
-Price price_of(const Sample& with, const Sample& without) {
-    double sums[2] = {0, 0};
-    std::size_t counts[2] = {0, 0};
-    for (std::size_t look = 0; look < with.hashes.size(); ++look) {
-        const bool is_seen = with.hashes[look] != without.hashes[look];
-        sums[is_seen] += (more_ms(with, without, look, 0) + more_ms(with, without, look, 1)) / 2;
-        ++counts[is_seen];
+/// What looks take more with the effect: those that differ by it, and those that do not.
+class Differences {
+public:
+    void add(const Sample& with, const Sample& without) {
+        for (std::size_t look = 0; look < with.hashes.size(); ++look) {
+            Sum& sum = sums_[with.hashes[look] != without.hashes[look]];
+            sum.ms += (more_ms(with, without, look, 0) + more_ms(with, without, look, 1)) / 2;
+            ++sum.count;
+        }
     }
-    Price price{counts[1], {}, {}};
-    if (counts[1] > 0) price.seen = sums[1] / static_cast<double>(counts[1]);
-    if (counts[0] > 0) price.unseen = sums[0] / static_cast<double>(counts[0]);
-    return price;
-}
+
+    Price price() const { return {sums_[1].count / kBuilds, sums_[1].mean(), sums_[0].mean()}; }
+
+private:
+    struct Sum {
+        double ms = 0;
+        std::size_t count = 0;
+
+        std::optional<double> mean() const {
+            return count > 0 ? std::optional(ms / static_cast<double>(count)) : std::nullopt;
+        }
+    };
+    Sum sums_[2];  ///< of looks that are the same with it and without, and of those that are not
+};
 
 std::vector<View> looks_of(const MapFile& file, const TextureSet& textures) {
     Findings findings;
@@ -146,18 +157,25 @@ std::vector<View> looks_of(const MapFile& file, const TextureSet& textures) {
 
 bool can_be_taken_out(const EffectPrice& effect) { return effect.use.effect->take_out != nullptr; }
 
-/// Draws with and without one effect.
+/// Draws with and without one effect. Which of the two is built first changes from build to build, because it gets
+/// other places in memory, which make a few hundredths of a frame.
 void measure(EffectPrice& effect, const MapFile& file, Measuring& measuring, Prices& prices, Progress& progress) {
     MapFile plain = file;
     effect.use.effect->take_out(plain);
-    auto with = measuring.sample_of(file), without = measuring.sample_of(plain);
-    if (!with || !without) return;
-    for (std::size_t round = 0; round < kRounds; ++round) {
-        measuring.draw_round(*with, *without, round);
-        progress.step(0);
+    Differences differences;
+    for (std::size_t build = 0; build < kBuilds; ++build) {
+        auto first = measuring.sample_of(build % 2 == 0 ? file : plain);
+        auto second = measuring.sample_of(build % 2 == 0 ? plain : file);
+        if (!first || !second) return;
+        for (std::size_t round = 0; round < kRounds; ++round) {
+            measuring.draw_round(*first, *second, round);
+            progress.step(0);
+        }
+        const Sample& with = build % 2 == 0 ? *first : *second;
+        differences.add(with, build % 2 == 0 ? *second : *first);
+        prices.frame_ms = with.frame_ms();
     }
-    prices.frame_ms = with->frame_ms();
-    effect.price = price_of(*with, *without);
+    effect.price = differences.price();
 }
 
 std::string ms_text(const std::optional<double>& ms) { return ms ? fmt::format("{:+.3f} ms", *ms) : "-"; }
@@ -178,7 +196,7 @@ Prices effect_prices(const MapFile& file, const TextureSet& textures) {
     prices.looks = measuring.looks();
     if (prices.looks == 0) return prices;
     const auto count = std::ranges::count_if(prices.effects, can_be_taken_out);
-    Progress progress(kRounds * static_cast<std::size_t>(count), "rounds");
+    Progress progress(kBuilds * kRounds * static_cast<std::size_t>(count), "rounds");
     for (EffectPrice& effect : prices.effects)
         if (can_be_taken_out(effect)) measure(effect, file, measuring, prices, progress);
     return prices;
