@@ -6,7 +6,7 @@ set -eu
 program=${1:?the build folder}/tests/bench/tick_cost
 
 counted() {
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect='*::run_ticks(*' "$program" "$@" 2>&1 | sed -n 's/.*Collected : //p'
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --instr-atstart=no --toggle-collect='*::run_ticks(*' "$program" "$@" 2>&1 | sed -n 's/.*Collected : //p'
 }
 
 # SECTORS ACTIVE SEEN: instructions of one tick
