@@ -12,7 +12,7 @@
 namespace enfilade::test {
 namespace {
 
-/// Poses of each kind and size: 200 in a long run. Half of them show nearly as much in CI.
+/// Poses of each kind and size: 200 in a long run; fewer show nearly as much in CI.
 const int kPoses = std::getenv("ENFILADE_LONG") ? 200 : 75;
 constexpr PictureSize kEven{320, 200}, kOdd{117, 83};  ///< an odd side has a ray exactly along the look
 

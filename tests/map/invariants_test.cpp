@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-constexpr int kMaps = 20'000;
+constexpr int kMaps = 10'000;
 
 /// Corners of a lattice so small that rooms share edges, vertices and names by chance.
 Vec2 lattice_point(Random& random) {
