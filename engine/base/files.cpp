@@ -1,5 +1,6 @@
 #include "base/files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -54,6 +55,15 @@ Result<Bytes> read_file(const std::string& path) {
     Bytes bytes(static_cast<std::size_t>(size));
     if (std::fread(bytes.data(), 1, bytes.size(), f.get()) != bytes.size()) return system_error(path, "read the file");
     return bytes;
+}
+
+std::vector<std::string> list_folder(const std::string& path) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    std::filesystem::directory_iterator entry(path, failed), end;
+    for (; !failed && entry != end; entry.increment(failed)) names.push_back(entry->path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 Status write_file(const std::string& path, std::span<const std::byte> bytes) {

@@ -16,12 +16,18 @@ using Bytes = std::vector<std::byte>;
 /// How a module below platform/ gets at files: a function from a path to the file's bytes.
 using FileReader = std::function<Result<Bytes>(const std::string& path)>;
 
+/// How such a module gets at the names of a folder's files: a function from the folder's path to them, sorted.
+using FolderLister = std::function<std::vector<std::string>(const std::string& path)>;
+
 /// Largest file that is read [bytes]. The biggest honest input is a WAD (under 100 MB); anything above this is
 /// refused before memory is taken for it.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
 
 /// The file's bytes, or an error naming the path. Directories, devices and files over kMaxFileBytes are errors.
 Result<Bytes> read_file(const std::string& path);
+
+/// The names of what lies in a folder, sorted; none where it cannot be read.
+std::vector<std::string> list_folder(const std::string& path);
 
 /// Writes beside the file and renames, so that a reader finds the old file or the new one, never half of one.
 Status write_file(const std::string& path, std::span<const std::byte> bytes);

@@ -24,6 +24,9 @@ struct MapReading {
 /// Cost: about 50 ns a byte.
 MapReading read_map(std::string_view text);
 
+/// Whether a text is meant to be a map: one that has sectors, as no script has.
+bool is_map(std::string_view text);
+
 /// Largest map text that is read [bytes]. Memory needed is about 20 times the text (toml++'s tree).
 inline constexpr std::size_t kMaxMapBytes = std::size_t{40} << 20;
 

@@ -23,6 +23,10 @@ std::string number_text(double number) {
     return {digits, end};
 }
 
+std::string counted(std::size_t count, std::string_view noun) {
+    return std::to_string(count) + ' ' + std::string(noun) + (count == 1 ? "" : "s");
+}
+
 std::optional<double> parse_number(std::string_view text) {
     if (text.starts_with('+')) {
         text.remove_prefix(1);

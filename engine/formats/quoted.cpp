@@ -54,9 +54,13 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
     return nearest;
 }
 
-std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
+std::string nearest_suggestion(std::string_view word, std::span<const std::string_view> known) {
     const std::string_view nearest = nearest_word(word, known);
-    if (!nearest.empty()) return "; did you mean '" + std::string(nearest) + "'?";
+    return nearest.empty() ? std::string() : "; did you mean " + quoted(nearest) + "?";
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
+    if (std::string near = nearest_suggestion(word, known); !near.empty()) return near;
     std::string list = "; known here: ";
     for (std::string_view candidate : known) list += std::string(candidate) + ", ";
     list.resize(list.size() - 2);

@@ -13,6 +13,9 @@ std::string quoted(std::string_view word);
 /// The known word that takes the fewest changed letters, if it is near enough to be meant; else empty.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known);
 
+/// "; did you mean 'X'?" with the known word nearest to this one, or nothing where none is near.
+std::string nearest_suggestion(std::string_view word, std::span<const std::string_view> known);
+
 /// "; did you mean 'X'?" with the known word nearest to this one, or "; known here: A, B, C" where none is near.
 std::string suggestion(std::string_view word, std::span<const std::string_view> known);
 

@@ -20,4 +20,10 @@ MapReading read_map(std::string_view text) {
     return result;
 }
 
+bool is_map(std::string_view text) {
+    Findings ignored;
+    const auto document = TomlDocument::parse(text, {kMaxMapBytes, kMaxMapValues}, ignored);
+    return document && document->root().find("sectors").kind() == TomlKind::array;
+}
+
 }  // namespace enfilade

@@ -77,7 +77,8 @@ std::optional<std::size_t> read_word(Reading& reading, const NamedValue& value,
     std::string list;
     for (std::string_view word : words) list += (list.empty() ? "\"" : ", \"") + std::string(word) + "\"";
     reading.error(value.node.place(), "unknown-word",
-                  is_to_be(value, "one of " + list) + ", found " + quoted(value.node.text()));
+                  is_to_be(value, "one of " + list) + ", found " + quoted(value.node.text()) +
+                      nearest_suggestion(value.node.text(), words));
     return {};
 }
 

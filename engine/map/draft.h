@@ -54,6 +54,9 @@ struct Draft {
     std::size_t error_count = 0, warning_count = 0;
 };
 
+/// Where something is missing from the file as a whole.
+inline constexpr TextPlace kTopOfFile{1, 1};
+
 /// Errors, and warnings, that the builder notes of one map; one more says that there are more. [findings]
 inline constexpr std::size_t kMostErrors = 1000, kMostWarnings = 1000;
 

@@ -161,8 +161,9 @@ void check_thing_names(Draft& draft) {
 
 void place_inhabitants(Draft& draft) {
     if (!draft.file.player)
-        draft.warning({}, "no-player",
-                      "the map has no [player]: it can be looked at with --view, but nobody can start");
+        draft.warning(kTopOfFile, "no-player",
+                      "the map has no [player]: it can be looked at with --view, but nobody can start; add "
+                      "[player] with sector, x and y");
     check_thing_names(draft);
     const bool is_empty = !draft.file.player && draft.file.things.empty() && draft.file.lights.empty();
     if (draft.map.sectors.empty() || is_empty) return;

@@ -37,6 +37,22 @@ void leave_out_things(MapFile& file, int skill) {
                   [&](const ThingRecord& thing) { return thing.multiplayer || !(thing.skills & 1u << (skill - 1)); });
 }
 
+void note_exits(const std::vector<TriggerRecord>& triggers, std::vector<NamedFile>& next_maps) {
+    for (const TriggerRecord& trigger : triggers)
+        if (trigger.deed == Deed::exit && !trigger.targets.empty())
+            next_maps.push_back({trigger.targets.front(), trigger.place});
+}
+
+void note_named_files(const MapFile& file, LoadedMap& loaded) {
+    for (const SoundRecord& sound : file.sounds) loaded.sounds.push_back({sound.file, sound.place});
+    for (const SectorRecord& sector : file.sectors) {
+        note_exits(sector.triggers, loaded.next_maps);
+        for (const LoopRecord& loop : sector.loops)
+            for (const WallRecord& wall : loop.walls) note_exits(wall.triggers, loaded.next_maps);
+    }
+    for (const ThingRecord& thing : file.things) note_exits(thing.triggers, loaded.next_maps);
+}
+
 /// Building needs the pictures' sizes only, so they are unpacked meanwhile.
 void build_and_unpack(const MapFile& file, TextureLoader loader, LoadedMap& loaded) {
     const TextureSet sizes = loader.sizes();
@@ -56,7 +72,7 @@ void build_and_unpack(const MapFile& file, TextureLoader loader, LoadedMap& load
 }  // namespace
 
 LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
-                   const FileReader& read, std::optional<int> skill) {
+                   const FileReader& read, std::optional<int> skill, const FolderLister& list) {
     LoadedMap loaded;
     Result<Bytes> bytes = read(path);
     if (!bytes) {
@@ -68,8 +84,9 @@ LoadedMap load_map(const std::string& path, const std::vector<std::string>& more
     loaded.findings = std::move(reading.findings);
     if (reading.map.name.empty()) reading.map.name = name_of(path);
     if (skill) leave_out_things(reading.map, *skill);
+    note_named_files(reading.map, loaded);
     const auto folders = texture_folders(reading.map, path, more_texture_folders);
-    build_and_unpack(reading.map, TextureLoader(reading.map, folders, read), loaded);
+    build_and_unpack(reading.map, TextureLoader(reading.map, folders, read, list), loaded);
     sort_by_place(loaded.findings);
     return loaded;
 }

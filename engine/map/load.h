@@ -11,11 +11,19 @@
 
 namespace enfilade {
 
+/// A file beside a map that the map names, and where.
+struct NamedFile {
+    std::string name;
+    TextPlace place;
+};
+
 /// A map that was read: there is one exactly where findings has no error.
 struct LoadedMap {
     std::optional<Map> map;
     TextureSet textures;
-    Findings findings;  ///< errors and warnings, sorted by place
+    Findings findings;                 ///< errors and warnings, sorted by place
+    std::vector<NamedFile> sounds;     ///< by SoundId
+    std::vector<NamedFile> next_maps;  ///< that its exits lead to, as written
 };
 
 /// The skill of a game where nobody chooses one: Doom's "Hurt me plenty".
@@ -26,7 +34,8 @@ inline constexpr int kUsualSkill = 3;
 /// without a place. A map without a name is called like its file.
 ///
 /// skill : 1..kMostSkill: the map holds only the things that stand there when one plays alone; none: all things
+/// list : where given, a picture that is missing is reported with the one that is called nearly so
 LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
-                   const FileReader& read, std::optional<int> skill = {});
+                   const FileReader& read, std::optional<int> skill = {}, const FolderLister& list = {});
 
 }  // namespace enfilade

@@ -31,8 +31,7 @@ std::string NameIndex::suggestion(std::uint32_t scope, std::string_view name) co
     auto it = std::lower_bound(names_.begin(), names_.end(), ScopedName{scope, {}, 0}, comes_before);
     for (; it != names_.end() && it->scope == scope && comparisons_left_ > 0; ++it, --comparisons_left_)
         known.push_back(it->name);
-    const std::string_view nearest = nearest_word(name, known);
-    return nearest.empty() ? std::string() : "; did you mean " + quoted(nearest) + "?";
+    return nearest_suggestion(name, known);
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> NameIndex::duplicates() const {

@@ -57,14 +57,21 @@ public:
         return {first, static_cast<std::uint32_t>(records.size())};
     }
 
-    std::uint32_t key_of(const std::string& name) {
+    /// `place`: of who names it.
+    std::uint32_t key_of(const std::string& name, TextPlace place) {
         if (name.empty()) return Trigger::kNoKey;
         std::vector<std::string>& keys = draft_.map.keys;
         const auto found = std::find(keys.begin(), keys.end(), name);
         const auto index = static_cast<std::uint32_t>(found - keys.begin());
-        if (found == keys.end()) keys.push_back(name);
+        if (found == keys.end()) {
+            keys.push_back(name);
+            key_places_.push_back(place);
+        }
         return index;
     }
+
+    /// Where each of Map::keys is named first.
+    const std::vector<TextPlace>& key_places() const { return key_places_; }
 
 private:
     void check(const TriggerRecord& record, Bearer bearer) {
@@ -74,6 +81,20 @@ private:
         if (record.deed == Deed::light && !record.light && record.light_of == LightLevel::given && !record.effect)
             draft_.error(record.place, "light-without-level",
                          "expected light, light_of or effect, which say how the light changes; found none of them");
+        check_goal(record);
+    }
+
+    /// What goes somewhere must be told where; a floor may also just change.
+    void check_goal(const TriggerRecord& record) {
+        const bool goes = record.deed == Deed::floor || record.deed == Deed::ceiling;
+        const bool has_goal = record.z || record.to != Level::here || !record.like.empty() || record.by != 0;
+        if (goes && !has_goal && record.texture.empty() && !record.heals)
+            draft_.error(record.place, "move-without-goal",
+                         "expected z, to, like or by, which say where the " + std::string(to_word(record.deed)) +
+                             " goes; found none, so it would stay where it is");
+        if (record.deed == Deed::stairs && record.step == 0)
+            draft_.error(record.place, "move-without-goal",
+                         "expected a step that is higher or lower than 0 m, found 0: these stairs would stay level");
     }
 
     Trigger resolved(const TriggerRecord& record, SectorId usual) {
@@ -84,7 +105,7 @@ private:
         t.one_way = record.one_way;
         t.crushes = record.crushes;
         t.heals = record.heals;
-        t.key = key_of(record.key);
+        t.key = key_of(record.key, record.place);
         t.after_s = record.after;
         t.z = record.z;
         t.to = record.to;
@@ -150,6 +171,7 @@ private:
     Draft& draft_;
     TargetNames sectors_;
     NameIndex things_;
+    std::vector<TextPlace> key_places_;
 };
 
 bool has_triggers(const MapFile& file) {
@@ -178,15 +200,16 @@ void list_touchables(Map& map) {
 }
 
 /// A key that triggers ask for and no thing gives opens nothing.
-void check_keys(Draft& draft) {
+void check_keys(Draft& draft, const std::vector<TextPlace>& places) {
     const auto given = [&](std::uint32_t key) {
         return std::any_of(draft.map.things.begin(), draft.map.things.end(),
                            [&](const Thing& thing) { return thing.gives_key == key; });
     };
     for (std::uint32_t key = 0; key < draft.map.keys.size(); ++key)
         if (!given(key))
-            draft.warning({}, "no-such-key",
-                          "a trigger asks for the key " + quoted(draft.map.keys[key]) + ", but no thing gives it");
+            draft.warning(places[key], "no-such-key",
+                          "this trigger asks for the key " + quoted(draft.map.keys[key]) +
+                              ", but no thing gives it; give a thing gives_key = " + quoted(draft.map.keys[key]));
 }
 
 }  // namespace
@@ -205,10 +228,10 @@ void place_triggers(Draft& draft) {
     for (std::size_t i = 0; i < draft.map.things.size(); ++i) {
         Thing& thing = draft.map.things[i];
         thing.triggers = placer.place(draft.things[i]->triggers, Bearer::thing, thing.sector);
-        thing.gives_key = placer.key_of(draft.things[i]->gives_key);
+        thing.gives_key = placer.key_of(draft.things[i]->gives_key, draft.things[i]->place);
     }
     list_touchables(draft.map);
-    check_keys(draft);
+    check_keys(draft, placer.key_places());
 }
 
 }  // namespace enfilade

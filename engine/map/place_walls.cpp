@@ -127,7 +127,8 @@ void reserve(Draft& draft) {
 
 void place_walls(Draft& draft) {
     if (draft.file.sectors.empty() && draft.was_sound)
-        draft.error({}, "no-sectors", "expected at least one [[sectors]], found none; a map needs a room to stand in");
+        draft.error(kTopOfFile, "no-sectors",
+                    "expected at least one [[sectors]], found none; a map needs a room to stand in");
     reserve(draft);
     for (const SectorRecord& record : draft.file.sectors) add_sector(draft, record);
 }

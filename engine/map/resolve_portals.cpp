@@ -127,6 +127,22 @@ private:
     TwinIndex twins_;
 };
 
+/// A room that opens onto the solid wall of its neighbour: one gets in, and not back.
+void check_way_back(Draft& draft, WallId id) {
+    const Wall& wall = draft.map[id];
+    if (wall.kind != WallKind::portal || !wall.exit || !draft.walls[id.index].record->via.empty()) return;
+    const Wall& exit = draft.map[wall.exit];
+    const WallDraft &written = draft.walls[wall.exit.index], &from = draft.walls[id.index];
+    if (exit.kind != WallKind::solid || !written.record->next.empty() || exit.a != wall.b) return;
+    const std::string here = quoted(draft.map[wall.sector].name);
+    const std::string line = from.place.line != 0 ? " in line " + std::to_string(from.place.line) : std::string();
+    draft.warning(written.place, "open-one-way",
+                  "sector " + here + " opens onto this edge " + edge_text(exit.a, exit.b) + " of sector " +
+                      quoted(draft.map[exit.sector].name) + line +
+                      ", but from here it is a solid wall: one looks and gets in there, and not back; give it next = " +
+                      here + ", or if that is meant, name this wall and add via there");
+}
+
 /// What blocks one way blocks the way back.
 void block(Draft& draft, WallId id) {
     Wall& wall = draft.map.walls[id.index];
@@ -140,6 +156,7 @@ void block(Draft& draft, WallId id) {
 void resolve_portals(Draft& draft) {
     Resolver resolver(draft);
     for (std::size_t i = 0; i < draft.map.walls.size(); ++i) resolver.resolve(WallId(i));
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) check_way_back(draft, WallId(i));
     for (std::size_t i = 0; i < draft.map.walls.size(); ++i) block(draft, WallId(i));
 }
 

@@ -8,9 +8,13 @@
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "formats/png.h"
+#include "map/names.h"
 
 namespace enfilade {
 namespace {
+
+/// Of the pictures' files.
+constexpr std::string_view kEnding = ".png";
 
 std::string lower_case(std::string_view text) {
     std::string lower(text);
@@ -95,7 +99,7 @@ Result<Bytes> read_from_folders(const std::string& written, const std::vector<st
                                 const FileReader& read, std::string& path) {
     for (const std::string& folder : folders)
         for (const std::string& name : {written, lower_case(written)}) {
-            path = folder + "/" + name + ".png";
+            path = folder + "/" + name + std::string(kEnding);
             if (Result<Bytes> bytes = read(path)) return bytes;
         }
     return Error{"", "not found"};
@@ -127,7 +131,8 @@ Texture make_placeholder() {
     return texture;
 }
 
-TextureLoader::TextureLoader(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read) {
+TextureLoader::TextureLoader(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read,
+                             const FolderLister& list) {
     for (auto& [name, use] : names_used(file)) {
         Picture& picture = pictures_.emplace_back();
         picture.name = name;
@@ -136,6 +141,20 @@ TextureLoader::TextureLoader(const MapFile& file, const std::vector<std::string>
         if (Result<Bytes> bytes = read_from_folders(use.written, folders, read, picture.path))
             picture.bytes = std::move(bytes).value();
     }
+    const auto is_missing = [](const Picture& picture) { return !picture.bytes; };
+    if (list && std::any_of(pictures_.begin(), pictures_.end(), is_missing)) suggest_names(folders, list);
+}
+
+void TextureLoader::suggest_names(const std::vector<std::string>& folders, const FolderLister& list) {
+    std::vector<std::string> known;
+    for (const std::string& folder : folders)
+        for (const std::string& name : list(folder))
+            if (name.ends_with(kEnding)) known.push_back(lower_case(name.substr(0, name.size() - kEnding.size())));
+    std::vector<ScopedName> names;
+    for (const std::string& name : known) names.push_back({0, name, 0});
+    const NameIndex index(std::move(names));
+    for (Picture& picture : pictures_)
+        if (!picture.bytes) picture.near = index.suggestion(0, picture.name);
 }
 
 TextureSet TextureLoader::sizes() const {
@@ -168,9 +187,9 @@ void TextureLoader::unpack(std::size_t i) {
 
 void TextureLoader::report(const Picture& picture, Findings& findings) {
     if (!picture.bytes)
-        findings.push_back(
-            {picture.place, Severity::warning, "missing-texture",
-             "texture '" + picture.written + "' is in none of the texture folders; a placeholder is drawn"});
+        findings.push_back({picture.place, Severity::warning, "missing-texture",
+                            "texture '" + picture.written +
+                                "' is in none of the texture folders; a placeholder is drawn" + picture.near});
     if (!picture.fault.empty())
         findings.push_back({picture.place, Severity::error, "bad-texture", picture.path + ": " + picture.fault});
 }

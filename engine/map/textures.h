@@ -49,8 +49,10 @@ Texture make_placeholder();
 /// beside other work.
 class TextureLoader {
 public:
-    /// Reads the files. `file` may go afterwards.
-    TextureLoader(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read);
+    /// Reads the files. `file` may go afterwards. `list`, where given, finds the names that are nearly those of
+    /// pictures that are missing.
+    TextureLoader(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read,
+                  const FolderLister& list = {});
 
     /// Every picture as large as its file says, without pixels: enough to build a map (map/build.h).
     TextureSet sizes() const;
@@ -70,7 +72,9 @@ private:
         std::optional<Bytes> bytes;  ///< none: in no folder
         Texture texture;
         std::string fault;  ///< why it is not an image; empty: it is one
+        std::string near;   ///< "; did you mean 'X'?" where it is missing and another one is called nearly so
     };
+    void suggest_names(const std::vector<std::string>& folders, const FolderLister& list);
     static void report(const Picture& picture, Findings& findings);
 
     std::vector<Picture> pictures_;  ///< sorted by name

@@ -282,6 +282,19 @@ TEST(ReadMap, StopsAfterAThousandFindings) {
     EXPECT_EQ(findings.back().code, "too-many-findings");
 }
 
+TEST(ReadMap, SuggestsTheDeedThatIsCalledNearlySo) {
+    const auto findings = read_map(room("{ triggers = [{ on = 'use', do = 'dor' }] }", "")).findings;
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_THAT(findings[0].sentence, testing::EndsWith("found 'dor'; did you mean 'door'?"));
+}
+
+TEST(IsMap, KnowsAMapByItsSectors) {
+    EXPECT_TRUE(is_map(kTutorial));
+    EXPECT_TRUE(is_map("[[sectors]]\nnonsense = 1\n"));
+    EXPECT_FALSE(is_map("map = 'm'\n[[legs]]\nwait = 1\n"));
+    EXPECT_FALSE(is_map("[[sectors]"));
+}
+
 TEST(ReadMap, ShowsHostileKeysHarmlessly) {
     const auto findings = read_map("sectors = []\n\"\\u001b[31m" + std::string(1000, 'x') + "\" = 1").findings;
     ASSERT_EQ(findings.size(), 1u);

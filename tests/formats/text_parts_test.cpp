@@ -77,6 +77,17 @@ TEST(Quoted, ShowsNoControlCharacters) { EXPECT_EQ(enfilade::quoted("a\x1B\n\x7F
 
 constexpr std::array<std::string_view, 4> kKnown{"texture", "next", "x", "y"};
 
+TEST(Counted, TakesAnSUnlessItIsOne) {
+    EXPECT_EQ(counted(0, "wall"), "0 walls");
+    EXPECT_EQ(counted(1, "wall"), "1 wall");
+    EXPECT_EQ(counted(2, "wall"), "2 walls");
+}
+
+TEST(NearestSuggestion, SaysNothingWhereNoneIsNear) {
+    EXPECT_EQ(nearest_suggestion("txeture", kKnown), "; did you mean 'texture'?");
+    EXPECT_EQ(nearest_suggestion("mirrored", kKnown), "");
+}
+
 TEST(Suggestion, FindsTheNearestWord) { EXPECT_EQ(suggestion("txeture", kKnown), "; did you mean 'texture'?"); }
 
 TEST(Suggestion, ListsAllWhereNoneIsNear) {

@@ -63,6 +63,21 @@ TEST(BuildMap, AllowsAPortalWhoseOtherSideIsSolid) {
     EXPECT_EQ(map[map[there].exit].kind, WallKind::solid);
 }
 
+TEST(BuildMap, WarnsOfARoomThatOpensOntoASolidWall) {
+    MapFile file = two_rooms();
+    wall(file, "right", {4, 4}, {4, 0}).next.clear();
+    EXPECT_THAT(text_of(findings_of(file)),
+                ::testing::HasSubstr("warning: sector 'left' opens onto this edge (4, 4)-(4, 0) of sector 'right'"));
+}
+
+TEST(BuildMap, TakesAOneWayLinkForMeant) {
+    MapFile file = two_rooms();
+    wall(file, "right", {4, 4}, {4, 0}).next.clear();
+    wall(file, "right", {4, 4}, {4, 0}).name = "back";
+    wall(file, "left", {4, 0}, {4, 4}).via = "back";
+    EXPECT_EQ(text_of(findings_of(file)), "");
+}
+
 TEST(BuildMap, RoundsVerticesToTheGridHalfToEven) {
     MapFile file = map_of({room("tiny", {{0x1p-11, 0}, {4, 0}, {4, 3 * 0x1p-11}, {0, 0.1 + 0.2}})});
     const Map map = built(file);

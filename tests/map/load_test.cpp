@@ -94,6 +94,31 @@ TEST(LoadMap, CallsAMapWithoutANameLikeItsFile) {
     EXPECT_EQ(load_map("maps/north.hall.toml", {}, folder.reader()).map->name, "north.hall");
 }
 
+TEST(LoadMap, SuggestsThePictureThatIsCalledNearlySo) {
+    Folder folder{{{"hall.toml", kRoom}}, {}, {}};
+    const FolderLister list = [](const std::string& path) -> std::vector<std::string> {
+        return path == "./textures" ? std::vector<std::string>{"BRICKS.PNG", "brik.txt", "Brik.png"}
+                                    : std::vector<std::string>{};
+    };
+    const LoadedMap loaded = load_map("hall.toml", {}, folder.reader(), {}, list);
+    ASSERT_EQ(loaded.findings.size(), 1u);
+    EXPECT_THAT(loaded.findings[0].sentence, ::testing::EndsWith("a placeholder is drawn; did you mean 'brik'?"));
+}
+
+TEST(LoadMap, NamesTheFilesThatSoundsAndExitsNeed) {
+    const std::string sounds = "\nsounds = [{ name = \"hum\", file = \"hum.wav\" }]\n";
+    std::string text = "format = 1" + sounds + kRoom.substr(kRoom.find('\n'));
+    text += "[[things]]\nx = 3\ny = 1\ntriggers = [{ on = \"touch\", do = \"exit\", target = \"cellar\" }]\n";
+    Folder folder{{{"hall.toml", text}}, {"./textures/Brick.png"}, {}};
+    const LoadedMap loaded = load_map("hall.toml", {}, folder.reader());
+    ASSERT_EQ(loaded.sounds.size(), 1u);
+    EXPECT_EQ(loaded.sounds[0].name, "hum.wav");
+    EXPECT_EQ(loaded.sounds[0].place.line, 2u);
+    ASSERT_EQ(loaded.next_maps.size(), 1u);
+    EXPECT_EQ(loaded.next_maps[0].name, "cellar");
+    EXPECT_EQ(loaded.next_maps[0].place.line, 19u);
+}
+
 TEST(LoadMap, SaysInOneFindingThatAFileCannotBeRead) {
     Folder folder;
     const LoadedMap loaded = load_map("nowhere.toml", {}, folder.reader());
