@@ -11,6 +11,7 @@
 #include "app/progress.h"
 #include "base/files.h"
 #include "formats/frame_hashes.h"
+#include "formats/number_text.h"
 #include "formats/png.h"
 
 namespace enfilade {
@@ -64,13 +65,32 @@ std::vector<int> choose_kept(const std::string& folder, const DrawPlan& plan, in
     return chosen;
 }
 
-Result<std::vector<FrameHash>> read_recorded(const std::string& script_path) {
+Result<FrameRecording> read_recorded(const std::string& script_path) {
     const std::string path = hashes_path(script_path);
     const auto bytes = read_file(path);
     if (!bytes.ok()) return Error{path, bytes.error().what + "; `enfilade fly --record` makes it"};
-    auto hashes = read_frame_hashes(as_text(bytes.value()));
-    if (!hashes.ok()) return Error{path + ":" + hashes.error().where, hashes.error().what};
-    return hashes;
+    auto recording = read_frame_hashes(as_text(bytes.value()));
+    if (!recording.ok()) return Error{path + ":" + recording.error().where, recording.error().what};
+    return recording;
+}
+
+std::string size_text(std::uint32_t width, std::uint32_t height) { return fmt::format("{}x{}", width, height); }
+
+/// Where the recording is of pictures that these can never be equal to.
+Status other_pictures(const FrameRecording& recording, const DrawPlan& plan, const std::string& script_path) {
+    const std::string recorded = size_text(recording.width, recording.height),
+                      drawn = size_text(std::uint32_t(plan.width), std::uint32_t(plan.height));
+    if (recording.width > 0 && recorded != drawn)
+        return Error{script_path,
+                     fmt::format("the recording has pictures of {0} pixels, and these have {1}; check with "
+                                 "--size {0}, or record it again with --record",
+                                 recorded, drawn)};
+    if (!recording.renderer.empty() && recording.renderer != name_of(plan.renderer))
+        return Error{script_path,
+                     fmt::format("the recording was drawn by the {0} renderer, and these pictures are by {1}; "
+                                 "check with --renderer {0}, or compare the two with --check --against {0}",
+                                 recording.renderer, name_of(plan.renderer))};
+    return {};
 }
 
 /// Where the recording does not cover exactly the frames of the flight.
@@ -78,9 +98,9 @@ Status other_frames(const std::vector<FrameHash>& recorded, int frames, const st
     bool same = recorded.size() == std::size_t(frames);
     for (std::size_t i = 0; same && i < recorded.size(); ++i) same = recorded[i].frame == i;
     if (same) return {};
-    return Error{script_path, fmt::format("the flight has {} frames, but {} others were recorded; record it again "
-                                          "with --record if that is meant",
-                                          frames, recorded.size())};
+    return Error{script_path, fmt::format("the flight has {}, but {} others were recorded; record it again with "
+                                          "--record if that is meant",
+                                          counted(std::size_t(frames), "frame"), recorded.size())};
 }
 
 std::optional<Frame> kept_picture(const std::string& script_path, int number) {
@@ -172,20 +192,21 @@ Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::
         return write_picture(numbered_picture(folder, std::size_t(number)), image_of(frame));
     });
     if (!hashes.ok()) return hashes.error();
-    std::vector<FrameHash> records;
+    FrameRecording recording{std::uint32_t(plan.width), std::uint32_t(plan.height), name_of(plan.renderer), {}};
     for (const std::uint64_t hash : hashes.value())
-        records.push_back({static_cast<std::uint32_t>(records.size()), hash});
-    return write_file(hashes_path(script_path), write_frame_hashes(records));
+        recording.frames.push_back({static_cast<std::uint32_t>(recording.frames.size()), hash});
+    return write_file(hashes_path(script_path), write_frame_hashes(recording));
 }
 
 Status check_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
                     const std::string& report_folder) {
     const auto recorded = read_recorded(script_path);
     if (!recorded.ok()) return recorded.error();
-    if (Status others = other_frames(recorded.value(), scene.flight.frames(), script_path)) return others;
+    if (Status others = other_pictures(recorded.value(), plan, script_path)) return others;
+    if (Status others = other_frames(recorded.value().frames, scene.flight.frames(), script_path)) return others;
     const auto hashes = hash_frames(scene, plan);
     if (!hashes.ok()) return hashes.error();
-    const auto found = mismatches(recorded.value(), plan.first, hashes.value());
+    const auto found = mismatches(recorded.value().frames, plan.first, hashes.value());
     if (found.empty()) return {};
     if (Status failed = report_mismatches(scene, plan, script_path, found, report_folder)) return failed;
     return differ(script_path, found.size(), hashes.value().size(), found.front().frame, report_folder);

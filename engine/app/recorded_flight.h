@@ -17,9 +17,10 @@ std::string kept_pictures_folder(const std::string& script_path);
 /// instead of those kept before; 0: pictures that were kept are drawn anew.
 Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path, int keep_every);
 
-/// Draws the frames of the plan and compares each with its recorded hash. An error where some differ, or where other
-/// frames were recorded than the flight has; then report_folder holds expected, actual and difference pictures of the
-/// first few and a page, index.html, that shows them. Expected is the kept picture, else what the reference draws.
+/// Draws the frames of the plan and compares each with its recorded hash. An error where frames of another number, size
+/// or renderer were recorded, or where some differ; of the last report_folder holds expected, actual and difference
+/// pictures of the first few and a page, index.html, that shows them. Expected is the kept picture, else what the
+/// reference draws.
 Status check_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
                     const std::string& report_folder);
 

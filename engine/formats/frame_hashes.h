@@ -16,11 +16,20 @@ struct FrameHash {
     bool operator==(const FrameHash&) const = default;
 };
 
-/// Reads "FRAME HASH" lines, HASH as 16 hexadecimal digits, frames growing; empty lines and lines that start with '#'
-/// are skipped. `where` of an error is "line:column".
-Result<std::vector<FrameHash>> read_frame_hashes(std::string_view text);
+/// What a flythrough looked like.
+struct FrameRecording {
+    std::uint32_t width = 0, height = 0;  ///< of the frames [px]; 0: the recording does not say
+    std::string renderer;                 ///< which drew them; empty: the recording does not say
+    std::vector<FrameHash> frames;
+    bool operator==(const FrameRecording&) const = default;
+};
 
-/// The text that reads back as these, with a comment that says what it is. Frames must grow.
-std::string write_frame_hashes(const std::vector<FrameHash>& hashes);
+/// Reads "FRAME HASH" lines, HASH as 16 hexadecimal digits, frames growing, and before them perhaps "picture
+/// WIDTHxHEIGHT RENDERER"; empty lines and lines that start with '#' are skipped. `where` of an error is "line:column".
+Result<FrameRecording> read_frame_hashes(std::string_view text);
+
+/// The text that reads back as this, with a comment that says what it is. Frames must grow; the renderer's name is a
+/// word where there is a size, else empty.
+std::string write_frame_hashes(const FrameRecording& recording);
 
 }  // namespace enfilade

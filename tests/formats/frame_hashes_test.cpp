@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-const std::vector<FrameHash> kHashes{{0, 0x0123456789ABCDEF}, {7, 0}, {4000000000, ~std::uint64_t{0}}};
+const FrameRecording kRecording{64, 40, "column", {{0, 0x0123456789ABCDEF}, {7, 0}, {4000000000, ~std::uint64_t{0}}}};
 
 std::string complaint(std::string_view text) {
     const auto hashes = read_frame_hashes(text);
@@ -16,23 +16,23 @@ std::string complaint(std::string_view text) {
 }
 
 TEST(FrameHashes, ReadBackWhatWasWritten) {
-    const auto hashes = read_frame_hashes(write_frame_hashes(kHashes));
+    const auto hashes = read_frame_hashes(write_frame_hashes(kRecording));
     ASSERT_TRUE(hashes.ok());
-    EXPECT_EQ(hashes.value(), kHashes);
+    EXPECT_EQ(hashes.value(), kRecording);
 }
 
 TEST(FrameHashes, SkipCommentsEmptyLinesAndCarriageReturns) {
     const auto hashes = read_frame_hashes("# a\r\n\r\n3 0123456789abcdef\r\n");
     ASSERT_TRUE(hashes.ok());
-    EXPECT_EQ(hashes.value(), (std::vector<FrameHash>{{3, 0x0123456789ABCDEF}}));
+    EXPECT_EQ(hashes.value(), (FrameRecording{0, 0, "", {{3, 0x0123456789ABCDEF}}}));
 }
 
 TEST(FrameHashes, SurviveBeingCutAnywhere) {
-    std::string text = write_frame_hashes(kHashes);
+    std::string text = write_frame_hashes(kRecording);
     text.pop_back();  // the end of the last line may be missing
     for_each_cut(text, [](std::string_view cut) {
         const auto hashes = read_frame_hashes(cut);
-        EXPECT_LT(hashes.ok() ? hashes.value().size() : 0, kHashes.size());
+        EXPECT_LT(hashes.ok() ? hashes.value().frames.size() : 0, kRecording.frames.size());
     });
 }
 
@@ -48,6 +48,12 @@ TEST(FrameHashes, NameAHashOfTheWrongLength) {
 
 TEST(FrameHashes, NameFramesThatDoNotGrow) {
     EXPECT_EQ(complaint("1 0000000000000000\n1 0000000000000000"), "2:1: frames must grow, found 1 after 1");
+}
+
+TEST(FrameHashes, NameAPictureThatIsNone) {
+    for (const char* text : {"picture 64 column", "picture 64x40", "picture 64xcolumn 3", "picture x40 column"})
+        EXPECT_EQ(complaint(text),
+                  "1:1: expected \"picture WIDTHxHEIGHT RENDERER\", found '" + std::string(text) + "'");
 }
 
 TEST(FrameHashes, RefuseANumberThatDoesNotFit) { EXPECT_NE(complaint("4294967296 0000000000000000"), ""); }

@@ -56,8 +56,8 @@ TEST_P(RecordedFlythrough, IsDrawnAsItWasRecorded) {
     const auto recorded = read_frame_hashes(text_of(fs::path(path).replace_extension(".hashes")));
     ASSERT_TRUE(recorded.ok());
     const auto drawn = hashes_of({*flight, *loaded.map, loaded.textures}, reading.script);
-    ASSERT_EQ(recorded.value().size(), drawn.size());
-    const auto others = mismatches(recorded.value(), 0, drawn);
+    ASSERT_EQ(recorded.value().frames.size(), drawn.size());
+    const auto others = mismatches(recorded.value().frames, 0, drawn);
     EXPECT_TRUE(others.empty()) << others.size() << " frames, the first is " << others.front().frame;
 }
 
