@@ -68,23 +68,52 @@ private:
     FlightFrame start_;
 };
 
+constexpr std::size_t kUsualRounds = 9;
+
 struct BenchChoices {
     PictureSize size;
     RendererKind renderer = RendererKind::column;
+    std::size_t threads = 1, rounds = kUsualRounds;  ///< >= 1
+    PriceChoices prices;
 };
+
+/// What the measure of prices has no choice of.
+Status refuse_beside_effects(const BenchRequest& request) {
+    if (!request.effects) return {};
+    if (request.threads && *request.threads != 1)
+        return Error{"--threads", "the prices of effects are those of one thread; leave it out beside --effects"};
+    if (!request.renderer.empty() && request.renderer != "column")
+        return Error{"--renderer",
+                     "the prices of effects are those of the column renderer; leave it out beside --effects"};
+    if (!request.csv.empty())
+        return Error{"--csv", "--effects writes a table in Markdown to the terminal; leave one of the two out"};
+    return {};
+}
+
+PriceChoices price_choices(const BenchRequest& request, const PictureSize& size) {
+    PriceChoices prices;
+    if (!request.size.empty()) {
+        prices.width = size.width;
+        prices.height = size.height;
+    }
+    if (request.rounds) prices.rounds = *request.rounds + *request.rounds % 2;
+    return prices;
+}
 
 Result<BenchChoices> choices_of(const BenchRequest& request) {
     if (request.files.empty() && !request.effects)
         return Error{"", "expected maps or scripts to measure, or --effects; see `enfilade bench --help`"};
-    const auto size = parse_size(request.size);
+    if (Status wrong = refuse_beside_effects(request)) return *wrong;
+    const auto size = request.size.empty() ? PictureSize{} : parse_size(request.size);
     if (!size.ok()) return size.error();
-    const auto renderer = parse_renderer(request.renderer);
+    const auto renderer = parse_renderer(request.renderer.empty() ? "column" : request.renderer);
     if (!renderer.ok()) return renderer.error();
-    return BenchChoices{size.value(), renderer.value()};
+    return BenchChoices{size.value(), renderer.value(), request.threads.value_or(hardware_threads()),
+                        request.rounds.value_or(kUsualRounds), price_choices(request, size.value())};
 }
 
 Status time_frames(const BenchRequest& request, const BenchChoices& choices, const std::vector<Subject>& subjects) {
-    auto renderer = make_renderer(choices.renderer, request.threads, open_gl_for_pictures);
+    auto renderer = make_renderer(choices.renderer, choices.threads, open_gl_for_pictures);
     if (!renderer.ok()) return renderer.error();
     std::vector<int> counts;
     for (const Subject& subject : subjects) counts.push_back(subject.frames());
@@ -101,28 +130,25 @@ Status time_frames(const BenchRequest& request, const BenchChoices& choices, con
         if (failed) return *failed;
         return took_ns;
     };
-    if (Status failed = measure(frames, request.rounds, draw)) return failed;
+    if (Status failed = measure(frames, choices.rounds, draw)) return failed;
     fmt::print("{}", bench_table(request.files, frames));
     return request.csv.empty() ? Status() : write_file(request.csv, bench_csv(request.files, frames));
 }
 
 /// The prices of one map as a table; false where it has errors.
-bool price_map(const std::string& path, const BenchRequest& request) {
-    const LoadedMap loaded = load_map(path, request.texture_folders, read_file);
+bool price_map(const std::string& path, const BenchRequest& request, const PriceChoices& choices) {
+    const auto map = open_map(path, request.texture_folders, {});
     const auto bytes = read_file(path);
-    if (!loaded.map || !bytes.ok()) {
-        for (const Finding& finding : loaded.findings) fmt::print(stderr, "{}\n", to_text(path, finding));
-        return false;
-    }
-    const Prices prices = effect_prices(read_map(as_text(bytes.value())).map, loaded.textures);
+    if (!map || !bytes.ok()) return false;
+    const Prices prices = effect_prices(read_map(as_text(bytes.value())).map, map->textures, choices);
     fmt::print("{}:\n\n{}\n", path, to_markdown(prices));
     return true;
 }
 
-int price_maps(const BenchRequest& request) {
-    if (request.files.empty()) return price_map(shipped_map("effects.toml"), request) ? kDone : kFailed;
+int price_maps(const BenchRequest& request, const PriceChoices& choices) {
+    if (request.files.empty()) return price_map(shipped_map("effects.toml"), request, choices) ? kDone : kFailed;
     bool all = true;
-    for (const std::string& map : request.files) all &= price_map(map, request);
+    for (const std::string& map : request.files) all &= price_map(map, request, choices);
     return all ? kDone : kFailed;
 }
 
@@ -131,7 +157,7 @@ int price_maps(const BenchRequest& request) {
 int run_bench(const BenchRequest& request) {
     const auto choices = choices_of(request);
     if (!choices.ok()) return refuse_usage(choices.error());
-    if (request.effects) return price_maps(request);
+    if (request.effects) return price_maps(request, choices.value().prices);
     std::vector<Subject> subjects;
     for (const std::string& path : request.files) {
         auto subject = Subject::open(path, request);

@@ -2,13 +2,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
 
 #include "app/commands.h"
 #include "app/effect_prices.h"
 #include "app/exit_codes.h"
+#include "app/file_kind.h"
+#include "app/open_map.h"
 #include "app/sounds.h"
 #include "base/files.h"
 #include "formats/map_toml.h"
+#include "formats/number_text.h"
 #include "map/load.h"
 
 namespace enfilade {
@@ -18,10 +23,6 @@ struct Tally {
     std::size_t maps = 0, refused = 0, errors = 0, warnings = 0;
 };
 
-std::string counted(std::size_t count, const char* noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 void print_effects(const std::string& path, const TextureSet& textures) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) return;
@@ -29,18 +30,42 @@ void print_effects(const std::string& path, const TextureSet& textures) {
     fmt::print("{}: {}, and\n{}", path, counted(map.sectors.size(), "sector"), to_text(effect_prices(map, textures)));
 }
 
+/// What only a look at other files shows.
+Findings findings_around(const std::string& path, const LoadedMap& loaded) {
+    Findings findings;
+    const auto warn = [&](TextPlace place, const char* code, std::string sentence) {
+        findings.push_back({place, Severity::warning, code, std::move(sentence)});
+    };
+    for (const SoundFault& fault : load_sounds(*loaded.map, path, read_file).faults)
+        warn(loaded.sounds[fault.sound.index].place, "bad-sound", fault.sentence);
+    std::error_code unknown;
+    for (const NamedFile& next : loaded.next_maps)
+        if (const std::string there = next_map_path(path, next.name); !std::filesystem::exists(there, unknown))
+            warn(next.place, "no-next-map",
+                 fmt::format("expected a map in {}, to which this exit leads, found none; whoever takes it begins this "
+                             "map again",
+                             there));
+    return findings;
+}
+
+/// All there is to say about one map; that it is none, where it is something else.
+Findings findings_about(const std::string& path, const LoadedMap& loaded) {
+    const bool was_read = loaded.findings.empty() || loaded.findings.front().code != "unreadable";
+    if (!loaded.map)
+        if (Status other = refuse_as_map(path))
+            return {{{}, Severity::error, was_read ? "not-a-map" : "unreadable", other->what}};
+    Findings findings = loaded.findings;
+    if (loaded.map) std::ranges::copy(findings_around(path, loaded), std::back_inserter(findings));
+    sort_by_place(findings);
+    return findings;
+}
+
 void check_map(const std::string& path, const CheckRequest& request, Tally& tally) {
-    const LoadedMap loaded = load_map(path, request.texture_folders, read_file);
+    const LoadedMap loaded = load_map(path, request.texture_folders, read_file, {}, list_folder);
     std::string text;
-    for (const Finding& finding : loaded.findings) {
+    for (const Finding& finding : findings_about(path, loaded)) {
         text += to_text(path, finding) + '\n';
         ++(finding.severity == Severity::error ? tally.errors : tally.warnings);
-    }
-    if (loaded.map) {
-        for (const std::string& fault : load_sounds(*loaded.map, path, read_file).faults) {
-            text += to_text(path, {{}, Severity::warning, "bad-sound", fault}) + '\n';
-            ++tally.warnings;
-        }
     }
     fmt::print("{}", text);
     ++tally.maps;
@@ -52,7 +77,7 @@ void check_map(const std::string& path, const CheckRequest& request, Tally& tall
 
 int run_check(const CheckRequest& request) {
     Tally tally;
-    for (const std::string& map : request.maps) check_map(map, request, tally);
+    for (const std::string& map : maps_in_folders(request.maps)) check_map(map, request, tally);
     fmt::print("{} checked, {} refused: {}, {}\n", counted(tally.maps, "map"), tally.refused,
                counted(tally.errors, "error"), counted(tally.warnings, "warning"));
     return tally.refused == 0 ? kDone : kFailed;

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
+#include "app/usage_faults.h"
 #include "formats/number_text.h"
 #include "render/view.h"
 
@@ -14,6 +16,7 @@ namespace enfilade {
 namespace {
 
 constexpr const char* kRenderers = "column (by the CPU), stencil (by OpenGL) or reference (slow, simply right)";
+constexpr std::array<std::string_view, 5> kCommands{"play", "render", "fly", "check", "bench"};
 constexpr double kLatestMoment = 1e9;                     // [s], thirty years
 constexpr double kLeastStretch = 0.1, kMostStretch = 10;  // beyond them nothing can be told apart
 constexpr int kMostThreads = 256, kMostFramesBetween = 1'000'000, kMostRounds = 10'000;
@@ -41,7 +44,8 @@ void declare_skill(CLI::App& command, int& skill) {
         ->check(number_within(1, kMostSkill));
 }
 
-void declare_threads(CLI::App& command, std::size_t& threads) {
+template <class Count>
+void declare_threads(CLI::App& command, Count& threads) {
     command.add_option("--threads", threads, "Threads to draw with; else one for each core")
         ->type_name("N")
         ->check(number_within(1, kMostThreads));
@@ -63,7 +67,10 @@ CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     command->add_flag("--mute", request.mute, "No sounds");
     declare_true_pitch(*command, request.true_pitch);
     command->add_option("--record", request.tape, "Write down all input, to play it again")->type_name("TAPE");
-    command->add_option("--save", request.save, "Where F5 saves the game and F9 finds it; by default in your home")
+    command
+        ->add_option("--save", request.save,
+                     "Where F5 saves the game and F9 finds it; if not given, a file of its own for each map in "
+                     "$XDG_DATA_HOME/enfilade or ~/.local/share/enfilade")
         ->type_name("FILE");
     command->add_option("--load", request.load, "Go on with a game that was saved")->type_name("FILE");
     declare_textures(*command, request.texture_folders);
@@ -132,7 +139,10 @@ CLI::App* declare_render(CLI::App& enfilade, RenderRequest& request) {
 }
 
 void declare_drawing(CLI::App& command, FlyRequest& request) {
-    command.add_option("--out", request.out, "A folder for 000000.png onward, or a film; with --check, a report")
+    command
+        .add_option("--out", request.out,
+                    "A folder for 000000.png onward, or a film; needed, unless --check or --record is given. With "
+                    "--check, the folder of its report; if not given, SCRIPT's name with .failed in the current folder")
         ->type_name("DIR|FILE.mp4|FILE.y4m");
     command.add_option("--frames", request.frames, "Only these frames, counted from 0")->type_name("A..B");
     command.add_option("--size", request.size, "Size in pixels instead of the script's")->type_name("WxH");
@@ -147,7 +157,9 @@ void declare_tests(CLI::App& command, FlyRequest& request) {
     auto* check = command.add_flag("--check", request.check,
                                    "Compare every frame with its recorded hash; where some differ, exit with 1 "
                                    "and leave pictures of them in a report");
-    command.add_flag("--record", request.record, "Record the hash of every frame in SCRIPT's .hashes file")
+    command
+        .add_flag("--record", request.record,
+                  "Record the hash of every frame in SCRIPT's .hashes file; draws no pictures for --out")
         ->excludes(check);
     command.add_option("--keep", request.keep_every, "With --record: also keep every N-th frame as a picture")
         ->type_name("N")
@@ -156,7 +168,7 @@ void declare_tests(CLI::App& command, FlyRequest& request) {
         ->type_name("NAME");
     command
         .add_option("--tolerance", request.tolerance_percent,
-                    "With --against: how many percent of a frame's pixels may differ; 0 if not given")
+                    "With --check --against: how many percent of a frame's pixels may differ; 0 if not given")
         ->type_name("PERCENT")
         ->check(number_within(0, 100));
 }
@@ -176,7 +188,7 @@ CLI::App* declare_fly(CLI::App& enfilade, FlyRequest& request) {
 
 CLI::App* declare_check(CLI::App& enfilade, CheckRequest& request) {
     CLI::App* command = enfilade.add_subcommand("check", "Say everything that is wrong with maps, with its place");
-    command->add_option("MAP", request.maps, "Map files (.toml)")->required();
+    command->add_option("MAP", request.maps, "Map files (.toml), or folders: all maps in them")->required();
     declare_textures(*command, request.texture_folders);
     command->add_flag("--effects", request.effects, "Also tell which effects each map calls for and what they cost");
     command->footer(
@@ -189,19 +201,23 @@ CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
     CLI::App* command = enfilade.add_subcommand("bench", "Measure how long frames take, or what effects cost");
     command->add_option("MAP|SCRIPT", request.files,
                         "Maps, seen from the player's start, and flythroughs, every frame of them");
-    command->add_option("--size", request.size, "Size in pixels, 1280x800 if not given")->type_name("WxH");
+    command->add_option("--size", request.size, "Size in pixels, 1280x800 if not given; with --effects 640x400")
+        ->type_name("WxH");
     command->add_option("--renderer", request.renderer, kRenderers)->type_name("NAME");
-    command->add_option("--rounds", request.rounds, "How often each frame is drawn, 9 if not given")
+    command
+        ->add_option(
+            "--rounds", request.rounds,
+            "How often each frame is drawn, 9 if not given; with --effects 10 in each of two builds, and made even")
         ->type_name("N")
         ->check(number_within(1, kMostRounds));
     declare_threads(*command, request.threads);
     declare_textures(*command, request.texture_folders);
-    auto* csv = command->add_option("--csv", request.csv, "Times of every frame: subject,frame,minimum_ns,median_ns");
-    csv->type_name("FILE");
-    command
-        ->add_flag("--effects", request.effects,
-                   "Instead, a table in Markdown of what each effect of the maps costs; without maps, of effects.toml")
-        ->excludes(csv);
+    command->add_option("--csv", request.csv, "Times of every frame: subject,frame,minimum_ns,median_ns")
+        ->type_name("FILE");
+    command->add_flag(
+        "--effects", request.effects,
+        "Instead, a table in Markdown of what each effect of the maps costs by the column renderer on one "
+        "thread; without maps, of effects.toml");
     command->footer(
         "Frames are drawn in turn, so that what else the machine does troubles all of them alike.\nExamples:\n  "
         "enfilade bench maps/enfilade.toml maps/flythroughs/cells.toml --threads 1 --csv times.csv\n  enfilade bench "
@@ -213,6 +229,28 @@ CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
 std::string command_at_fault(const CLI::App& enfilade) {
     const auto chosen = enfilade.get_subcommands();
     return chosen.empty() ? "enfilade" : "enfilade " + chosen.front()->get_name();
+}
+
+/// The names of all options of a command, as they are typed: "--size".
+std::vector<std::string> options_of(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+/// What is wrong, in words that help: CLI11 does not say which name was nearly right.
+std::string fault_text(const CLI::App& enfilade, const CLI::ParseError& error) {
+    const auto chosen = enfilade.get_subcommands();
+    const std::vector<std::string> left_over = enfilade.remaining(true);
+    const std::vector<std::string> options = options_of(chosen.empty() ? enfilade : *chosen.front());
+    const std::vector<std::string_view> known(options.begin(), options.end());
+    for (const std::string& word : left_over) {
+        if (word.starts_with('-') && word != "--") return unknown_option(word, known);
+        if (chosen.empty()) return unknown_command(word, kCommands);
+    }
+    if (chosen.empty()) return fmt::format("expected a command: {}", fmt::join(kCommands, ", "));
+    return error.what();
 }
 
 }  // namespace
@@ -237,7 +275,7 @@ int run_command_line(int argc, const char* const* argv) {
     } catch (const CLI::Success& asked_for_text) {
         return app.exit(asked_for_text);
     } catch (const CLI::ParseError& error) {
-        return refuse_usage({"", fmt::format("{}; see `{} --help`", error.what(), command_at_fault(app))});
+        return refuse_usage({"", fmt::format("{}; see `{} --help`", fault_text(app, error), command_at_fault(app))});
     }
     if (declared_play->parsed()) return run_play(play);
     if (declared_render->parsed()) return run_render(render);

@@ -32,7 +32,7 @@ struct FlyRequest {
     std::vector<std::string> texture_folders;
     std::size_t threads = hardware_threads();
     int skill = kUsualSkill;
-    double tolerance_percent = 0;
+    std::optional<double> tolerance_percent;
     int keep_every = 0;
     bool check = false, record = false;
 };
@@ -44,11 +44,10 @@ struct CheckRequest {
 };
 
 struct BenchRequest {
-    std::vector<std::string> files;  ///< maps and scripts
-    std::string size = "1280x800", renderer = "column", csv;
+    std::vector<std::string> files;   ///< maps and scripts
+    std::string size, renderer, csv;  ///< empty where not given
     std::vector<std::string> texture_folders;
-    std::size_t threads = hardware_threads();
-    std::size_t rounds = 9;
+    std::optional<std::size_t> threads, rounds;
     bool effects = false;
 };
 

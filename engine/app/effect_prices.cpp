@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "app/progress.h"
 #include "app/viewing.h"
+#include "base/check.h"
+#include "formats/number_text.h"
 #include "map/build.h"
 #include "map/inside.h"
 #include "math/grid.h"
@@ -18,9 +19,7 @@
 namespace enfilade {
 namespace {
 
-constexpr int kWidth = 640, kHeight = 400;       ///< of the pictures [px]
 constexpr std::size_t kPlaces = 4, kAround = 8;  ///< places apart from the start, and looks from each
-constexpr std::size_t kRounds = 10;              ///< how often each look is drawn; even, its half odd
 constexpr std::size_t kBuilds = 2;               ///< how often all that is drawn is built anew for it; even
 constexpr double kTime = 10.3;                   ///< when, so that what moves has moved [s]
 
@@ -58,8 +57,8 @@ struct Sample {
     Map map;
     Snapshot snapshot;
     ColumnRenderer renderer;
-    std::vector<std::array<std::int64_t, kRounds>> took_ns;  ///< by look
-    std::vector<std::uint64_t> hashes;                       ///< by look
+    std::vector<std::vector<std::int64_t>> took_ns;  ///< by look and round
+    std::vector<std::uint64_t> hashes;               ///< by look
 
     double frame_ms() const {
         double sum = 0;
@@ -70,11 +69,13 @@ struct Sample {
 
 class Measuring {
 public:
-    Measuring(const TextureSet& textures, std::vector<View> looks) : textures_(textures), looks_(std::move(looks)) {
-        frame_.resize(kWidth, kHeight);
+    Measuring(const TextureSet& textures, std::vector<View> looks, const PriceChoices& choices)
+        : textures_(textures), looks_(std::move(looks)), rounds_(choices.rounds) {
+        frame_.resize(choices.width, choices.height);
     }
 
     std::size_t looks() const { return looks_.size(); }
+    std::size_t rounds() const { return rounds_; }
 
     /// The map of a file, not drawn yet; none where it has errors.
     std::optional<Sample> sample_of(const MapFile& file) const {
@@ -82,7 +83,7 @@ public:
         std::optional<Map> map = build_map(file, textures_, findings);
         if (!map) return {};
         Sample sample{std::move(*map), {}, {}, {}, {}};
-        sample.took_ns.resize(looks_.size());
+        sample.took_ns.assign(looks_.size(), std::vector<std::int64_t>(rounds_));
         sample.hashes.resize(looks_.size());
         sample.snapshot = at_rest(sample.map);
         sample.snapshot.time_s = kTime;
@@ -108,17 +109,18 @@ private:
 
     const TextureSet& textures_;
     std::vector<View> looks_;
+    std::size_t rounds_;
     Frame frame_;
 };
 
 /// How much longer a look takes with the effect, in the middle one of every other round.
 double more_ms(const Sample& with, const Sample& without, std::size_t look, std::size_t first_round) {
-    std::array<std::int64_t, kRounds / 2> more;
+    std::vector<std::int64_t> more(with.took_ns[look].size() / 2);
     for (std::size_t i = 0; i < more.size(); ++i) {
         const std::size_t round = 2 * i + first_round;
         more[i] = with.took_ns[look][round] - without.took_ns[look][round];
     }
-    std::ranges::nth_element(more, more.begin() + more.size() / 2);
+    std::ranges::nth_element(more, more.begin() + static_cast<std::ptrdiff_t>(more.size() / 2));
     return static_cast<double>(more[more.size() / 2]) * 1e-6;
 }
 
@@ -167,7 +169,7 @@ void measure(EffectPrice& effect, const MapFile& file, Measuring& measuring, Pri
         auto first = measuring.sample_of(build % 2 == 0 ? file : plain);
         auto second = measuring.sample_of(build % 2 == 0 ? plain : file);
         if (!first || !second) return;
-        for (std::size_t round = 0; round < kRounds; ++round) {
+        for (std::size_t round = 0; round < measuring.rounds(); ++round) {
             measuring.draw_round(*first, *second, round);
             progress.step(0);
         }
@@ -180,23 +182,29 @@ void measure(EffectPrice& effect, const MapFile& file, Measuring& measuring, Pri
 
 std::string ms_text(const std::optional<double>& ms) { return ms ? fmt::format("{:+.3f} ms", *ms) : "-"; }
 
+/// What is counted, as it follows the number.
+std::string noun_for(const EffectUse& use) { return std::string(use.effect->counted) + (use.count == 1 ? "" : "s"); }
+
 std::string footnote(const Prices& prices) {
     return fmt::format(
         "a frame with everything: {:.3f} ms of processor time (column, {}x{}, one thread, mean of {} looks)\n",
-        prices.frame_ms, kWidth, kHeight, prices.looks);
+        prices.frame_ms, prices.width, prices.height, prices.looks);
 }
 
 }  // namespace
 
-Prices effect_prices(const MapFile& file, const TextureSet& textures) {
+Prices effect_prices(const MapFile& file, const TextureSet& textures, const PriceChoices& choices) {
+    ENFILADE_CHECK(choices.rounds >= 2 && choices.rounds % 2 == 0);
     Prices prices;
+    prices.width = choices.width;
+    prices.height = choices.height;
     for (const EffectUse& use : effects_in(file)) prices.effects.push_back({use, {}});
     if (prices.effects.empty()) return prices;
-    Measuring measuring(textures, looks_of(file, textures));
+    Measuring measuring(textures, looks_of(file, textures), choices);
     prices.looks = measuring.looks();
     if (prices.looks == 0) return prices;
     const auto count = std::ranges::count_if(prices.effects, can_be_taken_out);
-    Progress progress(kBuilds * kRounds * static_cast<std::size_t>(count), "rounds");
+    Progress progress(kBuilds * choices.rounds * static_cast<std::size_t>(count), "rounds");
     for (EffectPrice& effect : prices.effects)
         if (can_be_taken_out(effect)) measure(effect, file, measuring, prices, progress);
     return prices;
@@ -206,7 +214,7 @@ std::string to_text(const Prices& prices) {
     if (prices.effects.empty()) return "  nothing beyond plain rooms\n";
     std::string text = fmt::format("  {:<17}{:>16}{:>14}{:>14}\n", "", "", "where seen", "elsewhere");
     for (const auto& [use, price] : prices.effects)
-        text += fmt::format("  {:<17}{:>6} {:<9}{:>14}{:>14}  {}\n", use.effect->name, use.count, use.effect->counted,
+        text += fmt::format("  {:<17}{:>6} {:<9}{:>14}{:>14}  {}\n", use.effect->name, use.count, noun_for(use),
                             ms_text(price ? price->seen : std::nullopt), ms_text(price ? price->unseen : std::nullopt),
                             use.effect->cost);
     if (prices.frame_ms > 0) text += "  " + footnote(prices);
@@ -216,7 +224,7 @@ std::string to_text(const Prices& prices) {
 std::string to_markdown(const Prices& prices) {
     std::string text = "| effect | in the map | where it is seen | elsewhere | what is paid |\n|---|---|---|---|---|\n";
     for (const auto& [use, price] : prices.effects)
-        text += fmt::format("| {} | {} {} | {} | {} | {} |\n", use.effect->name, use.count, use.effect->counted,
+        text += fmt::format("| {} | {} | {} | {} | {} |\n", use.effect->name, counted(use.count, use.effect->counted),
                             ms_text(price ? price->seen : std::nullopt), ms_text(price ? price->unseen : std::nullopt),
                             use.effect->cost);
     if (prices.frame_ms > 0) text += "\n" + footnote(prices);

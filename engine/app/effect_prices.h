@@ -22,16 +22,25 @@ struct EffectPrice {
 };
 
 struct Prices {
-    std::size_t looks = 0;  ///< how many were drawn
-    double frame_ms = 0;    ///< of a frame with everything [ms]
+    int width = 0, height = 0;  ///< of the pictures [px]
+    std::size_t looks = 0;      ///< how many were drawn
+    double frame_ms = 0;        ///< of a frame with everything [ms]
     std::vector<EffectPrice> effects;
 };
 
-/// Draws eight looks around from the player's start and from some other places of the map at 640 x 400, by the column
-/// renderer on one thread, in turn with and without each effect, and takes each look's middle difference of processor
-/// time. Shows on a terminal how far it is. file: sound, with a player; else there are no prices.
-/// Cost: some seconds for each effect that can be taken out.
-Prices effect_prices(const MapFile& file, const TextureSet& textures);
+/// How prices are measured.
+struct PriceChoices {
+    int width = 640, height = 400;  ///< of the pictures [px]
+    /// How often each look is drawn with the effect and without it, in each of two builds; even, >= 2, because the two
+    /// take turns in being drawn first.
+    std::size_t rounds = 10;
+};
+
+/// Draws eight looks around from the player's start and from some other places of the map, by the column renderer on
+/// one thread, in turn with and without each effect, and takes each look's middle difference of processor time. Shows
+/// on a terminal how far it is. file: sound, with a player; else there are no prices.
+/// Cost: as it is chosen by default, some seconds for each effect that can be taken out.
+Prices effect_prices(const MapFile& file, const TextureSet& textures, const PriceChoices& choices = {});
 
 /// The prices as aligned lines for a terminal.
 std::string to_text(const Prices& prices);

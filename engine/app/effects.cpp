@@ -59,12 +59,12 @@ bool moves(Deed deed) {
 }
 
 Effect sky() {
-    return {"sky", "flats", "one direction for each column that shows it",
+    return {"sky", "flat", "one direction for each column that shows it",
             [](const MapFile& map) { return count_flats(map, [](const FlatRecord& f) { return f.parallax; }); },
             [](MapFile& map) { each_flat(map, [](FlatRecord& f) { f.parallax = false; }); }};
 }
 Effect sky_layers() {
-    return {"sky layers", "pictures", "a mix of two colours for each pixel of their sky",
+    return {"sky layers", "picture", "a mix of two colours for each pixel of their sky",
             [](const MapFile& map) {
                 std::size_t count = 0;
                 each_flat(map, [&](const FlatRecord& f) { count += f.layers.size(); });
@@ -73,27 +73,27 @@ Effect sky_layers() {
             [](MapFile& map) { each_flat(map, [](FlatRecord& f) { f.layers.clear(); }); }};
 }
 Effect fog() {
-    return {"fog", "maps", "a mix of two colours for each pixel",
+    return {"fog", "map", "a mix of two colours for each pixel",
             [](const MapFile& map) { return std::size_t{map.render.fog_reach > 0}; },
             [](MapFile& map) { map.render.fog_reach = 0; }};
 }
 Effect links() {
-    return {"linked portals", "walls", "the rooms behind, drawn once for each way they are seen",
+    return {"linked portals", "wall", "the rooms behind, drawn once for each way they are seen",
             [](const MapFile& map) { return count_walls(map, [](const WallRecord& w) { return !w.via.empty(); }); },
             nullptr};
 }
 Effect mirrors() {
-    return {"mirrors", "walls", "the rooms in front, drawn once more while the mirror is in view",
+    return {"mirrors", "wall", "the rooms in front, drawn once more while the mirror is in view",
             [](const MapFile& map) { return count_walls(map, [](const WallRecord& w) { return w.mirror; }); },
             [](MapFile& map) { each_wall(map, [](WallRecord& w) { w.mirror = false; }); }};
 }
 Effect masked_walls() {
-    return {"masked walls", "walls", "a second pass over the pixels they cover",
+    return {"masked walls", "wall", "a second pass over the pixels they cover",
             [](const MapFile& map) { return count_walls(map, has_middle); },
             [](MapFile& map) { each_wall(map, [](WallRecord& w) { w.middle.reset(); }); }};
 }
 Effect panels() {
-    return {"panels", "walls", "a second pass over the pixels they cover",
+    return {"panels", "wall", "a second pass over the pixels they cover",
             [](const MapFile& map) {
                 std::size_t count = 0;
                 for (const SectorRecord& sector : map.sectors) count += sector.panels.size();
@@ -104,14 +104,14 @@ Effect panels() {
             }};
 }
 Effect things() {
-    return {"things", "things", "a second pass over the pixels they cover",
+    return {"things", "thing", "a second pass over the pixels they cover",
             [](const MapFile& map) { return map.things.size(); },
             [](MapFile& map) {
                 for (ThingRecord& thing : map.things) thing.frames.clear();
             }};
 }
 Effect animated_things() {
-    return {"animated things", "things", "one look at the clock while in view",
+    return {"animated things", "thing", "one look at the clock while in view",
             [](const MapFile& map) {
                 return static_cast<std::size_t>(
                     std::ranges::count_if(map.things, [](const ThingRecord& t) { return t.frames.size() > 1; }));
@@ -122,11 +122,11 @@ Effect animated_things() {
             }};
 }
 Effect animations() {
-    return {"animations", "pictures", "one look at the clock for each surface in view",
+    return {"animations", "picture", "one look at the clock for each surface in view",
             [](const MapFile& map) { return map.animations.size(); }, [](MapFile& map) { map.animations.clear(); }};
 }
 Effect scrolling() {
-    return {"scrolling", "surfaces", "a sum for each of them in view",
+    return {"scrolling", "surface", "a sum for each of them in view",
             [](const MapFile& map) {
                 return count_flats(map, is_scrolled_flat) +
                        count_walls(map, [](const WallRecord& w) { return w.scroll != Vec2{}; });
@@ -137,7 +137,7 @@ Effect scrolling() {
             }};
 }
 Effect changing_lights() {
-    return {"changing lights", "sectors", "one function of time for each of them in view",
+    return {"changing lights", "sector", "one function of time for each of them in view",
             [](const MapFile& map) {
                 return count_sectors(map, [](const SectorRecord& s) { return s.light_effect.has_value(); });
             },
@@ -146,25 +146,25 @@ Effect changing_lights() {
             }};
 }
 Effect point_lights() {
-    return {"point lights", "lamps", "two mixes of light for each pixel of the surfaces they reach",
+    return {"point lights", "lamp", "two mixes of light for each pixel of the surfaces they reach",
             [](const MapFile& map) { return map.lights.size(); }, [](MapFile& map) { map.lights.clear(); }};
 }
 Effect movers() {
-    return {"doors and movers", "triggers", "nothing until one is set off; then one function of time for each frame",
+    return {"doors and movers", "trigger", "nothing until one is set off; then one function of time for each frame",
             [](const MapFile& map) { return count_triggers(map, moves); }, nullptr};
 }
 Effect other_triggers() {
-    return {"other triggers", "triggers", "nothing until one is set off",
+    return {"other triggers", "trigger", "nothing until one is set off",
             [](const MapFile& map) { return count_triggers(map, [](Deed deed) { return !moves(deed); }); }, nullptr};
 }
 Effect damage() {
-    return {"harmful floors", "sectors", "one look a second at the floor under the feet",
+    return {"harmful floors", "sector", "one look a second at the floor under the feet",
             [](const MapFile& map) { return count_sectors(map, [](const SectorRecord& s) { return s.damage > 0; }); },
             nullptr};
 }
 
 Effect sounds() {
-    return {"sounds", "sounds", "a sound device, and each frame the ways that sound takes to the player",
+    return {"sounds", "sound", "a sound device, and each frame the ways that sound takes to the player",
             [](const MapFile& map) { return map.sounds.size(); }, nullptr};
 }
 

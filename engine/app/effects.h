@@ -10,7 +10,7 @@ namespace enfilade {
 /// One kind of effect.
 struct Effect {
     const char* name;     ///< "linked portals"
-    const char* counted;  ///< what is counted: "walls"
+    const char* counted;  ///< what is counted, one of it: "wall"
     const char* cost;     ///< in words: what is paid, and when
     /// How many of them the map has.
     std::size_t (*count)(const MapFile&);

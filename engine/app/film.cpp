@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "app/pictures.h"
 #include "flight/y4m.h"
 
 namespace enfilade {
@@ -130,10 +131,10 @@ Result<std::unique_ptr<Film>> start_mp4(const std::string& path, const FilmForma
 
 }  // namespace
 
-bool names_film(const std::string& path) { return path.ends_with(".y4m") || path.ends_with(".mp4"); }
+bool names_film(const std::string& path) { return ending_of(path) == ".y4m" || ending_of(path) == ".mp4"; }
 
 Result<std::unique_ptr<Film>> start_film(const std::string& path, const FilmFormat& format) {
-    return path.ends_with(".y4m") ? start_y4m(path, format) : start_mp4(path, format);
+    return ending_of(path) == ".y4m" ? start_y4m(path, format) : start_mp4(path, format);
 }
 
 }  // namespace enfilade

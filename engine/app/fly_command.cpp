@@ -12,6 +12,7 @@
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/recorded_flight.h"
+#include "formats/number_text.h"
 #include "platform/gl_context.h"
 
 namespace enfilade {
@@ -34,11 +35,26 @@ Status choose(const std::string& text, Parse parse, std::optional<T>& choice) {
     return {};
 }
 
+Status check_out(const FlyRequest& request) {
+    const std::string expected =
+        request.check ? "a folder for the report" : "a folder for many pictures, or a .mp4 or .y4m film";
+    if (request.check && names_film(request.out)) return not_a("--out", expected, request.out);
+    if (names_picture(request.out)) return not_a("--out", expected, request.out);
+    return refuse_other_kinds("--out", expected, request.out);
+}
+
 Status check_combination(const FlyRequest& request) {
     if (!request.check && !request.record && request.out.empty())
         return Error{"", "expected --out DIR, --out FILE.mp4 or FILE.y4m, --check or --record"};
-    if (names_picture(request.out)) return Error{"--out", "expected a folder for many pictures, or a film"};
-    if (Status wrong = refuse_other_kinds(request.out)) return wrong;
+    if (request.record && !request.out.empty())
+        return Error{"--out",
+                     fmt::format("--record writes {} and draws no pictures for --out; leave out one of the two, "
+                                 "or keep every N-th picture with --keep N",
+                                 hashes_path(request.script))};
+    if (Status wrong = check_out(request)) return wrong;
+    if (request.tolerance_percent && request.against.empty())
+        return Error{"--tolerance",
+                     "needs --against: recorded frames are compared by their hashes, which are equal or not"};
     if (!request.against.empty() && !request.check) return Error{"--against", "needs --check"};
     if (request.keep_every > 0 && !request.record) return Error{"--keep", "needs --record"};
     if (request.record && !request.frames.empty()) return Error{"--record", "records all frames; leave out --frames"};
@@ -111,7 +127,7 @@ Status record_or_check(const FlyRequest& request, const FlightScene& scene, cons
     const std::string report = report_folder(request);
     if (request.record) return record_flight(scene, plan, request.script, request.keep_every);
     if (choices.against)
-        return compare_renderers(scene, plan, *choices.against, request.tolerance_percent / 100, report);
+        return compare_renderers(scene, plan, *choices.against, request.tolerance_percent.value_or(0) / 100, report);
     return check_flight(scene, plan, request.script, report);
 }
 
@@ -119,7 +135,7 @@ Status record_or_check(const FlyRequest& request, const FlightScene& scene, cons
 Status test(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan, const FlyChoices& choices) {
     const Status failed = record_or_check(request, scene, plan, choices);
     if (!failed)
-        fmt::print("{}: {} frames {}\n", request.script, plan.last - plan.first + 1,
+        fmt::print("{}: {} {}\n", request.script, counted(std::size_t(plan.last - plan.first + 1), "frame"),
                    request.record    ? "recorded"
                    : choices.against ? "drawn alike by both renderers"
                                      : "as they were recorded");

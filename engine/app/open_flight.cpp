@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/exit_codes.h"
+#include "app/file_kind.h"
 #include "base/files.h"
 #include "base/hash.h"
 #include "formats/script_toml.h"
@@ -27,11 +28,13 @@ std::string beside(const std::string& script_path, const std::string& path) {
 std::optional<ScriptFile> open_script(const std::string& path) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) {
-        fail(bytes.error());
+        fail(refuse_as_script(path).value_or(bytes.error()));
         return {};
     }
     ScriptReading reading = read_script(as_text(bytes.value()));
-    if (print_findings(path, reading.findings)) return {};
+    const Status other = has_errors(reading.findings) ? refuse_as_script(path) : Status();
+    if (other) fail(*other);
+    if (other || print_findings(path, reading.findings)) return {};
     return std::move(reading.script);
 }
 

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "app/exit_codes.h"
+#include "app/file_kind.h"
 #include "base/files.h"
 
 namespace enfilade {
@@ -24,10 +27,20 @@ void mention_warnings(const std::string& path, const Findings& findings) {
 
 }  // namespace
 
-std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders, int skill) {
-    LoadedMap loaded = load_map(path, texture_folders, read_file, skill);
+std::string next_map_path(const std::string& map_path, const std::string& name) {
+    std::filesystem::path path = std::filesystem::path(map_path).parent_path() / name;
+    if (path.extension() != ".toml") path += ".toml";
+    return path.string();
+}
+
+std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders,
+                                std::optional<int> skill) {
+    LoadedMap loaded = load_map(path, texture_folders, read_file, skill, list_folder);
     if (!loaded.map) {
-        print_errors(path, loaded.findings);
+        if (Status other = refuse_as_map(path))
+            fail(*other);
+        else
+            print_errors(path, loaded.findings);
         return {};
     }
     mention_warnings(path, loaded.findings);

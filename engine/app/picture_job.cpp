@@ -11,6 +11,7 @@
 #include "app/progress.h"
 #include "base/files.h"
 #include "base/parallel.h"
+#include "formats/number_text.h"
 #include "platform/clock.h"
 #include "platform/gl_context.h"
 #include "world/deed.h"
@@ -30,9 +31,7 @@ struct Desk {
 class Drawing {
 public:
     Drawing(const OpenMap& map, const PictureJob& job)
-        : map_(map), job_(job), snapshot_(at_rest(map.map)), times_ns_(job.views.size()) {
-        const History history = begun(map.map);
-        show({map.map, history, job.time_s * kTickRate}, snapshot_);
+        : map_(map), job_(job), snapshot_(snapshot_at(map.map, job.time_s)), times_ns_(job.views.size()) {
         const bool side_by_side = job.timing.empty() && job.views.size() >= job.threads;
         desks_.resize(side_by_side ? job.threads : 1);
         threads_each_ = side_by_side ? 1 : job.threads;
@@ -104,13 +103,21 @@ private:
 
 }  // namespace
 
+Snapshot snapshot_at(const Map& map, double time_s) {
+    Snapshot snapshot = at_rest(map);
+    const History history = begun(map);
+    show({map, history, time_s * kTickRate}, snapshot);
+    return snapshot;
+}
+
 Status check_outputs(const PictureJob& job) {
     for (const auto& [argument, path] : {std::pair{"--out", job.out}, {"--ids", job.ids}}) {
         if (names_film(path)) return Error{argument, "render writes pictures; `enfilade fly` writes films"};
-        if (Status wrong = refuse_other_kinds(path)) return Error{argument, wrong->what};
-        if (job.views.size() != 1 && names_picture(path))
-            return Error{argument, fmt::format("expected a folder for {} pictures; found the file name '{}'",
-                                               job.views.size(), path)};
+        const std::size_t count = job.views.size();
+        const std::string expected = count == 1 ? "a .png picture, or a folder for 000000.png"
+                                                : fmt::format("a folder for {}", counted(count, "picture"));
+        if (Status wrong = refuse_other_kinds(argument, expected, path)) return wrong;
+        if (count != 1 && names_picture(path)) return not_a(argument, expected, path);
     }
     return {};
 }

@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "flight/renderer.h"
 #include "render/view.h"
+#include "world/snapshot.h"
 
 namespace enfilade {
 
@@ -22,6 +23,9 @@ struct PictureJob {
     std::string ids;          ///< the same for pictures of surface ids
     std::string timing;       ///< a CSV file `view,ns`
 };
+
+/// The map `time_s` after its start, when nobody has done anything.
+Snapshot snapshot_at(const Map& map, double time_s);
 
 /// An error where a path names one picture file but there are several views.
 Status check_outputs(const PictureJob& job);

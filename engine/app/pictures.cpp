@@ -15,13 +15,6 @@ namespace {
 constexpr std::array<std::string_view, 14> kOtherKinds{".jpg", ".jpeg", ".bmp", ".gif",  ".tga", ".tif", ".tiff",
                                                        ".ppm", ".webp", ".avi", ".webm", ".mkv", ".mov", ".mpg"};
 
-/// ".png" of "a/B.PNG".
-std::string ending_of(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return ending;
-}
-
 }  // namespace
 
 Image image_of(const Frame& frame) { return {std::uint32_t(frame.width), std::uint32_t(frame.height), frame.pixels}; }
@@ -35,12 +28,21 @@ Image ids_image(const FrameFacts& facts, int width, int height) {
     return image;
 }
 
+std::string ending_of(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return ending;
+}
+
 bool names_picture(const std::string& path) { return ending_of(path) == ".png"; }
 
-Status refuse_other_kinds(const std::string& path) {
-    const std::string ending = ending_of(path);
-    if (std::ranges::find(kOtherKinds, ending) == std::end(kOtherKinds)) return {};
-    return Error{"--out", fmt::format("expected a folder, a .png picture or a .mp4 or .y4m film; found '{}'", path)};
+Error not_a(const std::string& argument, const std::string& expected, const std::string& path) {
+    return {argument, fmt::format("expected {}; found '{}'", expected, path)};
+}
+
+Status refuse_other_kinds(const std::string& argument, const std::string& expected, const std::string& path) {
+    if (std::ranges::find(kOtherKinds, ending_of(path)) == std::end(kOtherKinds)) return {};
+    return not_a(argument, expected, path);
 }
 
 std::string numbered_picture(const std::string& folder, std::size_t number) {

@@ -16,9 +16,15 @@ Image ids_image(const FrameFacts& facts, int width, int height);
 /// Whether a path names one PNG file; anything else is a folder of pictures.
 bool names_picture(const std::string& path);
 
-/// An error where a path ends like a picture or film of a kind that is not written here (".jpg", ".webm"): whoever
-/// names it does not mean a folder.
-Status refuse_other_kinds(const std::string& path);
+/// ".png" of "a/B.PNG".
+std::string ending_of(const std::string& path);
+
+/// "argument: expected …; found 'path'".
+Error not_a(const std::string& argument, const std::string& expected, const std::string& path);
+
+/// not_a where a path ends like a picture or film of a kind that is not written here (".jpg", ".webm"): whoever names
+/// it does not mean a folder.
+Status refuse_other_kinds(const std::string& argument, const std::string& expected, const std::string& path);
 
 /// "FOLDER/000012.png".
 std::string numbered_picture(const std::string& folder, std::size_t number);

@@ -52,13 +52,16 @@ Lens lens_of(const Map& map, const RenderRequest& request) {
             request.roll_degrees};
 }
 
+std::string place_text(const RenderRequest& request, const std::vector<ViewRow>& places, std::size_t view) {
+    return request.views.empty() ? request.map : fmt::format("{}:{}", request.views, places[view].line);
+}
+
 Result<std::vector<View>> views_in(const Map& map, const std::vector<ViewRow>& places, const RenderRequest& request) {
     const Lens lens = lens_of(map, request);
     std::vector<View> views;
     for (const ViewRow& place : places) {
         auto view = view_from(map, place, lens);
-        const std::string where = request.views.empty() ? request.map : fmt::format("{}:{}", request.views, place.line);
-        if (!view.ok()) return Error{where, view.error().what};
+        if (!view.ok()) return Error{place_text(request, places, views.size()), view.error().what};
         views.push_back(view.value());
     }
     return views;
@@ -68,6 +71,19 @@ Result<std::vector<View>> view_of_player(const Map& map, const RenderRequest& re
     auto view = view_at_start(map, lens_of(map, request));
     if (!view.ok()) return Error{request.map, view.error().what};
     return std::vector{view.value()};
+}
+
+/// A picture from inside a floor or above a ceiling can be drawn, but is hardly what somebody wanted: says so.
+void mention_hidden_eyes(const Map& map, const RenderRequest& request, const std::vector<ViewRow>& places,
+                         const std::vector<View>& views) {
+    const Snapshot snapshot = snapshot_at(map, request.time_s);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const auto hidden = hidden_eye(map, snapshot, views[i]);
+        if (hidden && ++count == 1)
+            fmt::print(stderr, "{}: note: {}; the picture looks through it\n", place_text(request, places, i), *hidden);
+    }
+    if (count > 1) fmt::print(stderr, "{}: note: {} more like it\n", request.views, count - 1);
 }
 
 }  // namespace
@@ -93,6 +109,7 @@ int run_render(const RenderRequest& request) {
     if (!views.ok()) return fail(views.error());
     job.value().views = std::move(views).value();
     if (Status wrong = check_outputs(job.value())) return refuse_usage(*wrong);
+    mention_hidden_eyes(map->map, request, places, job.value().views);
     if (Status failed = draw_pictures(*map, job.value())) return fail(*failed);
     return kDone;
 }

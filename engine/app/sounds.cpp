@@ -20,9 +20,11 @@ Result<Samples> load_sound(const std::string& path, const FileReader& read) {
 LoadedSounds load_sounds(const Map& map, const std::string& map_path, const FileReader& read) {
     LoadedSounds loaded;
     const std::filesystem::path folder = std::filesystem::path(map_path).parent_path();
-    for (const Sound& sound : map.sounds) {
+    for (std::size_t i = 0; i < map.sounds.size(); ++i) {
+        const Sound& sound = map.sounds[i];
         auto samples = load_sound((folder / sound.file).string(), read);
-        if (!samples.ok()) loaded.faults.push_back("sound '" + sound.name + "' is silent: " + samples.error().text());
+        if (!samples.ok())
+            loaded.faults.push_back({SoundId(i), "sound '" + sound.name + "' is silent: " + samples.error().text()});
         loaded.samples.push_back(samples.ok() ? std::move(samples).value() : Samples{});
     }
     return loaded;

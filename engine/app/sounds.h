@@ -9,9 +9,14 @@
 
 namespace enfilade {
 
+struct SoundFault {
+    SoundId sound;
+    std::string sentence;
+};
+
 struct LoadedSounds {
-    std::vector<Samples> samples;     ///< by SoundId; silent where the file could not be read
-    std::vector<std::string> faults;  ///< a sentence for each of those
+    std::vector<Samples> samples;    ///< by SoundId; silent where the file could not be read
+    std::vector<SoundFault> faults;  ///< one for each of those
 };
 
 /// Files are seen from the map's folder.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "formats/number_text.h"
+#include "formats/quoted.h"
 #include "math/grid.h"
 #include "space/locate.h"
 
@@ -12,7 +14,11 @@ namespace {
 
 Result<SectorId> sector_named(const Map& map, const std::string& name) {
     const auto found = std::ranges::find(map.sectors, name, &Sector::name);
-    if (found == map.sectors.end()) return Error{"", fmt::format("the map has no sector named '{}'", name)};
+    if (found == map.sectors.end()) {
+        std::vector<std::string_view> known;
+        for (const Sector& sector : map.sectors) known.push_back(sector.name);
+        return Error{"", "the map has no sector named " + quoted(name) + nearest_suggestion(name, known)};
+    }
     return SectorId(std::size_t(found - map.sectors.begin()));
 }
 
@@ -54,6 +60,15 @@ Result<View> view_from(const Map& map, const ViewRow& row, const Lens& lens) {
     if (!sector.ok()) return sector.error();
     view.sector = sector.value();
     return view;
+}
+
+std::optional<std::string> hidden_eye(const Map& map, const Snapshot& snapshot, const View& view) {
+    const SectorSnapshot& room = snapshot[view.sector];
+    if (view.eye_z > room.floor_z && view.eye_z < room.ceiling_z) return {};
+    const bool is_above = view.eye_z >= room.ceiling_z;
+    return fmt::format("the eye at z = {} is {} of sector {} at {} m", number_text(view.eye_z),
+                       is_above ? "not below the ceiling" : "not above the floor", quoted(map[view.sector].name),
+                       number_text(is_above ? room.ceiling_z : room.floor_z));
 }
 
 Result<View> view_at_start(const Map& map, const Lens& lens) {

@@ -24,6 +24,12 @@ Map map_with(const std::string& file_name) {
     return built(file);
 }
 
+/// One fault, of the only sound, that names the file.
+auto faults_say(const std::string& path) {
+    return testing::ElementsAre(testing::AllOf(testing::Field(&SoundFault::sound, SoundId(0u)),
+                                               testing::Field(&SoundFault::sentence, testing::HasSubstr(path))));
+}
+
 TEST(LoadedSounds, AreReadFromTheFolderOfTheMap) {
     const LoadedSounds loaded = load_sounds(map_with("good.wav"), "maps/hall.toml", read_sound);
     ASSERT_EQ(loaded.samples.size(), 1u);
@@ -34,13 +40,13 @@ TEST(LoadedSounds, AreReadFromTheFolderOfTheMap) {
 TEST(LoadedSounds, AreSilentWhereTheFileIsMissing) {
     const LoadedSounds loaded = load_sounds(map_with("missing.wav"), "maps/hall.toml", read_sound);
     EXPECT_THAT(loaded.samples[0], testing::IsEmpty());
-    EXPECT_THAT(loaded.faults, testing::ElementsAre(testing::HasSubstr("maps/missing.wav")));
+    EXPECT_THAT(loaded.faults, faults_say("maps/missing.wav"));
 }
 
 TEST(LoadedSounds, AreSilentWhereTheFileIsNoSound) {
     const LoadedSounds loaded = load_sounds(map_with("bad.wav"), "maps/hall.toml", read_sound);
     EXPECT_THAT(loaded.samples[0], testing::IsEmpty());
-    EXPECT_THAT(loaded.faults, testing::ElementsAre(testing::HasSubstr("maps/bad.wav")));
+    EXPECT_THAT(loaded.faults, faults_say("maps/bad.wav"));
 }
 
 }  // namespace

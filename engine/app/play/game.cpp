@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/file_kind.h"
 #include "base/hash.h"
 #include "map/load.h"
 #include "math/grid.h"
@@ -55,7 +56,9 @@ Result<OpenMap> Game::load() {
         if (bytes.ok() && path == path_) map_hash_ = hash_of_text(as_text(bytes.value()));
         return bytes;
     };
-    LoadedMap loaded = load_map(path_, texture_folders_, read, skill_);
+    LoadedMap loaded = load_map(path_, texture_folders_, read, skill_, list_folder);
+    if (!loaded.map)
+        if (Status other = refuse_as_map(path_)) return *other;
     if (!loaded.map) return Error{"", lines_of(path_, loaded.findings)};
     if (!loaded.map->player) return Error{path_, "the map has no player to start as; give it a [player] to play it"};
     return OpenMap{std::move(*loaded.map), std::move(loaded.textures)};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/open_map.h"
 #include "app/play/play_loop.h"
 #include "app/play/saved_game.h"
 #include "base/files.h"
@@ -65,8 +66,7 @@ void PlayLoop::follow_events() {
 void PlayLoop::leave_map() {
     namespace fs = std::filesystem;
     const std::string left = game_.map().name, next = game_.map()[*game_.world().left_by].leads_to;
-    fs::path path = fs::path(game_.path()).parent_path() / next;
-    if (path.extension() != ".toml") path += ".toml";
+    const std::string path = next_map_path(game_.path(), next);
     std::error_code unknown;
     told_ = 0;
     if (next.empty() || !fs::exists(path, unknown)) {
@@ -74,7 +74,7 @@ void PlayLoop::leave_map() {
         return tell(next.empty() ? fmt::format("You left {}.", left)
                                  : fmt::format("You left {}; the next map, {}, is not here.", left, next));
     }
-    if (Status failed = game_.enter(path.string())) {
+    if (Status failed = game_.enter(path)) {
         game_.restart();
         return notices_.pin(split_lines(failed->text()));
     }

@@ -11,14 +11,16 @@ std::vector<std::string> Soundscape::begin(const Map& map, const std::string& ma
     if (map.sounds.empty()) return {};
     LoadedSounds loaded = load_sounds(map, map_path, read_file);
     lengths_s_ = lengths_of(loaded.samples);
+    std::vector<std::string> faults;
+    for (SoundFault& fault : loaded.faults) faults.push_back(std::move(fault.sentence));
     auto audio = open_audio(std::move(loaded.samples));
     if (!audio.ok()) {
-        loaded.faults.push_back(audio.error().text());
-        return loaded.faults;
+        faults.push_back(audio.error().text());
+        return faults;
     }
     audio_ = std::move(audio).value();
     hearing_.emplace(map);
-    return loaded.faults;
+    return faults;
 }
 
 void Soundscape::hear(const Map& map, const World& world, double volume) {

@@ -49,7 +49,20 @@ TEST_F(Bench, WritesTheTableOfEffectPrices) {
     const Ended ended = bench({"--effects", "map.toml"});
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
     EXPECT_THAT(ended.out, HasSubstr("\n|---|"));
-    EXPECT_THAT(ended.out, HasSubstr("| fog | 1 maps | +"));
+    EXPECT_THAT(ended.out, ::testing::ContainsRegex("[|] fog [|] 1 map [|] [+-]0"));
+    EXPECT_THAT(ended.out, HasSubstr("(column, 64x40, one thread"));
+}
+
+TEST_F(Bench, RefusesWhatPricesHaveNoChoiceOf) {
+    const std::vector<std::vector<std::string>> wrong{
+        {"--renderer", "reference"}, {"--threads", "2"}, {"--csv", "times.csv"}};
+    for (const auto& arguments : wrong) {
+        std::vector<std::string> all{"--effects", "map.toml"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const Ended ended = bench(all);
+        EXPECT_EQ(ended.exit_code, 2) << arguments[0];
+        EXPECT_THAT(ended.err, HasSubstr("enfilade: " + arguments[0]));
+    }
 }
 
 TEST_F(Bench, RefusesNothingToMeasure) {

@@ -43,6 +43,40 @@ TEST(CommandLine, RefusesWrongUsageInOneSentence) {
     }
 }
 
+TEST(CommandLine, SuggestsWhatIsCalledNearlySo) {
+    EXPECT_THAT(Program().run({"chekc", "map.toml"}).err, HasSubstr("found 'chekc'; did you mean 'check'?"));
+    EXPECT_THAT(Program().run({"render", "map.toml", "--ouy", "a.png"}).err,
+                HasSubstr("no option '--ouy' here; did you mean '--out'?"));
+}
+
+TEST(CommandLine, NamesTheCommandForAFile) {
+    const Program program;
+    program.write("map.toml", test::kTwoRooms);
+    program.write("walk.toml", "map = \"map.toml\"\n[[legs]]\nwait = 1\n");
+    EXPECT_THAT(program.run({"map.toml"}).err, HasSubstr("`enfilade play map.toml`"));
+    EXPECT_THAT(program.run({"walk.toml"}).err, HasSubstr("`enfilade fly walk.toml"));
+}
+
+TEST(CommandLine, SaysWhatAFileIsThatIsNoMap) {
+    const Program program;
+    program.write("map.toml", test::kTwoRooms);
+    program.write("walk.toml", "map = \"map.toml\"\n[[legs]]\nwait = 1\n");
+    program.write("doom.wad", "IWAD and so on");
+    program.write("folder/map.toml", test::kTwoRooms);
+    const std::vector<std::pair<std::string, std::string>> expected{
+        {"walk.toml", "expected a map (.toml), found a flythrough script; `enfilade fly walk.toml"},
+        {"doom.wad", "expected a map (.toml), found a WAD of Doom; `wadconv doom.wad"},
+        {"folder", "expected a map (.toml), found a folder; name a file in it, such as folder/map.toml"},
+        {"mapp.toml", "no such file; did you mean map.toml?"},
+        {"map", "no such file; did you mean map.toml?"}};
+    for (const auto& [file, sentence] : expected) {
+        EXPECT_THAT(program.run({"render", file, "--out", "a.png"}).err, HasSubstr(file + ": " + sentence));
+        EXPECT_THAT(program.run({"play", file}, "SDL_VIDEODRIVER=dummy").err, HasSubstr(file + ": " + sentence));
+        if (file == "folder") continue;  // all maps in it are checked
+        EXPECT_THAT(program.run({"check", file}).out, HasSubstr("error: " + sentence));
+    }
+}
+
 TEST(Check, PassesASoundMapWithWarnings) {
     const Program program;
     program.write("map.toml", test::kTwoRooms);
@@ -69,6 +103,46 @@ TEST(Check, LooksAtEveryMapThatIsNamed) {
     EXPECT_EQ(ended.exit_code, 1);
     EXPECT_THAT(ended.out, HasSubstr("gone.toml: error: "));
     EXPECT_THAT(ended.out, HasSubstr("2 maps checked, 1 refused"));
+}
+
+TEST(Check, LooksAtEveryMapOfAFolderAndAtNoScript) {
+    const Program program;
+    program.write("maps/a.toml", test::kTwoRooms);
+    program.write("maps/b.toml", test::kTwoRooms);
+    program.write("maps/walk.toml", "map = \"a.toml\"\n[[legs]]\nwait = 1\n");
+    program.write("maps/notes.txt", "nothing");
+    const Ended ended = program.run({"check", "maps"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.out;
+    EXPECT_THAT(ended.out, HasSubstr("2 maps checked, 0 refused"));
+}
+
+TEST(Check, RefusesAFolderWithoutMaps) {
+    const Program program;
+    program.write("empty/notes.txt", "nothing");
+    const Ended ended = program.run({"check", "empty"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.out, HasSubstr("empty: error: expected a map (.toml), found a folder"));
+}
+
+TEST(Check, PointsAtFilesThatAreMissingBesideTheMap) {
+    const Program program;
+    program.write("map.toml",
+                  std::string(test::kTwoRooms) +
+                      "[[sounds]]\nname = \"hum\"\nfile = \"hum.wav\"\n[[things]]\nx = 4\ny = 3\n"
+                      "triggers = [{ on = \"touch\", do = \"exit\", target = \"map\" }]\n[[things]]\nx = 5\n"
+                      "y = 3\ntriggers = [{ on = \"touch\", do = \"exit\", target = \"cellar\" }]\n");
+    const Ended ended = program.run({"check", "map.toml"});
+    EXPECT_EQ(ended.exit_code, 0);
+    EXPECT_THAT(ended.out, HasSubstr("map.toml:28:1: warning: sound 'hum' is silent"));
+    EXPECT_THAT(ended.out, HasSubstr("map.toml:38:13: warning: expected a map in cellar.toml"));
+    EXPECT_THAT(ended.out, HasSubstr("4 warnings"));
+}
+
+TEST(Check, SuggestsAPicture) {
+    const Program program;
+    program.write("map.toml", test::kTwoRooms);
+    program.write("textures/wal.png", "");
+    EXPECT_THAT(program.run({"check", "map.toml"}).out, HasSubstr("a placeholder is drawn; did you mean 'wal'?"));
 }
 
 TEST(Check, TellsWhatAMapCallsFor) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "app/cli/program.h"
+#include "formats/tape.h"
 
 namespace enfilade {
 namespace {
@@ -102,6 +103,43 @@ TEST_F(Fly, RefusesToCheckAgainstTheRecordOfAnotherLength) {
     EXPECT_THAT(ended.err, HasSubstr("21 frames"));
 }
 
+TEST_F(Fly, RefusesToCheckAgainstTheRecordOfAnotherSizeOrRenderer) {
+    fly({"--record"});
+    const Ended larger = fly({"--check", "--size", "32x20"}), other = fly({"--check", "--renderer", "reference"});
+    EXPECT_EQ(larger.exit_code, 1);
+    EXPECT_THAT(larger.err, HasSubstr("the recording has pictures of 64x40 pixels, and these have 32x20"));
+    EXPECT_EQ(other.exit_code, 1);
+    EXPECT_THAT(other.err, HasSubstr("drawn by the column renderer, and these pictures are by reference"));
+}
+
+TEST_F(Fly, ChecksARecordOfAnotherSizeThanTheScripts) {
+    fly({"--record", "--size", "32x20"});
+    EXPECT_EQ(fly({"--check", "--size", "32x20"}).exit_code, 0);
+}
+
+TEST_F(Fly, SaysWhatAFileIsThatIsNoScript) {
+    const Tape tape{"map.toml", 0, 60, {}, 0};
+    (void)write_file(program_.path("walk.tape"), write_tape(tape));
+    const auto said = [&](const std::string& file) { return program_.run({"fly", file, "--out", "frames"}).err; };
+    EXPECT_THAT(said("walk.tape"), HasSubstr("found a tape or saved game of map.toml; `enfilade play map.toml --load"));
+    EXPECT_THAT(said("walk.tape"), HasSubstr("map = \"map.toml\" and tape = \"walk.tape\""));
+    EXPECT_THAT(said("map.toml"),
+                HasSubstr("expected a flythrough script (.toml), found a map; `enfilade play map.toml`"));
+    EXPECT_THAT(said("wakl.toml"), HasSubstr("wakl.toml: no such file; did you mean walk.toml?"));
+}
+
+TEST_F(Fly, OffersOnlyWhatItTakes) {
+    for (const char* path : {"f.avi", "f.png"})
+        EXPECT_THAT(
+            fly({"--out", path}).err,
+            HasSubstr("expected a folder for many pictures, or a .mp4 or .y4m film; found '" + std::string(path)));
+}
+
+TEST_F(Fly, KnowsAFilmWhateverTheCaseOfItsEnding) {
+    EXPECT_EQ(fly({"--out", "walk.Y4M"}).exit_code, 0);
+    EXPECT_THAT(program_.text("walk.Y4M"), StartsWith("YUV4MPEG2"));
+}
+
 TEST_F(Fly, SaysHowToMakeARecord) {
     const Ended ended = fly({"--check"});
     EXPECT_EQ(ended.exit_code, 1);
@@ -128,6 +166,9 @@ TEST_F(Fly, RefusesWhatMakesNoSense) {
                                                       {"--against", "reference", "--out", "f"},
                                                       {"--keep", "3", "--out", "f"},
                                                       {"--record", "--frames", "1..2"},
+                                                      {"--record", "--out", "f"},
+                                                      {"--check", "--tolerance", "1"},
+                                                      {"--check", "--out", "f.mp4"},
                                                       {"--out", "f", "--frames", "5..99"},
                                                       {"--out", "f.webm"},
                                                       {"--out", "f.png"},

@@ -10,6 +10,7 @@ namespace {
 using test::Ended;
 using test::Program;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Render : public ::testing::Test {
 protected:
@@ -101,8 +102,17 @@ TEST_F(Render, RefusesOnePictureFileForSeveralViews) {
 }
 
 TEST_F(Render, RefusesPicturesThatAreNotPng) {
-    EXPECT_EQ(render({"--out", "a.jpg"}).exit_code, 2);
+    const Ended ended = render({"--out", "a.jpg"});
+    EXPECT_EQ(ended.exit_code, 2);
+    EXPECT_THAT(ended.err, HasSubstr("--out: expected a .png picture, or a folder for 000000.png; found 'a.jpg'"));
     EXPECT_EQ(render({"--out", "a.mp4"}).exit_code, 2);
+}
+
+TEST_F(Render, OffersNoSinglePictureForSeveralViews) {
+    program_.write("views.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n2,3,1.5,90,0\n");
+    for (const char* path : {"a.jpg", "a.png"})
+        EXPECT_THAT(render({"--views", "views.csv", "--out", path}).err,
+                    HasSubstr("expected a folder for 2 pictures; found '" + std::string(path) + "'"));
 }
 
 TEST_F(Render, NamesTheLineOfAViewOutsideTheMap) {
@@ -111,6 +121,20 @@ TEST_F(Render, NamesTheLineOfAViewOutsideTheMap) {
     EXPECT_EQ(ended.exit_code, 1);
     EXPECT_THAT(ended.err, HasSubstr("views.csv:3"));
     EXPECT_FALSE(program_.exists("p"));
+}
+
+TEST_F(Render, MentionsAnEyeAboveTheCeilingOrBelowTheFloor) {
+    const Ended above = render({"--view", "2,3,3,0,0", "--out", "a.png"});
+    EXPECT_EQ(above.exit_code, 0);
+    EXPECT_EQ(above.err,
+              "map.toml: 2 warnings; `enfilade check map.toml` shows them\nmap.toml: note: the eye at z = 3 is "
+              "not below the ceiling of sector 'hall' at 3 m; the picture looks through it\n");
+    EXPECT_THAT(render({"--view", "2,3,-1,0,0", "--out", "a.png"}).err, HasSubstr("not above the floor"));
+    EXPECT_THAT(render({"--view", "2,3,2.9,0,0", "--out", "a.png"}).err, Not(HasSubstr("note")));
+    program_.write("views.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n2,3,4,0,0\n2,3,5,0,0\n");
+    const Ended many = render({"--views", "views.csv", "--out", "many"});
+    EXPECT_THAT(many.err, HasSubstr("views.csv:3: note: the eye at z = 4"));
+    EXPECT_THAT(many.err, HasSubstr("views.csv: note: 1 more like it"));
 }
 
 TEST_F(Render, DrawsByOpenGlWithoutADisplay) {
