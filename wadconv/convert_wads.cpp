@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "base/parallel.h"
 #include "formats/map_toml.h"
+#include "formats/number_text.h"
 #include "map/build.h"
 #include "wadconv/map_lumps.h"
 #include "wadconv/pictures.h"
@@ -34,6 +36,12 @@ std::string in_case(std::string text, char from, char to) {
     return text;
 }
 
+/// What there is instead.
+std::string there_are(const std::vector<std::string>& all) {
+    return all.size() == 1 ? "the only one is " + all.front()
+                           : "there are " + all.front() + " to " + all.back() + ", " + counted(all.size(), "map");
+}
+
 /// The maps asked for, in the order of the archives.
 Result<std::vector<std::string>> choose_maps(const WadPile& pile, const std::vector<std::string>& wanted) {
     const std::vector<std::string> all = map_names(pile);
@@ -43,7 +51,7 @@ Result<std::vector<std::string>> choose_maps(const WadPile& pile, const std::vec
     std::vector<std::string> chosen;
     for (const std::string& name : wanted)
         if (std::ranges::find(all, in_case(name, 'a', 'A')) == all.end())
-            return Error{file, "there is no map " + name + "; the first there is is " + all.front()};
+            return Error{file, "there is no map " + name + "; " + there_are(all)};
     for (const std::string& name : all)
         if (std::ranges::any_of(wanted, [&](const std::string& w) { return in_case(w, 'a', 'A') == name; }))
             chosen.push_back(name);
@@ -74,10 +82,14 @@ std::string guesses_text(const Report& report) {
     std::string text = "something had to be guessed, which strict conversion refuses:";
     for (const auto& [kind, numbers] : report.found)
         if (const KindFacts& facts = facts_of(kind); facts.fate == Fate::guessed)
-            text += " " + std::to_string(numbers.size()) + " " + std::string(facts.name) + ";";
+            text += " " + std::string(facts.name) + ": " + std::to_string(numbers.size()) + ";";
     text.pop_back();
     return text;
 }
+
+bool is_converted(const Report& report) { return report.refused.empty(); }
+
+std::string file_of(const std::string& map) { return in_case(map, 'A', 'a') + ".toml"; }
 
 /// One run's maps.
 class MapWriter {
@@ -112,7 +124,7 @@ private:
     }
 
     void write(const std::string& name, const MapFile& file, Report& report) const {
-        const Status failed = write_file(options_.out + "/" + in_case(name, 'A', 'a') + ".toml", write_map(file));
+        const Status failed = write_file(options_.out + "/" + file_of(name), write_map(file));
         if (failed) report.refused = failed->text();
     }
 
@@ -123,11 +135,15 @@ private:
     const TextureSet sizes_;
 };
 
+Status make_folder(const std::string& path) {
+    std::error_code failed;
+    std::filesystem::create_directories(path, failed);
+    return failed ? Status(Error{path, "cannot make the folder: " + failed.message()}) : Status();
+}
+
 }  // namespace
 
-bool RunResult::is_complete() const {
-    return problems.empty() && std::ranges::all_of(reports, [](const Report& r) { return r.refused.empty(); });
-}
+bool RunResult::is_complete() const { return problems.empty() && std::ranges::all_of(reports, is_converted); }
 
 Result<RunResult> convert_wads(const RunOptions& options, const Progress& progress) {
     const Result<WadPile> pile = read_pile(options.wads);
@@ -139,6 +155,7 @@ Result<RunResult> convert_wads(const RunOptions& options, const Progress& progre
     const Pictures& pictures = listed.value();
     const Sounds sounds = Sounds::list(pile.value());
 
+    if (Status failed = make_folder(options.out)) return *failed;
     const std::size_t total = pictures.files().size() + maps.value().size();
     std::atomic<std::size_t> done{0};
     const auto step = [&] { progress(done.fetch_add(1) + 1, total); };
@@ -149,17 +166,33 @@ Result<RunResult> convert_wads(const RunOptions& options, const Progress& progre
     };
     add_problems(pictures.problems());
     add_problems(sounds.problems());
-    add_problems(write_pictures(pictures, options.out + "/textures", options.jobs, step));
-    add_problems(sounds.write(options.out));
-
     const MapWriter writer(pile.value(), pictures, sounds, options);
     result.reports.resize(maps.value().size());
     parallel_for(maps.value().size(), options.jobs, [&](std::size_t i, std::size_t) {
         result.reports[i] = writer.convert(maps.value()[i]);
         step();
     });
+    if (std::ranges::any_of(result.reports, is_converted)) {
+        add_problems(write_pictures(pictures, options.out + "/textures", options.jobs, step));
+        add_problems(sounds.write(options.out));
+    } else {
+        for (std::size_t i = 0; i < pictures.files().size(); ++i) step();
+    }
     if (Status failed = write_file(options.out + "/report.txt", to_text(result))) return *failed;
     return result;
+}
+
+std::string written_text(const RunResult& result, const std::string& out) {
+    std::vector<std::string> files;
+    for (const Report& report : result.reports)
+        if (is_converted(report)) files.push_back(file_of(report.map));
+    if (files.empty()) return "No map was converted; " + out + "/report.txt says why\n";
+    std::string text = "Written to " + out + ": " + files.front();
+    if (files.size() == 2) text += ", " + files.back();
+    if (files.size() > 2) text += " to " + files.back() + " (" + counted(files.size(), "map") + ")";
+    for (const char* folder : {"textures", "sounds"})
+        if (std::filesystem::exists(out + "/" + folder)) text += std::string(", ") + folder;
+    return text + ", report.txt\n`enfilade play " + out + "/" + files.front() + "` walks through it\n";
 }
 
 std::string to_text(const RunResult& result) {

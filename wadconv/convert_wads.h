@@ -31,11 +31,15 @@ struct RunResult {
     bool is_complete() const;  ///< no map refused, no problem
 };
 
-/// Writes OUT/NAME.toml for every map (name in lower case), OUT/textures with all pictures, OUT/sounds, and
-/// OUT/report.txt. Every converted map is checked by build_map before it is written; one that does not pass is refused,
-/// like one that cannot be converted, and leaves no file. The same input gives the same bytes with any number of jobs.
-/// An Error where an archive cannot be read, a map that was asked for is not there, or nothing can be written.
+/// Writes OUT/NAME.toml for every map (name in lower case), OUT/textures with all pictures and OUT/sounds, both unless
+/// every map is refused, and OUT/report.txt. Every converted map is checked by build_map before it is written; one that
+/// does not pass is refused, like one that cannot be converted, and leaves no file. The same input gives the same bytes
+/// with any number of jobs. An Error where an archive cannot be read, a map that was asked for is not there, or nothing
+/// can be written.
 Result<RunResult> convert_wads(const RunOptions& options, const Progress& progress);
+
+/// What lies in the folder OUT now, and what to do with it: a line or two.
+std::string written_text(const RunResult& result, const std::string& out);
 
 /// The whole report as text: totals, then map by map.
 std::string to_text(const RunResult& result);

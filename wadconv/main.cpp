@@ -35,6 +35,11 @@ private:
     std::atomic<int> shown_{-1};
 };
 
+int refuse_usage(const std::string& what) {
+    std::fprintf(stderr, "wadconv: %s; see `wadconv --help`\n", what.c_str());
+    return kUsage;
+}
+
 int run(const RunOptions& options, bool is_verbose) {
     ProgressBar bar;
     const auto result = convert_wads(options, [&](std::size_t done, std::size_t total) { bar.show(done, total); });
@@ -47,7 +52,7 @@ int run(const RunOptions& options, bool is_verbose) {
         if (!report.refused.empty())
             std::fprintf(stderr, "wadconv: %s refused: %s\n", report.map.c_str(), report.refused.c_str());
     const std::string text = is_verbose ? to_text(result.value()) : totals_text(result.value().reports);
-    std::printf("%s", text.c_str());
+    std::printf("%s%s", text.c_str(), written_text(result.value(), options.out).c_str());
     return result.value().is_complete() ? kAllConverted : kSomeRefused;
 }
 
@@ -58,18 +63,30 @@ int main(int argc, char** argv) {
     RunOptions options;
     bool is_verbose = false;
     options.jobs = enfilade::hardware_threads();
-    app.add_option("WAD", options.wads, "the IWAD, then PWADs that lie on top of it")->required();
-    app.add_option("--map", options.maps, "convert only this map (E1M1, MAP01, …); may be given several times");
-    app.add_option("--out", options.out, "folder for NAME.toml, textures/ and report.txt")->required();
-    app.add_option("--jobs", options.jobs, "threads to use")->check(CLI::Range(1, 1024));
-    app.add_flag("--strict", options.strict, "refuse maps in which something had to be guessed");
-    app.add_flag("--open-doors", options.convert.open_doors, "raise every closed door, so that all can be walked");
-    app.add_flag("--verbose", is_verbose, "print the whole report, map by map, not only its totals");
+    app.add_option("WAD", options.wads, "The game's WAD, then patches that lie on top of it")->required();
+    app.add_option("--map", options.maps, "Convert only this map (E1M1, MAP01, …); may be given several times")
+        ->type_name("NAME");
+    app.add_option("--out", options.out,
+                   "Folder for NAME.toml, textures, sounds and report.txt; made if it is not there")
+        ->type_name("FOLDER")
+        ->required();
+    app.add_option("--jobs", options.jobs, "Threads to use; one for each core if not given")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    app.add_flag("--strict", options.strict, "Refuse maps in which something had to be guessed");
+    app.add_flag("--open-doors", options.convert.open_doors, "Raise every closed door, so that all can be walked");
+    app.add_flag("--verbose", is_verbose, "Print the whole report, map by map, not only its totals");
     app.set_version_flag("--version", "wadconv 0.1.0");
+    app.footer(
+        "Example:\n  wadconv /usr/share/games/doom/freedoom2.wad --map MAP01 --out levels\nExit status: 0 all "
+        "converted, "
+        "1 some maps refused, each by name, 2 wrong usage.");
     try {
         app.parse(argc, argv);
+    } catch (const CLI::Success& asked_for_text) {
+        return app.exit(asked_for_text);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kAllConverted : kUsage;
+        return refuse_usage(error.what());
     }
     return run(options, is_verbose);
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/check.h"
+#include "formats/number_text.h"
 
 namespace enfilade::wadconv {
 namespace {
@@ -100,13 +101,13 @@ std::string numbers_text(std::string_view what, std::vector<std::uint32_t> numbe
     return text + line + "\n";
 }
 
-/// "   12 name: rule" for every kind of that fate that was found.
+/// "    name: 12. Rule." for every kind of that fate that was found.
 std::string kinds_text(const std::map<Kind, std::vector<std::uint32_t>>& found, Fate fate, bool with_numbers) {
     std::string text;
     for (const auto& [kind, numbers] : found) {
         const KindFacts& facts = facts_of(kind);
         if (facts.fate != fate) continue;
-        text += "    " + std::to_string(numbers.size()) + " " + std::string(facts.name) + ": " +
+        text += "    " + std::string(facts.name) + ": " + std::to_string(numbers.size()) + ". " +
                 std::string(facts.rule) + "\n";
         if (with_numbers) text += numbers_text(facts.numbers, numbers);
     }
@@ -121,16 +122,15 @@ std::string counts_text(std::string_view what, const std::map<int, std::size_t>&
 }
 
 std::string sides_text(const SideCount& sides) {
-    return "  " + std::to_string(sides.referred) + " sides = " + std::to_string(sides.walls) + " walls + " +
+    return "  " + counted(sides.referred, "side") + " = " + counted(sides.walls, "wall") + " + " +
            std::to_string(sides.panels) + " on panels + " + std::to_string(sides.doubled) + " drawn twice + " +
            std::to_string(sides.dropped) + " dropped\n";
 }
 
 std::string sums_text(const Report& r) {
-    return "  " + std::to_string(r.lines) + " lines, " + std::to_string(r.sectors) + " sectors, " +
-           std::to_string(r.things) + " things -> " + std::to_string(r.parts) + " sectors, " + std::to_string(r.walls) +
-           " walls (" + std::to_string(r.portals) + " portals), " + std::to_string(r.panels) + " panels, " +
-           std::to_string(r.placed_things) + " things\n";
+    return "  " + counted(r.lines, "line") + ", " + counted(r.sectors, "sector") + ", " + counted(r.things, "thing") +
+           " -> " + counted(r.parts, "sector") + ", " + counted(r.walls, "wall") + " (" + counted(r.portals, "portal") +
+           "), " + counted(r.panels, "panel") + ", " + counted(r.placed_things, "thing") + "\n";
 }
 
 std::string body_text(const Report& report, bool with_numbers) {
@@ -193,7 +193,7 @@ std::string totals_text(const std::vector<Report>& reports) {
         else
             ++refused;
     }
-    return "Total: " + std::to_string(reports.size() - refused) + " maps converted, " + std::to_string(refused) +
+    return "Total: " + counted(reports.size() - refused, "map") + " converted, " + std::to_string(refused) +
            " refused\n" + body_text(total, false);
 }
 

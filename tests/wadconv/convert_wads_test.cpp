@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "app/cli/program.h"
 #include "map/load.h"
 #include "support/temp_dir.h"
 #include "wadconv/wad_builder.h"
@@ -101,7 +102,7 @@ TEST(ConvertWads, NamesAMapThatIsNotThere) {
     Bench bench;
     bench.add(wad_with({{"E1M1", small_level()}}));
     bench.options.maps = {"E9M9"};
-    EXPECT_THAT(bench.run().error().text(), HasSubstr("no map E9M9"));
+    EXPECT_THAT(bench.run().error().text(), HasSubstr("no map E9M9; the only one is E1M1"));
 }
 
 TEST(ConvertWads, RefusesOneMapAndConvertsTheOthers) {
@@ -129,7 +130,34 @@ TEST(ConvertWads, RefusesGuessesOnlyWhenStrict) {
     bench.add(wad_with({{"MAP01", gappy_level()}}));
     EXPECT_EQ(bench.run().value().reports[0].refused, "");
     bench.options.strict = true;
-    EXPECT_THAT(bench.run().value().reports[0].refused, HasSubstr("1 sectors that lack one line"));
+    EXPECT_THAT(bench.run().value().reports[0].refused, HasSubstr("sectors that lack one line: 1"));
+}
+
+TEST(ConvertWads, LeavesOnlyTheReportWhereEveryMapIsRefused) {
+    Bench bench;
+    bench.add(wad_with({{"MAP01", gappy_level()}}));
+    bench.options.strict = true;
+    std::size_t steps = 0, of = 0;
+    const auto result = convert_wads(bench.options, [&](std::size_t, std::size_t total) {
+        ++steps;
+        of = total;
+    });
+    ASSERT_TRUE(result.ok());
+    EXPECT_EQ(steps, of);
+    EXPECT_TRUE(bench.wrote("report.txt"));
+    EXPECT_FALSE(bench.wrote("textures"));
+    EXPECT_FALSE(bench.wrote("sounds"));
+    EXPECT_EQ(written_text(result.value(), "out"), "No map was converted; out/report.txt says why\n");
+}
+
+TEST(ConvertWads, SaysWhatItWrote) {
+    Bench bench;
+    bench.add(wad_with({{"E1M1", small_level()}, {"E1M2", broken_level()}, {"E1M3", small_level()}}));
+    const std::string& out = bench.options.out;
+    EXPECT_EQ(written_text(bench.run().value(), out), "Written to " + out +
+                                                          ": e1m1.toml, e1m3.toml, textures, sounds, report.txt\n"
+                                                          "`enfilade play " +
+                                                          out + "/e1m1.toml` walks through it\n");
 }
 
 TEST(ConvertWads, LaysAPatchOverTheIwad) {
@@ -169,12 +197,24 @@ TEST(ConvertWads, CountsItsStepsUpToTheTotal) {
     EXPECT_EQ(steps.size(), of);
 }
 
+/// The program itself.
+TEST(WadconvCommand, RefusesWrongUsageInOneSentence) {
+    const enfilade::test::Program wadconv;
+    const std::vector<std::vector<std::string>> wrong{
+        {}, {"a.wad"}, {"--loud"}, {"a.wad", "--out", "o", "--jobs", "0"}};
+    for (const auto& arguments : wrong) {
+        const auto ended = wadconv.run(arguments);
+        EXPECT_EQ(ended.exit_code, 2);
+        EXPECT_THAT(ended.err, ::testing::MatchesRegex("wadconv: [^\n]+; see `wadconv --help`\n"));
+    }
+}
+
 TEST(ReportText, TellsNumbersByKind) {
     Bench bench;
     bench.add(wad_with({{"MAP01", small_level()}, {"MAP02", gappy_level()}}));
     const std::string text = to_text(bench.run().value());
     EXPECT_THAT(text, HasSubstr("2 maps converted, 0 refused"));
-    EXPECT_THAT(text, HasSubstr("1 sectors that lack one line"));
+    EXPECT_THAT(text, HasSubstr("sectors that lack one line: 1. Closed by"));
     EXPECT_THAT(text, HasSubstr("      sector 0\n"));
     EXPECT_THAT(text, HasSubstr("line specials (number x times): 97x1"));
     EXPECT_THAT(text, HasSubstr("COLORMAP's 32 levels of light are within 1 %"));
