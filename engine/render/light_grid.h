@@ -30,6 +30,12 @@ constexpr std::uint32_t lane(LightCell cell, int channel) {
     return static_cast<std::uint32_t>(cell >> channel * kLaneBits) & kMostLight;
 }
 
+/// Whether it makes no surface brighter; then neither does anything between two such cells.
+constexpr bool is_dark(LightCell cell) {
+    constexpr std::uint32_t kSeen = kMostLight & ~(kLightSteps - 1);
+    return (cell & light_cell(kSeen, kSeen, kSeen)) == 0;
+}
+
 /// Between two cells, `part` of 256 of the way from a to b. part: 0..256.
 constexpr LightCell between(LightCell a, LightCell b, std::uint32_t part) {
     constexpr LightCell kLanes = light_cell(kMostLight, kMostLight, kMostLight);
@@ -53,9 +59,11 @@ inline constexpr double kLightCell = 0.25;
 /// The light on a rectangle of a surface. A place is (u, v) on it: walls and panels (metres along from a, height z),
 /// flats (x, y), all in the space of the surface's own sector.
 struct LightGrid {
-    double u = 0, v = 0;           ///< of the first point [m]
-    int columns = 0, rows = 0;     ///< points along u and along v, each >= 2
-    std::vector<LightCell> cells;  ///< by column: cells[column * rows + row]
+    double u = 0, v = 0;                                     ///< of the first point [m]
+    int columns = 0, rows = 0;                               ///< points along u and along v, each >= 2
+    std::vector<LightCell> cells;                            ///< by column: cells[column * rows + row]
+    bool is_dark_before_u = false, is_dark_after_u = false;  ///< all points of the first, or last, column are dark
+    bool is_dark_before_v = false, is_dark_after_v = false;  ///< the same of rows
 };
 
 /// Where a place is between the points of one direction.
@@ -78,6 +86,12 @@ inline LightCell light_between(const LightGrid& grid, GridStep across, GridStep 
                                          static_cast<std::size_t>(along.cell)];
     const LightCell* second = first + grid.rows;
     return between(between(first[0], second[0], across.part), between(first[1], second[1], across.part), along.part);
+}
+
+/// Whether a place is so far beyond the grid that it is dark. Counted in points from the first.
+inline bool is_beyond_light(const LightGrid& grid, double across, double along) {
+    return (grid.is_dark_before_u && across <= 0) || (grid.is_dark_after_u && across >= grid.columns - 1) ||
+           (grid.is_dark_before_v && along <= 0) || (grid.is_dark_after_v && along >= grid.rows - 1);
 }
 
 /// The light at a place: even between the four points around it; beyond the grid that of its edge.

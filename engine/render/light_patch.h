@@ -70,7 +70,8 @@ struct LampColor {
 /// Of the light with its effect: a function of the snapshot's time.
 LampColor lamp_color(const Map& map, const Snapshot& snapshot, std::uint32_t light);
 
-/// The sum of patches, each in its light's colour. Empty (columns == 0) where nothing of it is seen.
+/// The sum of patches, each in its light's colour, cut down to where it is bright enough to be seen and a rim around
+/// it. Empty (columns == 0) where nothing of it is seen.
 LightGrid sum_of(std::span<const LightPatch> patches, std::span<const LampColor> colors);
 
 }  // namespace enfilade

@@ -48,6 +48,10 @@ LightCell glow_at(const WallGlow& glow, std::uint64_t position) {
     return between(cell[0], cell[1], static_cast<std::uint32_t>(at >> 24) & 0xFF);
 }
 
+bool is_dark(const WallGlow& glow) {
+    return std::all_of(glow.cells, glow.cells + glow.count, [](LightCell cell) { return enfilade::is_dark(cell); });
+}
+
 template <bool kHasFog, bool kIsOver>
 void paint_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
     TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
@@ -74,14 +78,19 @@ void lay_wall_as(const Run& run, const WallRun& wall) {
     }
 }
 
+/// Beyond this depth positions are not counted.
+double farthest_of(const FlatRun& flat) {
+    const double most =
+        std::max(flat.step_u < 0 ? -flat.step_u : flat.step_u, flat.step_v < 0 ? -flat.step_v : flat.step_v);
+    return std::min(flat.farthest, kMostTiles / most);
+}
+
 /// color_at(texel, row, depth): what a pixel shows, without fog.
 template <bool kHasFog, class ColorAt>
 void fill_flat_with(const Run& run, const FlatRun& flat, ColorAt color_at) {
     const Texture& texture = *flat.texture;
     const std::uint32_t* texels = texture.pixels.data();
-    const double most =
-        std::max(flat.step_u < 0 ? -flat.step_u : flat.step_u, flat.step_v < 0 ? -flat.step_v : flat.step_v);
-    const double farthest = std::min(flat.farthest, kMostTiles / most);
+    const double farthest = farthest_of(flat);
     for (int i = 0; i < run.count; ++i) {
         const int row = run.first_row + i;
         const double depth = std::min(flat.row_depths[row], farthest);
@@ -108,6 +117,24 @@ void fill_lit_flat_as(const Run& run, const FlatRun& flat, const FlatGlow& glow)
     });
 }
 
+/// Which pixels of the run, from `first` on and before `end`, may be lit: only both ends of the run are looked at.
+struct LitPart {
+    int first, end;
+};
+LitPart lit_part(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
+    const double farthest = farthest_of(flat);
+    const auto is_dark = [&](int i) {
+        const double depth = std::min(flat.row_depths[run.first_row + i], farthest);
+        return is_beyond_light(*glow.grid, glow.base_u + depth * glow.step_u, glow.base_v + depth * glow.step_v);
+    };
+    LitPart part{0, run.count};
+    while (part.first < part.end && is_dark(part.first)) ++part.first;
+    while (part.first < part.end && is_dark(part.end - 1)) --part.end;
+    return part;
+}
+
+Run part_of(const Run& run, int first, int end) { return {run.pixels + first, run.first_row + first, end - first}; }
+
 [[gnu::noinline]] void fill_flat_in_fog(const Run& run, const FlatRun& flat) { fill_flat_as<true>(run, flat); }
 
 }  // namespace
@@ -131,6 +158,7 @@ void lay_wall(const Run& run, const WallRun& wall) {
 }
 
 void fill_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
+    if (is_dark(glow)) return fill_wall(run, wall);
     if (built_in::kFog && wall.mist != 0)
         paint_lit_wall<true, false>(run, wall, glow);
     else
@@ -138,17 +166,11 @@ void fill_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
 }
 
 void lay_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
+    if (is_dark(glow)) return lay_wall(run, wall);
     if (built_in::kFog && wall.mist != 0)
         paint_lit_wall<true, true>(run, wall, glow);
     else
         paint_lit_wall<false, true>(run, wall, glow);
-}
-
-void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
-    if (built_in::kFog && flat.row_mists)
-        fill_lit_flat_as<true>(run, flat, glow);
-    else
-        fill_lit_flat_as<false>(run, flat, glow);
 }
 
 void fill_flat(const Run& run, const FlatRun& flat) {
@@ -156,6 +178,16 @@ void fill_flat(const Run& run, const FlatRun& flat) {
         fill_flat_in_fog(run, flat);
     else
         fill_flat_as<false>(run, flat);
+}
+
+void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
+    const auto [first, end] = lit_part(run, flat, glow);
+    fill_flat(part_of(run, 0, first), flat);
+    if (built_in::kFog && flat.row_mists)
+        fill_lit_flat_as<true>(part_of(run, first, end), flat, glow);
+    else
+        fill_lit_flat_as<false>(part_of(run, first, end), flat, glow);
+    fill_flat(part_of(run, end, run.count), flat);
 }
 
 void fill_sky(const Run& run, const SkyRun& sky) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "base/random.h"
@@ -90,6 +91,67 @@ TEST(LaySky, MixesWhatIsThereByItsAlpha) {
     EXPECT_EQ(pixels[0], 0xFF204060u);
     EXPECT_EQ(pixels[1], laid_over(0xFF204060u, 0x80FF0000u));
     EXPECT_EQ(pixels[2], 0xFF0000FFu);
+}
+
+/// A pool of light with a dark rim on some sides, as it lies on a floor.
+LightGrid random_pool(Random& random) {
+    LightGrid pool{0, 0, 5, 6, {}};
+    pool.is_dark_before_u = random.below(2) == 0;
+    pool.is_dark_after_u = random.below(2) == 0;
+    pool.is_dark_before_v = random.below(2) == 0;
+    pool.is_dark_after_v = random.below(2) == 0;
+    for (int column = 0; column < 5; ++column)
+        for (int row = 0; row < 6; ++row) {
+            const bool is_rim = (column == 0 && pool.is_dark_before_u) || (column == 4 && pool.is_dark_after_u) ||
+                                (row == 0 && pool.is_dark_before_v) || (row == 5 && pool.is_dark_after_v);
+            const auto light = static_cast<std::uint32_t>(random.below(is_rim ? kLightSteps : 4000));
+            pool.cells.push_back(light_cell(light, light / 2, light / 3));
+        }
+    return pool;
+}
+
+TEST(FillLitFlat, LightsEachPixelByItsPlaceWhereverTheLightEnds) {
+    const Texture texture = numbered(64, 32);
+    Random random(11);
+    for (int trial = 0; trial < 500; ++trial) {
+        const LightGrid pool = random_pool(random);
+        std::vector<double> depths(60);
+        std::vector<Shade> shades(60);
+        for (std::size_t i = 0; i < 60; ++i) {
+            depths[i] = 40.0 / static_cast<double>(i + 1 + random.below(3));
+            shades[i] = static_cast<Shade>(random.below(257));
+        }
+        const auto number = [&] { return static_cast<double>(random.below(1000)) / 100 - 5; };
+        const FlatRun flat{&texture, 0.3, 0.6, number(), number(), 20, depths.data(), shades.data()};
+        const FlatGlow glow{&pool, number(), number(), number() / 4, number() / 4};
+        std::vector<std::uint32_t> plain(60), lit_up(60);
+        const std::vector<Shade> bright(60, 256);
+        FlatRun painted = flat;
+        painted.row_shades = bright.data();
+        fill_flat({plain.data(), 0, 60}, painted);
+        fill_lit_flat({lit_up.data(), 0, 60}, flat, glow);
+        for (std::size_t i = 0; i < 60; ++i) {
+            const double depth = std::min(depths[i], 20.0);
+            const GridStep across = grid_step(glow.base_u + depth * glow.step_u, 5);
+            const GridStep along = grid_step(glow.base_v + depth * glow.step_v, 6);
+            ASSERT_EQ(lit_up[i], lit(plain[i], shades[i], light_between(pool, across, along))) << trial << " " << i;
+        }
+    }
+}
+
+TEST(FillLitWall, IsPlainInLightThatIsTooFaintToBeSeen) {
+    const Texture texture = numbered(1, 77);
+    const WallRun wall{texture.pixels.data(), 77, tile_steps(0.1), tile_steps(0.013), 200};
+    const std::vector<LightCell> faint(4, light_cell(15, 7, 15)), seen{faint[0], faint[0], light_cell(1600, 0, 0), 0};
+    const auto drawn = [&](const std::vector<LightCell>& cells) {
+        std::vector<std::uint32_t> pixels(100);
+        fill_lit_wall({pixels.data(), 0, 100}, wall, {cells.data(), 4, 0, tile_steps(0.03 * 0x1p-32)});
+        return pixels;
+    };
+    std::vector<std::uint32_t> plain(100);
+    fill_wall({plain.data(), 0, 100}, wall);
+    EXPECT_EQ(drawn(faint), plain);
+    EXPECT_NE(drawn(seen), plain);
 }
 
 }  // namespace
