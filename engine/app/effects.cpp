@@ -45,7 +45,10 @@ std::size_t count_triggers(const MapFile& map, Test test) {
         count += static_cast<std::size_t>(
             std::ranges::count_if(triggers, [&](const TriggerRecord& trigger) { return test(trigger.deed); }));
     };
-    for (const SectorRecord& sector : map.sectors) add(sector.triggers);
+    for (const SectorRecord& sector : map.sectors) {
+        add(sector.triggers);
+        for (const PanelRecord& panel : sector.panels) add(panel.triggers);
+    }
     each_wall(map, [&](const WallRecord& wall) { add(wall.triggers); });
     for (const ThingRecord& thing : map.things) add(thing.triggers);
     return count;

@@ -12,8 +12,8 @@ namespace enfilade {
 
 /// What sets a trigger off.
 enum class Occasion : std::uint8_t {
-    use,    ///< somebody presses "use" at the wall; a sector's: at any portal that leads into it
-    cross,  ///< somebody passes the portal, in whichever direction; walls only
+    use,    ///< somebody presses "use" at the wall or panel; a sector's: at any portal that leads into it
+    cross,  ///< somebody passes the portal or the panel, in whichever direction; walls and panels only
     enter,  ///< somebody comes into the sector; sectors only
     touch,  ///< somebody touches the thing; things only
     start,  ///< the map begins
@@ -78,7 +78,8 @@ struct TriggerRecord {
     std::vector<std::string> targets;  ///< `target`: sectors by name or tag; teleport: a thing; exit: a map. None: the
                                        ///< sector it is on, or the one behind its wall
     bool once = false;                 ///< works only once
-    bool one_way = false;              ///< cross: only when leaving the sector of this wall
+    bool one_way = false;              ///< cross: only when leaving the sector of this wall; use and cross of a panel:
+                                       ///< only from its right, as one_sided
     std::string key;                   ///< works only for who has it; empty: for everybody
     double after = 0;                  ///< seconds that pass before it works [s]
     std::optional<double> z;           ///< floor, ceiling: where to go [m]

@@ -89,6 +89,8 @@ struct PanelRecord {
     TextureSpec texture;
     std::optional<double> size;
     bool one_sided = false;  ///< seen only from the right of a -> b
+    bool blocks = false;     ///< nobody passes, at whatever height
+    std::vector<TriggerRecord> triggers;
     std::optional<DoomRecord> doom;
     TextPlace place;
     bool operator==(const PanelRecord&) const = default;

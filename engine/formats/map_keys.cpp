@@ -89,6 +89,7 @@ std::vector<KeyInfo> map_keys() {
     add_trigger_infos(all, "sectors.loops.walls.triggers.");
     add_key_infos<DoomRecord>(all, "sectors.loops.walls.doom.");
     add_key_infos<PanelRecord>(all, "sectors.panels.");
+    add_trigger_infos(all, "sectors.panels.triggers.");
     add_key_infos<DoomRecord>(all, "sectors.panels.doom.");
     add_key_infos<ThingRecord>(all, "things.");
     add_key_infos<SpriteFrameRecord>(all, "things.frames.");

@@ -44,6 +44,8 @@ constexpr std::array kPanelKeys{
     key<&PanelRecord::texture>("texture", kNew, Need::required),
     key<&PanelRecord::size>("size", kNew, Need::optional, kTexelsPerMetre),
     key<&PanelRecord::one_sided>("one_sided", kNew),
+    key<&PanelRecord::blocks>("blocks", kNew),
+    key<&PanelRecord::triggers>("triggers", kNew),
     key<&PanelRecord::doom>("doom", kNew),
 };
 

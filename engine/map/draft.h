@@ -43,6 +43,11 @@ struct Draft {
     std::vector<WallDraft> walls;              ///< indexed by WallId
     std::vector<const ThingRecord*> things{};  ///< indexed by ThingId
 
+    const PanelRecord& record_of(PanelId id) const {
+        const Panel& panel = map[id];
+        return sectors[panel.sector.index].record->panels[id.index - map[panel.sector].first_panel];
+    }
+
     bool was_sound = true;  ///< the reader found no error
 
     /// True for the enfilade dialect: what was ambiguous in the tutorial's is an error here.

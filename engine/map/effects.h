@@ -34,9 +34,10 @@ struct Trigger {
     LightLevel light_of = LightLevel::given;
     std::optional<LightEffectRecord> effect;
     SoundId sound;  ///< none: silent
-    /// Where it is heard from, what it is on: one of the three, where it has a sound.
+    /// Where it is heard from, what it is on: one of the four, where it has a sound.
     SectorId on_sector;
     WallId on_wall;
+    PanelId on_panel;
     ThingId on_thing;
     static constexpr std::uint32_t kNoKey = 0xFFFFFFFFu;
 };

@@ -58,7 +58,6 @@ struct Wall {
 
 /// A wall without thickness that stands free inside a sector and is seen from both sides; from b's side as from a's, so
 /// that its picture is mirrored from behind. It may touch walls and other panels, and lie along them, but crosses none.
-/// Bodies pass it.
 struct Panel {
     Vec2 a;         ///< on the vertex grid
     Vec2 b;         ///< on the vertex grid, not a
@@ -68,6 +67,11 @@ struct Panel {
     double contrast = 1;         ///< as a wall's
     Surface surface;             ///< hangs from `top`, whatever its peg; no texture: nothing to be seen
     bool one_sided = false;      ///< only seen by an eye for which a wall a -> b would face (math/predicates.h)
+    bool blocks = false;         ///< looks pass, bodies do not, at whatever height
+    TriggerRange triggers;       ///< use, cross and start
+
+    /// Whether it is there for those who move, and not only to be looked at.
+    bool is_active() const { return blocks || triggers.count > 0; }
 };
 
 /// A picture with alpha that is laid over a sky.
@@ -98,6 +102,7 @@ struct Sector {
     std::uint32_t solid_count = 0;  ///< Map::solid_things
     std::uint32_t first_panel = 0;  ///< its panels are [first_panel, first_panel + panel_count) of Map::panels
     std::uint32_t panel_count = 0;
+    std::uint32_t active_panels = 0;    ///< how many of them block or have triggers
     std::uint32_t first_touchable = 0;  ///< the things in it that do something when touched are
     std::uint32_t touchable_count = 0;  ///< [first_touchable, first_touchable + touchable_count) of Map::touchables
     TriggerRange triggers;              ///< use, enter and start
@@ -183,7 +188,7 @@ struct Map {
     std::vector<ThingId> solid_things;  ///< by sector, each sector's in the order of their numbers
     double widest_solid_m = 0;          ///< largest radius among them; 0: there are none
     std::vector<ThingId> touchables;    ///< by sector, each sector's in the order of their numbers
-    std::vector<Trigger> triggers;      ///< first those of sectors, then of walls, then of things
+    std::vector<Trigger> triggers;      ///< first those of sectors, then of walls, of panels and of things
     std::vector<TriggerId> at_start;    ///< those that the start of the map sets off
     std::vector<Sound> sounds;
     std::vector<ThingId> sounding_things;  ///< by sector, each sector's in the order of their numbers

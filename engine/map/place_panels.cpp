@@ -130,6 +130,8 @@ void add_panels(Draft& draft, SectorId id) {
         panel.sector = id;
         panel.bottom = written.bottom;
         panel.top = written.top;
+        panel.blocks = written.blocks;
+        if (written.blocks || !written.triggers.empty()) ++sector.active_panels;
         check_record(draft, record, written, panel);
         draft.map.panels.push_back(panel);
     }

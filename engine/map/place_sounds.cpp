@@ -47,6 +47,12 @@ public:
                               [&](Trigger& t) { t.on_wall = WallId(i); });
     }
 
+    void place_on_panels() {
+        for (std::size_t i = 0; i < map_.panels.size(); ++i)
+            place_on_triggers(map_.panels[i].triggers, draft_.record_of(PanelId(i)).triggers,
+                              [&](Trigger& t) { t.on_panel = PanelId(i); });
+    }
+
     void place_on_things() {
         for (std::size_t i = 0; i < map_.things.size(); ++i) {
             const ThingRecord& record = *draft_.things[i];
@@ -93,6 +99,7 @@ void place_sounds(Draft& draft) {
     placer.add_sounds();
     placer.place_on_sectors();
     placer.place_on_walls();
+    placer.place_on_panels();
     placer.place_on_things();
 }
 

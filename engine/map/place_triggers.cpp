@@ -12,13 +12,15 @@ namespace enfilade {
 namespace {
 
 /// What has triggers.
-enum class Bearer { sector, wall, portal, thing };
+enum class Bearer { sector, wall, portal, panel, barrier, thing };
 
 std::string_view name_of(Bearer bearer) {
     switch (bearer) {
         case Bearer::sector: return "a sector";
         case Bearer::wall: return "a solid wall";
         case Bearer::portal: return "a portal";
+        case Bearer::panel: return "a panel";
+        case Bearer::barrier: return "a panel that blocks";
         case Bearer::thing: return "a thing";
     }
     return "";
@@ -27,7 +29,7 @@ std::string_view name_of(Bearer bearer) {
 bool can_be_set_off(Occasion on, Bearer bearer) {
     switch (on) {
         case Occasion::use: return bearer != Bearer::thing;
-        case Occasion::cross: return bearer == Bearer::portal;
+        case Occasion::cross: return bearer == Bearer::portal || bearer == Bearer::panel;
         case Occasion::enter: return bearer == Bearer::sector;
         case Occasion::touch: return bearer == Bearer::thing;
         case Occasion::start: return true;
@@ -180,6 +182,8 @@ bool has_triggers(const MapFile& file) {
         for (const LoopRecord& loop : sector.loops)
             for (const WallRecord& wall : loop.walls)
                 if (!wall.triggers.empty()) return true;
+        for (const PanelRecord& panel : sector.panels)
+            if (!panel.triggers.empty()) return true;
     }
     return std::any_of(file.things.begin(), file.things.end(), [](const ThingRecord& thing) {
         return !thing.triggers.empty() || !thing.gives_key.empty() || thing.gives_health > 0;
@@ -224,6 +228,12 @@ void place_triggers(Draft& draft) {
         const Bearer bearer = wall.kind == WallKind::portal ? Bearer::portal : Bearer::wall;
         if (!draft.walls[i].record->triggers.empty())
             wall.triggers = placer.place(draft.walls[i].record->triggers, bearer, wall.behind);
+    }
+    for (std::size_t i = 0; i < draft.map.panels.size(); ++i) {
+        Panel& panel = draft.map.panels[i];
+        const PanelRecord& record = draft.record_of(PanelId(i));
+        const Bearer bearer = panel.blocks ? Bearer::barrier : Bearer::panel;
+        if (!record.triggers.empty()) panel.triggers = placer.place(record.triggers, bearer, panel.sector);
     }
     for (std::size_t i = 0; i < draft.map.things.size(); ++i) {
         Thing& thing = draft.map.things[i];

@@ -74,7 +74,10 @@ Names names_used(const MapFile& file) {
                 for (const auto* spec : {&wall.texture, &wall.upper, &wall.lower, &wall.middle}) note(names, *spec);
                 note(names, wall.triggers);
             }
-        for (const PanelRecord& panel : sector.panels) note(names, panel.texture);
+        for (const PanelRecord& panel : sector.panels) {
+            note(names, panel.texture);
+            note(names, panel.triggers);
+        }
     }
     for (const ThingRecord& thing : file.things) note(names, thing.triggers);
     for (const ThingRecord& thing : file.things)

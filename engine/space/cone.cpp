@@ -22,12 +22,12 @@ Vec2 direction_to(Vec2 v, Vec2 p) { return v == p ? kTowardsOwnPoint : v - p; }
 Vec2 unit(Vec2 v) { return v * (1 / std::sqrt(dot(v, v))); }
 
 /// How many times `ahead` leads from p to the line of the wall, which it approaches from the wall's own side.
-double lengths_to_wall(const Wall& wall, Vec2 p, Vec2 ahead) {
+double lengths_to_wall(const Face& wall, Vec2 p, Vec2 ahead) {
     return exact_cross(wall.a, wall.b, p) / -cross(wall.b - wall.a, ahead);
 }
 
 /// Where the look from p past the corner v meets the wall; `end` where the two are all but parallel.
-Vec2 seen_past(const Wall& wall, Vec2 p, Vec2 v, Vec2 end) {
+Vec2 seen_past(const Face& wall, Vec2 p, Vec2 v, Vec2 end) {
     const Vec2 ahead = direction_to(v, p);
     const double lengths = lengths_to_wall(wall, p, ahead);
     return lengths >= 0 && lengths * std::sqrt(dot(ahead, ahead)) < kWorldLimit ? p + ahead * lengths : end;
@@ -35,7 +35,7 @@ Vec2 seen_past(const Wall& wall, Vec2 p, Vec2 v, Vec2 end) {
 
 }  // namespace
 
-std::optional<Cone> cone_of(const Wall& wall, Vec2 p, const std::optional<Cone>& window) {
+std::optional<Cone> cone_of(const Face& wall, Vec2 p, const std::optional<Cone>& window) {
     if (side_of_line(wall.a, wall.b, p) < 0) return {};
     const Cone whole{wall.a, wall.b};
     if (!window) return whole;
@@ -48,12 +48,12 @@ std::optional<Cone> cone_of(const Wall& wall, Vec2 p, const std::optional<Cone>&
     return seen;
 }
 
-Stretch stretch_in(const Wall& wall, Vec2 p, const Cone& cone) {
+Stretch stretch_in(const Face& wall, Vec2 p, const Cone& cone) {
     return {cone.left == wall.a ? wall.a : seen_past(wall, p, cone.left, wall.a),
             cone.right == wall.b ? wall.b : seen_past(wall, p, cone.right, wall.b)};
 }
 
-bool is_beyond(const Wall& wall, const Wall& window_wall, Vec2 p, const Cone& cone) {
+bool is_beyond(const Face& wall, const Face& window_wall, Vec2 p, const Cone& cone) {
     const int a = corner(window_wall.a, window_wall.b, wall.a), b = corner(window_wall.a, window_wall.b, wall.b);
     if (a >= 0 && b >= 0) return true;
     if (a <= 0 && b <= 0) return false;

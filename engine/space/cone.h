@@ -12,9 +12,17 @@ struct Cone {
     Vec2 left, right;
 };
 
+/// A wall, or one side of a panel: an edge a -> b that is seen from its right.
+struct Face {
+    Vec2 a, b;  ///< on the vertex grid
+
+    Face(Vec2 start, Vec2 end) : a(start), b(end) {}
+    Face(const Wall& wall) : a(wall.a), b(wall.b) {}  // NOLINT(google-explicit-constructor): a wall is one
+};
+
 /// The part of the cone in which the wall is seen from its own side, or none. `window` none: all directions.
 /// p: where the eye is, on the point grid.
-std::optional<Cone> cone_of(const Wall& wall, Vec2 p, const std::optional<Cone>& window);
+std::optional<Cone> cone_of(const Face& wall, Vec2 p, const std::optional<Cone>& window);
 
 /// A stretch of a wall; neither end needs to be on a grid, unless it is an end of the wall.
 struct Stretch {
@@ -22,10 +30,10 @@ struct Stretch {
 };
 
 /// The stretch of the wall inside a cone that cone_of() gave for it. Ends that the cone does not cut are exact.
-Stretch stretch_in(const Wall& wall, Vec2 p, const Cone& cone);
+Stretch stretch_in(const Face& wall, Vec2 p, const Cone& cone);
 
 /// True where the wall, inside a cone that lies within `window_wall`, is farther from p than that one: seen through
-/// it, not before it. The two do not cross.
-bool is_beyond(const Wall& wall, const Wall& window_wall, Vec2 p, const Cone& cone);
+/// it, not before it; also where both lie on one line. The two do not cross.
+bool is_beyond(const Face& wall, const Face& window_wall, Vec2 p, const Cone& cone);
 
 }  // namespace enfilade

@@ -7,19 +7,35 @@
 // walls crossed outward, the one with the smallest fraction beyond the entrance. That holds for sectors that are not
 // convex, for holes, for several outlines and where two loops touch in a vertex: the moved path never sees the vertex.
 #pragma once
+#include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "map/map.h"
 
 namespace enfilade {
 
+/// A few grid steps straight through a wall, into its sector.
+struct Hop {
+    WallId through;
+    Vec2 from;  ///< before the wall
+};
+
 /// The path from -> to, of which the part in `sector` is meant. `from` and `to` are on the point grid and in the
 /// space of the sector; `from` may lie outside it (then the path comes in through `entry`), and so may `to`.
 struct Leg {
     SectorId sector;
     Vec2 from, to;
-    WallId entry;  ///< wall of `sector` through which the path comes in; none: `from` is inside
+    WallId entry;              ///< wall of `sector` through which the path comes in; none: `from` is inside
+    std::optional<Hop> hop{};  ///< by which the path got to `from`, where it did not come in straight
 };
+
+/// Quick and exact: a path that the tie rule moves by (e, e^2) crosses no edge a - b whose box its own does not touch.
+inline bool boxes_touch(const Leg& leg, Vec2 a, Vec2 b) {
+    const Vec2 p = leg.from, q = leg.to;
+    return std::max(a.x, b.x) >= std::min(p.x, q.x) && std::min(a.x, b.x) <= std::max(p.x, q.x) &&
+           std::max(a.y, b.y) >= std::min(p.y, q.y) && std::min(a.y, b.y) <= std::max(p.y, q.y);
+}
 
 /// The wall through which the leg leaves its sector, or none: `to` is inside, exactly.
 /// Cost: the sector's walls.
@@ -33,13 +49,17 @@ bool comes_in_through(const Wall& wall, Vec2 from, Vec2 to);
 ///
 /// Through a plain portal the path stays what it is. Through a link it is carried over and put onto the point grid;
 /// where rounding or the tie rule (which does not turn with the link) lets the carried path miss the wall it comes out
-/// of, it starts anew just behind that wall, and an end that would lie before the wall is moved behind it. Neither
-/// moves a point by more than a few grid steps, but where the sector has no grid point that near.
+/// of, it starts anew just behind that wall (`hop`), and an end that would lie before the wall is moved behind it.
+/// Neither moves a point by more than a few grid steps, but where the sector has no grid point that near.
 std::optional<Leg> leg_behind(const Map& map, const Leg& leg, WallId portal);
 
-/// The last grid point of the leg, before it leaves through `exit`, that is inside the sector together with the whole
-/// way to it; none where the leg has no such point. Searched in growing steps: at most twice as far from the wall as
-/// the very last one, and the very last one where the path meets the wall squarely.
-std::optional<Vec2> last_point_before(const Map& map, const Leg& leg, WallId exit);
+/// Says whether a leg may end where it does, besides that the way there stays in its sector.
+using MayEnd = std::function<bool(const Leg&)>;
+
+/// The last grid point of the leg, before it meets the edge a - b, that is inside the sector together with the whole
+/// way to it and where the leg `may_end`; none where the leg has no such point. Searched in growing steps: at most
+/// twice as far from the edge as the very last one, and the very last one where the path meets the edge squarely.
+/// a, b: a wall or a panel that the leg crosses
+std::optional<Vec2> last_point_before(const Map& map, const Leg& leg, Vec2 a, Vec2 b, const MayEnd& may_end);
 
 }  // namespace enfilade

@@ -33,6 +33,7 @@ public:
             const Sector& sector = map_[room.sector];
             for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w)
                 look_at(room, WallId(w));
+            if (sector.active_panels > 0) look_at_panels(room, sector);
         }
         return std::move(found_);
     }
@@ -47,11 +48,32 @@ private:
         const bool is_cut = cone->left != wall.a || cone->right != wall.b;
         if (is_cut && !is_near(stretch, room.centre)) return;
         if (!pass(room, id, *cone)) {
-            found_.walls.push_back({id, room.passage, room.centre, stretch, is_cut});
+            found_.walls.push_back({id, {}, wall.a, wall.b, room.passage, room.centre, stretch, is_cut});
             return;
         }
         if (cone->left == wall.a) look_around_corner(room, id, End::a);
         if (cone->right == wall.b) look_around_corner(room, id, End::b);
+    }
+
+    void look_at_panels(const Room& room, const Sector& sector) {
+        for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i)
+            if (map_.panels[i].blocks) look_at_panel(room, PanelId(i));
+    }
+
+    void look_at_panel(const Room& room, PanelId id) {
+        const Face face = facing(map_[id], room.centre);
+        if (!box_is_near(face, room.centre) || !segment_is_nearer(face.a, face.b, room.centre, radius_)) return;
+        const auto cone = cone_of(face, room.centre, room.window);
+        if (!cone || (room.entrance && !is_beyond(face, map_[room.entrance], room.centre, *cone))) return;
+        const Stretch stretch = stretch_in(face, room.centre, *cone);
+        const bool is_cut = cone->left != face.a || cone->right != face.b;
+        if (is_cut && !is_near(stretch, room.centre)) return;
+        found_.walls.push_back({{}, id, face.a, face.b, room.passage, room.centre, stretch, is_cut});
+    }
+
+    static Face facing(const Panel& panel, Vec2 p) {
+        if (side_of_line(panel.a, panel.b, p) > 0) return {panel.a, panel.b};
+        return {panel.b, panel.a};
     }
 
     enum class End : std::uint8_t { a, b };
@@ -68,12 +90,23 @@ private:
             const Wall& exit = map_[map_[at].exit];
             at = end == End::a ? exit.next : exit.previous;
             if (at == portal) return;
+            const Vec2 there = end == End::a ? map_[at].a : map_[at].b;
+            const Vec2 centre = snap_to_point_grid(passage.apply(place_.point));
+            if (map_[map_[at].sector].active_panels > 0) touch_panels_at(there, map_[map_[at].sector], passage, centre);
             if (!is_open(at, passage)) {
-                const Vec2 there = end == End::a ? map_[at].a : map_[at].b;
-                const Vec2 centre = snap_to_point_grid(passage.apply(place_.point));
-                found_.walls.push_back({at, passage, centre, {there, there}, true});
+                found_.walls.push_back({at, {}, map_[at].a, map_[at].b, passage, centre, {there, there}, true});
                 return;
             }
+        }
+    }
+
+    /// Panels of a room around the corner block with the point that is in it.
+    void touch_panels_at(Vec2 corner, const Sector& sector, const Rigid& passage, Vec2 centre) {
+        for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i) {
+            const Panel& panel = map_.panels[i];
+            if (!panel.blocks || !segment_is_nearer(panel.a, panel.b, corner, kPointGrid)) continue;
+            const Face face = facing(panel, centre);
+            found_.walls.push_back({{}, PanelId(i), face.a, face.b, passage, centre, {corner, corner}, true});
         }
     }
 
@@ -82,7 +115,7 @@ private:
     }
 
     /// Quick and exact: false only for walls that are too far away.
-    bool box_is_near(const Wall& wall, Vec2 p) const {
+    bool box_is_near(const Face& wall, Vec2 p) const {
         return std::max(wall.a.x, wall.b.x) > p.x - radius_ && std::min(wall.a.x, wall.b.x) < p.x + radius_ &&
                std::max(wall.a.y, wall.b.y) > p.y - radius_ && std::min(wall.a.y, wall.b.y) < p.y + radius_;
     }

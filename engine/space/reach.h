@@ -3,8 +3,8 @@
 //
 // A point is touched where it can be reached from the middle of the disc on a straight way that is shorter than the
 // radius and passes only portals that may be passed. So of two rooms that overlap on the map, only the one
-// that the portals lead to counts. A wall that stands behind another wall of the same room is reported, too: then
-// the other one is nearer.
+// that the portals lead to counts. A wall or panel that stands behind another wall of the same room is reported, too:
+// then the other one is nearer.
 #pragma once
 #include "base/short_list.h"
 #include "space/cone.h"
@@ -12,10 +12,12 @@
 
 namespace enfilade {
 
-/// A wall that a disc touches and that nothing passes: solid, a mirror, or a portal that may not be passed. Where only
-/// its end is touched, around the corner of an open portal, the stretch is that one point.
+/// A wall that a disc touches and that nothing passes: solid, a mirror, or a portal that may not be passed; or a panel
+/// that blocks. Where only its end is touched, around the corner of an open portal, the stretch is that one point.
 struct ReachedWall {
-    WallId wall;
+    WallId wall;      ///< none: a panel
+    PanelId panel;    ///< where it is no wall
+    Vec2 a, b;        ///< its ends, a panel's turned so that the middle of the disc is on the right
     Rigid passage;    ///< from the space of the place into that of the wall
     Vec2 centre;      ///< the middle of the disc in the space of the wall, on the point grid
     Stretch stretch;  ///< the part that can be reached at any radius
@@ -29,7 +31,7 @@ struct ReachedSector {
 };
 
 struct Reach {
-    ShortList<ReachedWall, 16> walls;
+    ShortList<ReachedWall, 16> walls;      ///< and panels
     ShortList<ReachedSector, 16> sectors;  ///< the place's own first; one that is overlapped in two ways is there twice
 };
 
@@ -38,8 +40,8 @@ struct Reach {
 ///
 /// radius   : on the point grid [m]; 0 reaches the place's own sector only
 /// may_pass : asked for each portal the disc touches; empty: every portal may be passed
-/// Cost: the walls of the sectors overlapped; takes no memory where they are few. Beyond kMaxReachedSectors, portals
-/// count as walls.
+/// Cost: the walls of the sectors overlapped, and their panels where some block; takes no memory where they are few.
+/// Beyond kMaxReachedSectors, portals count as walls.
 Reach reach(const Map& map, const Place& place, double radius, const MayPass& may_pass = {});
 
 /// A disc as large as a body overlaps a dozen sectors on a fine stair. Around a point where links meet at a small

@@ -5,6 +5,7 @@
 
 #include "base/short_list.h"
 #include "map/map.h"
+#include "space/panels_met.h"
 
 namespace enfilade {
 
@@ -20,9 +21,10 @@ struct Place {
 /// from the space where the question started into that of the portal, so that a height there can be compared.
 using MayPass = std::function<bool(WallId portal, const Rigid& passage)>;
 
-/// One portal passed by a path.
+/// One portal passed by a path, or one panel.
 struct Crossing {
-    WallId portal;
+    WallId portal;     ///< none: a panel
+    MetPanel through;  ///< where it is no portal
     bool operator==(const Crossing&) const = default;
 };
 
@@ -34,7 +36,10 @@ struct Trace {
     Crossings crossings;  ///< in order along the path
     Place end;            ///< the path's end; where it was stopped: the last place before the wall
     WallId stopped;       ///< the wall that ended it (solid, or not to be passed), or none
+    MetPanel barrier;     ///< the panel that ended it, or none
     Rigid passage;        ///< from the space of the start into the space of the end
+
+    bool is_stopped() const { return stopped || barrier.panel; }
 };
 
 /// Follows the path from `from` along `to - from.point` through every portal it crosses, however many, linked or not.
@@ -50,11 +55,14 @@ struct Trace {
 /// from     : inside its sector
 /// to       : on the point grid, in the space of `from`, |coordinates| <= 2 * kWorldLimit
 /// may_pass : asked once for each portal met, in order; empty: every portal may be passed
-/// Where the path is stopped, end is the last grid point found on the way that is inside, and stopped is the wall.
+/// may_cross: asked for each panel met that blocks or has triggers (space/panels_met.h); empty: panels are nothing to
+///            the path, and are not among its crossings
+/// Where the path is stopped, end is the last grid point found on the way that is inside, and stopped is the wall, or
+/// barrier the panel: between the start and the end there is none that may not be crossed.
 /// Crossings made on the way stay made, but for those behind which there is no grid point inside.
 /// A path that passes kMaxLinksOnPath links is stopped by the next.
 /// Cost: the walls of the sectors passed. Takes no memory where the path is short.
-Trace trace(const Map& map, const Place& from, Vec2 to, const MayPass& may_pass = {});
+Trace trace(const Map& map, const Place& from, Vec2 to, const MayPass& may_pass = {}, const MayCross& may_cross = {});
 
 /// A straight path winds around a point where links meet as often as the angle around it fits into half a turn.
 /// This is far beyond any honest map; without it a path that is aimed into such a point might never come out.

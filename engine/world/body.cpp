@@ -47,6 +47,10 @@ bool can_pass(const Instant& now, const Body& body, WallId portal, const Rigid& 
     return is_at_most(body.height, top - bottom);
 }
 
+MayCross bodies_may_cross(const Map& map) {
+    return [&map](const MetPanel& met) { return !map[met.panel].blocks; };
+}
+
 Reach around(const Instant& now, const Body& body) {
     return reach(now.map, body.place, body.radius,
                  [&](WallId portal, const Rigid& passage) { return can_pass(now, body, portal, passage); });

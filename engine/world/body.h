@@ -41,8 +41,11 @@ constexpr bool is_at_most(double height, double limit) { return snap_to_vertex_g
 /// its own ceiling bounds as well, because on a step it stands under both. `passage` as in MayPass.
 bool can_pass(const Instant& now, const Body& body, WallId portal, const Rigid& passage);
 
-/// Whether the body, where it is, touches no wall and has headroom on the highest floor it stands on. Things beside it
-/// are for the walk to see to (world/obstacle.h).
+/// Bodies cross panels, whatever their heights, but for those that block. The map must outlive it.
+MayCross bodies_may_cross(const Map& map);
+
+/// Whether the body, where it is, touches no wall or panel and has headroom on the highest floor it stands on. Things
+/// beside it are for the walk to see to (world/obstacle.h).
 bool fits(const Instant& now, const Body& body, const Reach& around);
 
 /// The body where it is, made as wide, and at most as high, as there is room: a body that was put closer to a wall

@@ -9,17 +9,19 @@
 namespace enfilade {
 namespace {
 
-/// The disc's way in the space of one wall.
+/// The disc's way in the space of one wall or panel.
 struct Way {
     Vec2 from, move;
     double radius;
 };
 
-std::optional<Contact> contact_with_face(const Wall& wall, const Stretch& stretch, const Way& way) {
-    const Vec2 along = (wall.b - wall.a) * (1 / wall.length), normal = right_of(along);
+std::optional<Contact> contact_with_face(const ReachedWall& wall, const Way& way) {
+    const Stretch& stretch = wall.stretch;
+    const double length = std::sqrt(dot(wall.b - wall.a, wall.b - wall.a));
+    const Vec2 along = (wall.b - wall.a) * (1 / length), normal = right_of(along);
     const double approach = -dot(way.move, normal);
     if (approach < kPointGrid) return {};
-    const double gap = exact_cross(wall.a, wall.b, way.from) / wall.length - way.radius;
+    const double gap = exact_cross(wall.a, wall.b, way.from) / length - way.radius;
     const double fraction = std::max(0.0, gap / approach);
     if (fraction > 1) return {};
     const Vec2 moved = way.move * fraction;
@@ -47,15 +49,14 @@ void keep_first(std::optional<Contact>& first, const std::optional<Contact>& nex
 
 }  // namespace
 
-std::optional<Contact> first_contact(const Map& map, const Reach& around, Vec2 target, double radius) {
+std::optional<Contact> first_contact(const Reach& around, Vec2 target, double radius) {
     std::optional<Contact> first;
-    for (const ReachedWall& reached : around.walls) {
-        const Wall& wall = map[reached.wall];
-        const Vec2 to = snap_to_point_grid(reached.passage.apply(target));
-        const Way way{reached.centre, to - reached.centre, radius};
-        keep_first(first, contact_with_face(wall, reached.stretch, way), reached.passage);
-        if (reached.stretch.a == wall.a) keep_first(first, contact_with_end(wall.a, way), reached.passage);
-        if (reached.stretch.b == wall.b) keep_first(first, contact_with_end(wall.b, way), reached.passage);
+    for (const ReachedWall& wall : around.walls) {
+        const Vec2 to = snap_to_point_grid(wall.passage.apply(target));
+        const Way way{wall.centre, to - wall.centre, radius};
+        keep_first(first, contact_with_face(wall, way), wall.passage);
+        if (wall.stretch.a == wall.a) keep_first(first, contact_with_end(wall.a, way), wall.passage);
+        if (wall.stretch.b == wall.b) keep_first(first, contact_with_end(wall.b, way), wall.passage);
     }
     return first;
 }

@@ -20,7 +20,7 @@ struct Contact {
 /// around : reach() of the place with at least the radius plus the length of the way
 /// target : on the point grid, in the space of the place
 /// radius : of the disc [m]
-std::optional<Contact> first_contact(const Map& map, const Reach& around, Vec2 target, double radius);
+std::optional<Contact> first_contact(const Reach& around, Vec2 target, double radius);
 
 /// The same for solid things; each may be approached up to its limit, and one that is nearer already may not be
 /// approached at all.

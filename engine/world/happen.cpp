@@ -40,6 +40,23 @@ bool can_be_used(const Map& map, const Wall& wall) {
            (wall.behind && has_on(map, map[wall.behind].triggers, Occasion::use));
 }
 
+/// Whether a trigger of a panel works from the side that somebody comes from.
+bool works_from(const Map& map, TriggerId trigger, const MetPanel& met) {
+    return !map[trigger].one_way || !met.from_behind;
+}
+
+bool can_be_used(const Map& map, const MetPanel& met) {
+    bool can = false;
+    each_on(map, map[met.panel].triggers, Occasion::use, [&](TriggerId id) { can |= works_from(map, id, met); });
+    return can;
+}
+
+void fire_all(const Map& map, World& world, const MetPanel& met, Occasion on) {
+    each_on(map, map[met.panel].triggers, on, [&](TriggerId id) {
+        if (works_from(map, id, met)) fire(map, world, id, WallId());
+    });
+}
+
 void use(const Map& map, World& world, WallId id) {
     const Wall& wall = map[id];
     each_on(map, wall.triggers, Occasion::use, [&](TriggerId trigger) { fire(map, world, trigger, id); });
@@ -48,10 +65,8 @@ void use(const Map& map, World& world, WallId id) {
                 [&](TriggerId trigger) { fire(map, world, trigger, id); });
 }
 
-/// False where the player was carried off by a teleport.
-bool cross(const Map& map, World& world, WallId id) {
+void cross(const Map& map, World& world, WallId id) {
     const Wall& wall = map[id];
-    const Place before = world.player.place;
     each_on(map, wall.triggers, Occasion::cross, [&](TriggerId trigger) { fire(map, world, trigger, id); });
     if (wall.exit)
         each_on(map, map[wall.exit].triggers, Occasion::cross, [&](TriggerId trigger) {
@@ -59,6 +74,15 @@ bool cross(const Map& map, World& world, WallId id) {
         });
     each_on(map, map[wall.behind].triggers, Occasion::enter,
             [&](TriggerId trigger) { fire(map, world, trigger, WallId()); });
+}
+
+/// False where the player was carried off by a teleport.
+bool cross(const Map& map, World& world, const Crossing& crossing) {
+    const Place before = world.player.place;
+    if (crossing.portal)
+        cross(map, world, crossing.portal);
+    else
+        fire_all(map, world, crossing.through, Occasion::cross);
     return world.player.place == before;
 }
 
@@ -124,15 +148,17 @@ void use_what_is_ahead(const Map& map, World& world) {
     const auto may_reach = [&](WallId wall, const Rigid&) {
         return !can_be_used(map, map[wall]) && is_open(at, map[wall]);
     };
+    const auto may_reach_past = [&](const MetPanel& met) { return !can_be_used(map, met); };
     const Vec2 hand = snap_to_point_grid(world.player.place.point + reach);
-    const Trace ahead = trace(map, world.player.place, hand, may_reach);
+    const Trace ahead = trace(map, world.player.place, hand, may_reach, may_reach_past);
+    if (ahead.barrier.panel) fire_all(map, world, ahead.barrier, Occasion::use);
     if (ahead.stopped && can_be_used(map, map[ahead.stopped])) use(map, world, ahead.stopped);
 }
 
 void pass(const Map& map, World& world, std::span<const Crossing> crossings) {
     if (map.triggers.empty()) return;
     for (const Crossing& crossing : crossings)
-        if (!cross(map, world, crossing.portal)) return;
+        if (!cross(map, world, crossing)) return;
 }
 
 void touch_what_is_near(const Map& map, World& world) {

@@ -14,11 +14,11 @@ inline constexpr double kArm = 2;
 /// is left. `wall`: whose switch turns, or none.
 void fire(const Map& map, World& world, TriggerId trigger, WallId wall);
 
-/// Uses the first wall ahead that has something to use, unless another is in front of it.
+/// Uses the first wall or panel ahead that has something to use, unless a wall is in front of it.
 void use_what_is_ahead(const Map& map, World& world);
 
 /// Sets off what a walk passed, in order: the portals' own triggers, those of their other sides, and those of the
-/// sectors behind them. Stops where one of them teleports.
+/// sectors behind them; the triggers of panels. Stops where one of them teleports.
 void pass(const Map& map, World& world, std::span<const Crossing> crossings);
 
 /// Picks up, and sets off, what the player has come to touch.

@@ -21,18 +21,18 @@ struct WayOff {
     double distance = kWorldLimit;  ///< from the wall [m]
 };
 
-WayOff way_off(const Map& map, const ReachedWall& reached) {
+WayOff way_off(const ReachedWall& reached) {
     const Vec2 away = reached.centre - nearest_point(reached.stretch, reached.centre);
     const double distance = std::sqrt(dot(away, away));
-    const Wall& wall = map[reached.wall];
-    const Vec2 direction = distance > 0 ? away * (1 / distance) : right_of(wall.b - wall.a) * (1 / wall.length);
+    const Vec2 along = reached.b - reached.a;
+    const Vec2 direction = distance > 0 ? away * (1 / distance) : right_of(along) * (1 / std::sqrt(dot(along, along)));
     return {inverse(reached.passage).turn(direction), distance};
 }
 
-WayOff way_off_nearest(const Map& map, const Reach& found) {
+WayOff way_off_nearest(const Reach& found) {
     WayOff nearest;
     for (const ReachedWall& reached : found.walls) {
-        const WayOff off = way_off(map, reached);
+        const WayOff off = way_off(reached);
         if (off.distance < nearest.distance) nearest = off;
     }
     return nearest;
@@ -42,14 +42,14 @@ WayOff way_off_nearest(const Map& map, const Reach& found) {
 Body moved_off(const Instant& now, const Body& narrow) {
     Body wide = narrow;
     wide.radius = kBodyRadius;
-    const WayOff off = way_off_nearest(now.map, around(now, wide));
+    const WayOff off = way_off_nearest(around(now, wide));
     const double by = kBodyRadius - off.distance + kStepsToSpare * kPointGrid;
     // Not through a link: then heights and yaw would have to follow.
     const auto may_pass = [&](WallId portal, const Rigid& passage) {
         return now.map[portal].link == Wall::kNoLink && can_pass(now, narrow, portal, passage);
     };
-    wide.place =
-        trace(now.map, narrow.place, snap_to_point_grid(narrow.place.point + off.direction * by), may_pass).end;
+    const Vec2 target = snap_to_point_grid(narrow.place.point + off.direction * by);
+    wide.place = trace(now.map, narrow.place, target, may_pass, bodies_may_cross(now.map)).end;
     return squeezed(now, wide);
 }
 

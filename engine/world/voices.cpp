@@ -113,11 +113,15 @@ private:
         }
     }
 
-    /// From the wall that was used or passed, or else from what the trigger is on.
+    /// From the wall that was used or passed, or else from what the trigger is on; from the middle of walls and panels.
     std::optional<SoundWay> way_to(const Firing& firing) const {
         const Trigger& trigger = map_[firing.trigger];
         const WallId wall = firing.wall ? firing.wall : trigger.on_wall;
         if (wall) return hearing_.from({map_[wall].sector, (map_[wall].a + map_[wall].b) * 0.5});
+        if (trigger.on_panel) {
+            const Panel& panel = map_[trigger.on_panel];
+            return hearing_.from({panel.sector, (panel.a + panel.b) * 0.5});
+        }
         return trigger.on_thing ? hearing_.from(place_of(trigger.on_thing)) : hearing_.from(trigger.on_sector);
     }
 

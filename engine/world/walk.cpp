@@ -92,7 +92,7 @@ private:
         const Vec2 target = from + round_outward(move_, normals_.sum());
         if (target == from) return false;
         const double way = length(target - from);
-        const auto touch = nearer_of(first_contact(map_, within(way), target, body_.radius),
+        const auto touch = nearer_of(first_contact(within(way), target, body_.radius),
                                      first_contact(map_, obstacles_beside(body_, way), target));
         if (!touch) return advance_part(target);
         const Vec2 spent = move_ * touch->fraction;
@@ -156,8 +156,10 @@ private:
         for (double steps : kStepsOff) {
             const Vec2 p = target + round_outward(off * (steps * kPointGrid), off);
             if (p == body_.place.point) return false;
-            const Trace way = trace(map_, body_.place, p, [this](WallId w, const Rigid& r) { return may_pass(w, r); });
-            if (way.stopped) return false;
+            const Trace way = trace(
+                map_, body_.place, p, [this](WallId w, const Rigid& r) { return may_pass(w, r); },
+                bodies_may_cross(map_));
+            if (way.is_stopped()) return false;
             const Body there = carried(way);
             const Reach found = around(now_, there);
             Obstacles things = obstacles_beside(there, 0);

@@ -14,7 +14,7 @@ struct Walk {
     Place end;
     Rigid passage;        ///< from the space of the start into that of the end
     Vec2 velocity;        ///< what the walls left of it, in the space of the end [m/s]
-    Crossings crossings;  ///< the portals that the middle of the body passed, in order
+    Crossings crossings;  ///< the portals, and the panels with triggers, that its middle passed, in order
 };
 
 /// Moves a body that fits for some time. Its feet stay at their height: steps are taken afterwards.

@@ -165,11 +165,12 @@ INSTANTIATE_TEST_SUITE_P(
         Section{"A sky's layer", "sectors.ceiling.layers."}, Section{"A loop", "sectors.loops."},
         Section{"A wall", "sectors.loops.walls."}, Section{"A panel", "sectors.panels."}, Section{"A thing", "things."},
         Section{"A sprite's frame", "things.frames."}, Section{"A trigger", "sectors.triggers."},
-        Section{"A trigger", "sectors.loops.walls.triggers."}, Section{"A trigger", "things.triggers."},
-        Section{"A light effect", "sectors.light_effect."}, Section{"A light effect", "sectors.triggers.effect."},
-        Section{"A light effect", "lights.effect."}, Section{"A light", "lights."},
-        Section{"An animation", "animations."}, Section{"A switch", "switches."}, Section{"A sound", "sounds."},
-        Section{"Left-overs of Doom", "sectors.doom."}, Section{"Left-overs of Doom", "sectors.loops.walls.doom."},
+        Section{"A trigger", "sectors.loops.walls.triggers."}, Section{"A trigger", "sectors.panels.triggers."},
+        Section{"A trigger", "things.triggers."}, Section{"A light effect", "sectors.light_effect."},
+        Section{"A light effect", "sectors.triggers.effect."}, Section{"A light effect", "lights.effect."},
+        Section{"A light", "lights."}, Section{"An animation", "animations."}, Section{"A switch", "switches."},
+        Section{"A sound", "sounds."}, Section{"Left-overs of Doom", "sectors.doom."},
+        Section{"Left-overs of Doom", "sectors.loops.walls.doom."},
         Section{"Left-overs of Doom", "sectors.panels.doom."}, Section{"Left-overs of Doom", "things.doom."}));
 
 class FlythroughManual : public testing::TestWithParam<Section> {};

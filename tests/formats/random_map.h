@@ -182,7 +182,8 @@ private:
         if (flip()) sector.ceiling = flat();
         for (int i = whole(1, 3); i > 0; --i) sector.loops.push_back(loop());
         for (int i = whole(0, 2); i > 0; --i)
-            sector.panels.push_back({point(), point(), number(-9, 9), number(-9, 9), spec(), {}, flip(), doom(), {}});
+            sector.panels.push_back(
+                {point(), point(), number(-9, 9), number(-9, 9), spec(), {}, flip(), flip(), triggers(), doom(), {}});
         if (flip()) sector.tags = {text(), text()};
         sector.triggers = triggers();
         sector.light_effect = light_effect();
@@ -244,7 +245,10 @@ inline MapFile without_places(MapFile map) {
             for (SkyLayerRecord& layer : flat->layers) layer.place = layer.texture.place = {};
         forget(sector.floor.texture);
         forget(sector.ceiling.texture);
-        for (PanelRecord& panel : sector.panels) panel.place = panel.texture.place = {};
+        for (PanelRecord& panel : sector.panels) {
+            forget_triggers(panel.triggers);
+            panel.place = panel.texture.place = {};
+        }
         for (LoopRecord& loop : sector.loops) {
             loop.place = {};
             loop.vertex_places.clear();

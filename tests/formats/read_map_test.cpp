@@ -133,7 +133,8 @@ TEST(ReadMap, ListsTheKnownKeysWhereNoneIsNear) {
                               .findings;
     ASSERT_EQ(findings.size(), 1u);
     EXPECT_EQ(findings[0].sentence,
-              "a panel has no key 'transparency'; known here: v, bottom, top, texture, size, one_sided, doom");
+              "a panel has no key 'transparency'; known here: v, bottom, top, texture, size, one_sided, blocks, "
+              "triggers, doom");
 }
 
 struct WallCase {

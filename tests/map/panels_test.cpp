@@ -90,6 +90,41 @@ TEST(Panels, WithoutAPictureAreKeptSilently) {
     EXPECT_FALSE(built(hall_with({record})).panels[0].surface.texture);
 }
 
+TEST(Panels, AreCountedWhereTheyAreMoreThanToBeLookedAt) {
+    PanelRecord fence = panel({1, 1}, {2, 1}), line = panel({1, 2}, {2, 2});
+    fence.blocks = true;
+    line.triggers.emplace_back();
+    const Map map = built(hall_with({panel({6, 6}, {7, 6}), fence, line}));
+    EXPECT_EQ(map.sectors[0].active_panels, 2u);
+    EXPECT_FALSE(map.panels[0].is_active());
+    EXPECT_TRUE(map.panels[1].is_active() && map.panels[1].blocks);
+    EXPECT_TRUE(map.panels[2].is_active() && !map.panels[2].blocks);
+}
+
+TEST(Panels, HaveTriggersAboutTheSectorTheyStandIn) {
+    PanelRecord line = panel({1, 2}, {2, 2});
+    line.triggers.emplace_back();
+    const Map map = built(hall_with({panel({6, 6}, {7, 6}), line}));
+    ASSERT_EQ(map.panels[1].triggers.count, 1u);
+    EXPECT_EQ(map.triggers[map.panels[1].triggers.first].targets, std::vector{SectorId(0u)});
+}
+
+TEST(Panels, ThatBlockCannotBePassed) {
+    PanelRecord fence = panel({1, 1}, {2, 1});
+    fence.blocks = true;
+    fence.triggers.emplace_back();
+    EXPECT_EQ(complaints({fence}), "");
+    fence.triggers[0].on = Occasion::cross;
+    EXPECT_THAT(complaints({fence}), testing::HasSubstr("a panel that blocks cannot have a trigger on 'cross'"));
+}
+
+TEST(Panels, HaveTriggersWhosePicturesAreLoaded) {
+    PanelRecord line = panel({1, 2}, {2, 2});
+    line.triggers.emplace_back().texture = "lava";
+    const MapFile file = hall_with({line});
+    EXPECT_TRUE(textures_for(file).find("lava"));
+}
+
 // 20 000 panels would be compared 400 000 000 times.
 TEST(Panels, AreRefusedWhereTheyAreTooManyToCompare) {
     std::vector<PanelRecord> many(20'000, panel({1, 1}, {2, 1}));

@@ -83,11 +83,18 @@ TEST(Sounds, OfTriggersAreHeardFromWhatTheyAreOn) {
     file.things[0].triggers = {heard_trigger(Occasion::touch, "hum")};
     sector(file, "right").triggers = {heard_trigger(Occasion::enter, "hum")};
     wall(file, "left", {0, 0}, {4, 0}).triggers = {heard_trigger(Occasion::use, "click")};
+    PanelRecord panel;
+    panel.a = {1, 1};
+    panel.b = {2, 1};
+    panel.texture = spec("-");
+    panel.triggers = {heard_trigger(Occasion::use, "click")};
+    sector(file, "left").panels = {panel};
     const Map map = built(file);
-    ASSERT_EQ(map.triggers.size(), 3u);
+    ASSERT_EQ(map.triggers.size(), 4u);
     EXPECT_EQ(map.triggers[0].on_sector, SectorId(1u));
     EXPECT_EQ(map.triggers[1].on_wall, WallId(0u));
-    EXPECT_EQ(map.triggers[2].on_thing, ThingId(0u));
+    EXPECT_EQ(map.triggers[2].on_panel, PanelId(0u));
+    EXPECT_EQ(map.triggers[3].on_thing, ThingId(0u));
 }
 
 TEST(Sounds, OnlyHeardTriggersNeedNoTarget) {

@@ -97,6 +97,35 @@ TEST(TraceThroughLinks, EndsBehindTheLinkWhenThePathEndsOnItsLine) {
         }
 }
 
+/// As bodies go where every panel blocks.
+Trace walk_straight(const Map& map, const Place& from, Vec2 to) {
+    return trace(map, from, to, {}, [](const MetPanel&) { return false; });
+}
+
+/// A panel in the place of a wall, in the room that the wall bounds.
+Panel panel_on(const Map& map, WallId id) {
+    Panel panel;
+    panel.a = map[id].b;
+    panel.b = map[id].a;
+    panel.sector = map[id].sector;
+    panel.blocks = true;
+    return panel;
+}
+
+TEST(TraceThroughLinks, IsStoppedByAPanelOnTheLineItComesOutOf) {
+    for (Map map : {shifted_rooms(), quarter_turned_rooms(), linked_rooms({104, 50}, {104, 54})}) {
+        map.panels = {panel_on(map, map.walls[1].exit)};
+        map.sectors[1].panel_count = map.sectors[1].active_panels = 1;
+        for (double y = 0; y <= 4; y += 0.25)
+            for (const double x : {4., 4 + kPointGrid, 5.}) {
+                const Trace path = walk_straight(map, {kFirst, {3, 2}}, {x, y});
+                ASSERT_EQ(path.end.sector, kFirst) << x << " " << y;
+                ASSERT_TRUE(path.is_stopped());
+                ASSERT_TRUE(contains(map, kFirst, path.end.point));
+            }
+    }
+}
+
 TEST(TraceThroughLinks, StopsAfterManyRoundsThroughARoomLinkedToItself) {
     MapFile file = map_of({box_room("loop", 0, 0, 4, 4)});
     link(file, "loop", {4, 0}, {4, 4}, "loop", {0, 4}, {0, 0});
@@ -169,6 +198,29 @@ TEST(TraceThroughLinks, AlwaysEndsInsideInAUniverseOfLinks) {
             const Place from = universe.place();
             const Trace path = trace(universe.map, from, universe.target(static_cast<int>(from.sector.index)));
             ASSERT_TRUE(contains(universe.map, path.end.sector, path.end.point)) << "seed " << seed << ", path " << i;
+        }
+    }
+}
+
+TEST(TraceThroughLinks, NeverCrossesAPanelInAUniverseOfLinks) {
+    const auto is_fenced = [](WallId id) { return id.index % 3 == 0; };
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        Universe universe(seed);
+        Map& map = universe.map;
+        for (Sector& sector : map.sectors) {
+            sector.first_panel = static_cast<std::uint32_t>(map.panels.size());
+            for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w)
+                if (is_fenced(WallId(w))) map.panels.push_back(panel_on(map, WallId(w)));
+            sector.panel_count = sector.active_panels =
+                static_cast<std::uint32_t>(map.panels.size()) - sector.first_panel;
+        }
+        for (int i = 0; i < 10000; ++i) {
+            const Place from = universe.place();
+            const Trace path = walk_straight(map, from, universe.target(static_cast<int>(from.sector.index)));
+            ASSERT_TRUE(contains(map, path.end.sector, path.end.point)) << "seed " << seed << ", path " << i;
+            for (const Crossing& crossing : path.crossings)
+                ASSERT_FALSE(is_fenced(crossing.portal) || is_fenced(map[crossing.portal].exit))
+                    << "seed " << seed << ", path " << i;
         }
     }
 }

@@ -160,6 +160,95 @@ TEST(TraceOverMosaics, ReturnsFromManyMovesInARow) {
     });
 }
 
+/// Some of the portals, and for each a panel on its line that blocks, in the room on one side of it.
+struct Fenced {
+    Map map;
+    std::vector<bool> is_fenced;  ///< by wall: both sides of a portal
+
+    Fenced(const Map& plain, std::uint64_t seed) : map(plain), is_fenced(plain.walls.size()) {
+        Random random(seed);
+        std::vector<bool> has_panel(plain.walls.size());
+        for (std::size_t i = 0; i < plain.walls.size(); ++i) {
+            const Wall& wall = plain.walls[i];
+            if (wall.kind != WallKind::portal || wall.exit.index < i || random.below(3) > 0) continue;
+            is_fenced[i] = is_fenced[wall.exit.index] = true;
+            has_panel[random.below(2) == 0 ? i : wall.exit.index] = true;
+        }
+        for (Sector& sector : map.sectors) {
+            sector.first_panel = static_cast<std::uint32_t>(map.panels.size());
+            for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w)
+                if (has_panel[w]) add(map.walls[w], random.below(2) == 0);
+            sector.panel_count = sector.active_panels =
+                static_cast<std::uint32_t>(map.panels.size()) - sector.first_panel;
+        }
+    }
+
+    Trace trace_panels(const Place& from, Vec2 to) const {
+        return trace(map, from, to, {}, [](const MetPanel&) { return false; });
+    }
+    Trace trace_portals(const Place& from, Vec2 to) const {
+        return trace(map, from, to, [this](WallId w, const Rigid&) { return !is_fenced[w.index]; });
+    }
+
+private:
+    void add(const Wall& wall, bool turned) {
+        Panel panel;
+        panel.a = turned ? wall.b : wall.a;
+        panel.b = turned ? wall.a : wall.b;
+        panel.length = wall.length;
+        panel.sector = wall.sector;
+        panel.blocks = true;
+        map.panels.push_back(panel);
+    }
+};
+
+/// Calls check(fenced, points) kPathsPerMap times on one fenced mosaic of each plan.
+template <class Check>
+void try_fenced_mosaics(double solid, Check check) {
+    std::uint64_t seed = 100;
+    for (const MosaicPlan& plan : plans(solid)) {
+        const Mosaic mosaic = lay_mosaic(plan, ++seed);
+        const Fenced fenced(mosaic.map, seed);
+        NastyPoints points(mosaic, seed);
+        for (int k = 0; k < kPathsPerMap && !testing::Test::HasFatalFailure(); ++k) {
+            SCOPED_TRACE(testing::Message() << "mosaic " << seed << ", path " << k);
+            check(fenced, points);
+        }
+    }
+}
+
+TEST(TraceOverMosaics, IsStoppedByPanelsAsByThePortalsTheyStandIn) {
+    std::size_t stops = 0;
+    try_fenced_mosaics(0.1, [&](const Fenced& fenced, NastyPoints& points) {
+        const Place from = points.next_place();
+        const Vec2 to = points.next();
+        const Trace by_panels = fenced.trace_panels(from, to), by_portals = fenced.trace_portals(from, to);
+        ASSERT_EQ(by_panels.end, by_portals.end);
+        ASSERT_EQ(by_panels.crossings, by_portals.crossings);
+        ASSERT_EQ(by_panels.is_stopped(), by_portals.is_stopped());
+        const bool is_at_portal = by_portals.stopped && fenced.is_fenced[by_portals.stopped.index];
+        ASSERT_EQ(!by_panels.barrier.panel.is_none(), is_at_portal);
+        stops += is_at_portal;
+    });
+    EXPECT_GT(stops, 3000u);
+}
+
+TEST(TraceOverMosaics, CrossesTheSamePanelsBackward) {
+    try_fenced_mosaics(0, [](const Fenced& fenced, NastyPoints& points) {
+        const auto pass = [](const MetPanel&) { return true; };
+        const Place from = points.next_place();
+        const Trace there = trace(fenced.map, from, points.next_place().point, {}, pass);
+        const Trace back = trace(fenced.map, there.end, from.point, {}, pass);
+        ASSERT_EQ(there.crossings.size(), back.crossings.size());
+        for (std::size_t i = 0; i < back.crossings.size(); ++i) {
+            const MetPanel one = there.crossings[there.crossings.size() - 1 - i].through;
+            const MetPanel other = back.crossings[i].through;
+            ASSERT_EQ(one.panel, other.panel);
+            ASSERT_TRUE(one.panel.is_none() || one.from_behind != other.from_behind);
+        }
+    });
+}
+
 TEST(TraceOverMosaics, StopsWithinAGridStepOfAWallMetSquarely) {
     const Mosaic mosaic = lay_mosaic({.columns = 3, .rows = 3, .labels = 1}, 1);
     Random random(1);

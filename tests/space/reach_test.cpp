@@ -145,6 +145,110 @@ TEST(Reach, CountsARefusedPortalAsAWall) {
     EXPECT_THAT(sectors_of(found), testing::ElementsAre(kFirst));
 }
 
+/// A panel from a to b that blocks.
+PanelRecord fence(Vec2 a, Vec2 b) {
+    PanelRecord panel;
+    panel.a = a;
+    panel.b = b;
+    panel.texture = spec("-");
+    panel.blocks = true;
+    return panel;
+}
+
+TEST(Reach, FindsAPanelThatBlocksTurnedToTheMiddle) {
+    MapFile file = map_of({box_room("room", 0, 0, 8, 8)});
+    file.sectors[0].panels = {fence({4, 2}, {4, 6})};
+    const Map map = built(file);
+    EXPECT_THAT(reach(map, {kFirst, {3, 4}}, 1).walls, IsEmpty()) << "touching does not count";
+    for (const double x : {3., 5.}) {
+        const Reach found = reach(map, {kFirst, {x, 4}}, 1 + kPointGrid);
+        ASSERT_THAT(found.walls, SizeIs(1));
+        EXPECT_EQ(found.walls[0].panel, PanelId(0u));
+        EXPECT_EQ(found.walls[0].a, (Vec2{4, x < 4 ? 2. : 6.}));
+    }
+}
+
+TEST(Reach, FindsAPanelByItsEnd) {
+    MapFile file = map_of({box_room("room", 0, 0, 8, 8)});
+    file.sectors[0].panels = {fence({4, 2}, {4, 5})};
+    const Map map = built(file);
+    EXPECT_THAT(reach(map, {kFirst, {4, 6}}, 1).walls, IsEmpty());
+    EXPECT_THAT(reach(map, {kFirst, {4, 6}}, 1 + kPointGrid).walls, SizeIs(1));
+}
+
+TEST(Reach, LeavesOutPanelsThatDoNotBlock) {
+    MapFile file = map_of({box_room("room", 0, 0, 8, 8)});
+    file.sectors[0].panels = {fence({4, 2}, {4, 6}), fence({4.5, 2}, {4.5, 6})};
+    file.sectors[0].panels[0].blocks = false;
+    const Reach found = reach(built(file), {kFirst, {4.25, 4}}, 1);
+    ASSERT_THAT(found.walls, SizeIs(1));
+    EXPECT_EQ(found.walls[0].panel, PanelId(1u));
+}
+
+TEST(Reach, FindsAPanelBehindALinkWhereItIs) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 100, 50, 104, 54)});
+    link(file, "a", {4, 0}, {4, 4}, "b", {100, 50}, {104, 50});
+    file.sectors[1].panels = {fence({101, 50.25}, {103, 50.25}), fence({101, 53}, {103, 53})};
+    const Reach found = reach(built(file), {kFirst, {3.5, 2}}, 1);
+    ASSERT_THAT(found.walls, SizeIs(1));
+    EXPECT_EQ(found.walls[0].panel, PanelId(0u));
+    EXPECT_EQ(distance_to(found.walls[0]), 0.75);
+}
+
+TEST(Reach, DoesNotFindAPanelThatADoorwayDoesNotShow) {
+    MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 1, 5, 3), box_room("c", 5, 0, 9, 4)});
+    split_and_join(file);
+    sector(file, "c").panels = {fence({5.125, 0}, {5.125, 0.5})};
+    EXPECT_THAT(reach(built(file), {kFirst, {3.75, 2.5}}, 2).walls, SizeIs(testing::Gt(0u)));
+    for (const ReachedWall& wall : reach(built(file), {kFirst, {3.75, 2.5}}, 2).walls) EXPECT_FALSE(wall.panel);
+}
+
+TEST(Reach, FindsAPanelThatOnlyShowsItsEndAroundACorner) {
+    // As above: around the corner of the hut's door there is more than a full turn.
+    SectorRecord yard = box_room("yard", 0, 0, 12, 12);
+    cut_pillar(yard, 4, 5, 6, 7);
+    MapFile file = map_of({std::move(yard), room("inside", {{80, 0}, {90, 0}, {90, 5}, {90, 7}, {90, 12}, {80, 12}})});
+    link(file, "yard", {6, 7}, {6, 5}, "inside", {90, 5}, {90, 7});
+    file.sectors[1].panels = {fence({90, 5}, {85, 2})};
+    const Reach found = reach(built(file), {kFirst, {6.5, 5.25}}, 1);
+    EXPECT_TRUE(
+        std::any_of(found.walls.begin(), found.walls.end(), [](const ReachedWall& w) { return bool(w.panel); }));
+}
+
+TEST(Reach, IsEndedByPanelsAsByThePortalsTheyStandIn) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const Mosaic mosaic = lay_mosaic({.jitter = 0.9, .labels = 12, .solid = 0.1}, seed);
+        Map fenced = mosaic.map;
+        const auto is_fenced = [&](WallId id) { return std::min(id, mosaic.map[id].exit).index % 3 == 0; };
+        for (Sector& sector : fenced.sectors) {
+            sector.first_panel = static_cast<std::uint32_t>(fenced.panels.size());
+            for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w) {
+                const Wall& wall = fenced.walls[w];
+                // On one side of the portal, now the one and now the other, and in either direction.
+                if (wall.kind != WallKind::portal || !is_fenced(WallId(w))) continue;
+                const std::uint32_t lower = std::min(w, wall.exit.index);
+                if ((w == lower) != (lower % 2 == 0)) continue;
+                Panel panel;
+                panel.a = w % 5 < 2 ? wall.a : wall.b;
+                panel.b = w % 5 < 2 ? wall.b : wall.a;
+                panel.blocks = true;
+                fenced.panels.push_back(panel);
+            }
+            sector.panel_count = sector.active_panels =
+                static_cast<std::uint32_t>(fenced.panels.size()) - sector.first_panel;
+        }
+        Random random(seed);
+        for (int i = 0; i < 1000; ++i) {
+            const Place place = random_place(mosaic, random);
+            const double radius = snap_to_point_grid(random.uniform(0.1, 2));
+            const Reach by_panels = reach(fenced, place, radius);
+            const Reach by_portals =
+                reach(mosaic.map, place, radius, [&](WallId id, const Rigid&) { return !is_fenced(id); });
+            ASSERT_EQ(by_panels.walls.empty(), by_portals.walls.empty()) << "seed " << seed << ", disc " << i;
+        }
+    }
+}
+
 TEST(Reach, LooksThroughLinksFromBothSides) {
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 100, 50, 104, 54)});
     link(file, "a", {4, 0}, {4, 4}, "b", {100, 50}, {104, 50});

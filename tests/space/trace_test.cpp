@@ -163,5 +163,87 @@ TEST(Trace, EndsInTheOverlappingRoomThatThePortalsLeadTo) {
     EXPECT_EQ(trace(map, {kFirst, {1, 1.5}}, {5.5, 1.5}).end, (Place{kSecond, {5.5, 1.5}}));
 }
 
+/// A room of 8 x 8 m with a panel that blocks from (4, 2) to (4, 6), and others that only have triggers.
+Map room_with_panels(std::initializer_list<std::pair<Vec2, Vec2>> lines = {}) {
+    MapFile file = map_of({box_room("room", 0, 0, 8, 8)});
+    PanelRecord panel;
+    panel.texture = spec("-");
+    panel.a = {4, 2};
+    panel.b = {4, 6};
+    panel.blocks = true;
+    file.sectors[0].panels.push_back(panel);
+    panel.blocks = false;
+    panel.triggers.emplace_back();
+    for (const auto& [a, b] : lines) {
+        panel.a = a;
+        panel.b = b;
+        file.sectors[0].panels.push_back(panel);
+    }
+    return built(file);
+}
+
+/// As bodies go.
+Trace walk_straight(const Map& map, Vec2 from, Vec2 to) {
+    return trace(map, {kFirst, from}, to, {}, [&](const MetPanel& met) { return !map[met.panel].blocks; });
+}
+
+std::vector<std::uint32_t> panels_of(const Trace& trace) {
+    std::vector<std::uint32_t> panels;
+    for (const Crossing& crossing : trace.crossings) panels.push_back(crossing.through.panel.index);
+    return panels;
+}
+
+TEST(TraceThroughPanels, IsStoppedByOneThatBlocksFromEitherSide) {
+    const Map map = room_with_panels();
+    const Trace there = walk_straight(map, {1, 4}, {7, 4}), back = walk_straight(map, {7, 4}, {1, 4});
+    EXPECT_EQ(there.end.point, (Vec2{4 - kPointGrid, 4}));
+    EXPECT_EQ(back.end.point, (Vec2{4, 4})) << "the tie rule counts the line as further right";
+    EXPECT_EQ(there.barrier, (MetPanel{PanelId(0u), false}));
+    EXPECT_EQ(back.barrier, (MetPanel{PanelId(0u), true}));
+    EXPECT_FALSE(there.stopped);
+}
+
+TEST(TraceThroughPanels, TakesNoNoticeOfThemUnlessAsked) {
+    const Map map = room_with_panels({{{5, 2}, {5, 6}}});
+    const Trace path = trace(map, {kFirst, {1, 4}}, {7, 4});
+    EXPECT_FALSE(path.is_stopped());
+    EXPECT_TRUE(path.crossings.empty());
+}
+
+TEST(TraceThroughPanels, PassesAnEndOnTheSideOfTheTieRule) {
+    // Exactly through an end, the path counts as a little further down and to the right.
+    const Map map = room_with_panels();
+    EXPECT_TRUE(walk_straight(map, {1, 2}, {7, 2}).is_stopped());
+    EXPECT_FALSE(walk_straight(map, {1, 6}, {7, 6}).is_stopped());
+    EXPECT_TRUE(walk_straight(map, {7, 2}, {1, 2}).is_stopped());
+    EXPECT_FALSE(walk_straight(map, {7, 6}, {1, 6}).is_stopped());
+}
+
+TEST(TraceThroughPanels, RunsAlongOneOnOneSide) {
+    const Map map = room_with_panels();
+    const Trace along = walk_straight(map, {4, 1}, {4, 7});
+    EXPECT_FALSE(along.is_stopped());
+    EXPECT_TRUE(walk_straight(map, {4, 4}, {3, 4}).is_stopped()) << "the line belongs to the side where x is larger";
+    EXPECT_FALSE(walk_straight(map, {4, 4}, {5, 4}).is_stopped());
+}
+
+TEST(TraceThroughPanels, CrossesOnceWhenAMoveEndsOnTheLine) {
+    const Map map = room_with_panels({{{2, 0}, {2, 8}}});
+    const Trace onto = walk_straight(map, {1, 4}, {2, 4}), beyond = walk_straight(map, onto.end.point, {3, 4});
+    EXPECT_EQ(onto.crossings.size() + beyond.crossings.size(), 1u);
+}
+
+TEST(TraceThroughPanels, ReportsThemInOrderHoweverTheyAreListed) {
+    const Map map = room_with_panels({{{3, 0}, {3, 8}}, {{1, 0}, {1, 8}}, {{2, 8}, {2, 0}}, {{0, 1}, {1, 1}}});
+    EXPECT_EQ(panels_of(walk_straight(map, {0.5, 4}, {3.5, 4})), (std::vector<std::uint32_t>{2, 3, 1}));
+    EXPECT_EQ(panels_of(walk_straight(map, {3.5, 4}, {0.5, 4})), (std::vector<std::uint32_t>{1, 3, 2}));
+    EXPECT_EQ(panels_of(walk_straight(map, {3.5, 4}, {7, 4})), (std::vector<std::uint32_t>{}));
+}
+
+TEST(TraceThroughPanels, ReportsOnlyThoseBeforeTheOneThatStopsIt) {
+    const Map map = room_with_panels({{{3, 0}, {3, 8}}, {{5, 0}, {5, 8}}, {{4, 2}, {4, 6}}});
+    EXPECT_EQ(panels_of(walk_straight(map, {1, 4}, {7, 4})), std::vector<std::uint32_t>{1});
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -256,6 +256,24 @@ TEST(Voices, OfASwitchComeFromItsWall) {
     EXPECT_THAT(heard.at(3 + kClickSeconds * kTickRate, heard.game.player().place), IsEmpty());
 }
 
+TEST(Voices, OfAPanelComeFromItsMiddle) {
+    MapFile file = map_of({box_room("hall", 0, 0, 8, 4)});
+    TriggerRecord click = trigger_on(Occasion::use, Deed::sound);
+    click.sound = "click";
+    PanelRecord lever;
+    lever.a = {7.5, 0.5};
+    lever.b = {7.5, 3.5};
+    lever.texture = spec("-");
+    lever.triggers = {click};
+    file.sectors[0].panels = {lever};
+    place_player(file, "hall", {6.5, 2}, kEyeOnFloor);
+    Heard heard(file);
+    heard.game.hold(kUse);
+    ASSERT_THAT(heard.now(), SizeIs(1));
+    EXPECT_NEAR(heard.now()[0].level, loudness(1, kReach), kRounding);
+    EXPECT_NEAR(heard.now({SectorId(0u), {7.5, 3}})[0].level, loudness(1, kReach), kRounding);
+}
+
 TEST(Voices, OfAnyMomentAreWhatTheyWereWhenItCame) {
     MapFile file = hall_door_room();
     sector(file, "door").move_sound = "rumble";
