@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "wadconv/line_actions.h"
 #include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {
@@ -76,8 +77,10 @@ void hang_picture(const PictureFile& file, const Linedef& line, const Sidedef& s
     panel.texture.offset_tx.x = 0.0 - side.x_offset;
 }
 
-/// Flags that a panel needs no record of. Not that it blocks, which panels never do.
-constexpr std::uint16_t kFlagsSaid = kTwoSided | kUpperUnpegged | kLowerUnpegged;
+/// Flags that a panel says in words of its own, or needs no record of.
+constexpr std::uint16_t kFlagsSaid = kBlocking | kTwoSided | kUpperUnpegged | kLowerUnpegged;
+
+bool is_two_sided(const Linedef& line) { return (line.flags & kTwoSided) != 0 && line.left != kNoSide; }
 
 /// Makes panels of lines that became no wall.
 class PanelMaker {
@@ -92,8 +95,11 @@ public:
         const PictureFile* left_file = left ? picture_of(*left, index) : nullptr;
         // Doom shows each side its own picture; where they are alike one panel does for both.
         one_sided_ = right_file && left_file && !look_alike(*right, *left);
-        left_ = left_over(bench_, line, false, kFlagsSaid);
-        if (right_file || !left_file) add_from(a, b, line, right_file, right);
+        blocks_ = (line.flags & kBlocking) != 0;
+        triggers_ = triggers_of(index);
+        left_ = left_over(bench_, line, !triggers_.empty(), kFlagsSaid);
+        // What works from one side works from the right one.
+        if (right_file || !left_file || !triggers_.empty()) add_from(a, b, line, right_file, right);
         if (left_file && (!right_file || one_sided_)) add_from(b, a, line, left_file, left);
         bench_.report.note(right_file || left_file ? Kind::self_panel : Kind::self_unseen, index);
     }
@@ -102,6 +108,18 @@ private:
     Point point_of(std::uint16_t vertex) const {
         const Vertex& v = bench_.doom.vertices[vertex];
         return {v.x, -std::int32_t{v.y}};
+    }
+
+    /// Doom's lines are used from the right only, but shot at from both sides.
+    std::vector<TriggerRecord> triggers_of(std::uint32_t index) {
+        const Linedef& line = bench_.doom.lines[index];
+        const std::optional<LineAction> action = action_of(line.special);
+        if (!action) return {};
+        const bool can_be_passed = action->how == How::cross ? is_two_sided(line) && !blocks_ : is_two_sided(line);
+        std::vector<TriggerRecord> triggers = bench_.triggers.triggers_of(index, can_be_passed);
+        for (TriggerRecord& trigger : triggers)
+            if (action->how == How::use || action->how == How::push) trigger.one_way = true;
+        return triggers;
     }
 
     void add_from(Point start, Point end, const Linedef& line, const PictureFile* file, const Sidedef* side) {
@@ -124,7 +142,10 @@ private:
         if (file) hang_picture(*file, line, *side, own_heights(*side), panel);
         if (file) panel.texture.offset_tx.x -= distance(start, piece.a);
         panel.one_sided = one_sided_;
+        panel.blocks = blocks_;
         panel.doom = left_;
+        // Of a line that becomes two panels, one each way, the first does what it does.
+        if (start == point_of(line.start)) panel.triggers = triggers_;
         bench_.file.sectors[piece.part].panels.push_back(std::move(panel));
         ++bench_.report.panels;
     }
@@ -138,10 +159,13 @@ private:
 
     Workbench& bench_;
     std::optional<DoomRecord> left_;  ///< of the line that is being converted
-    bool one_sided_ = false;          ///< its two sides show different pictures
+    std::vector<TriggerRecord> triggers_;
+    bool one_sided_ = false;  ///< its two sides show different pictures
+    bool blocks_ = false;
 };
 
-/// Lines between two points that became no wall: lone ones, and lines drawn over others if they mean something.
+/// Lines between two points that became no wall: lone ones, and lines drawn over others if they mean something or
+/// block.
 std::vector<std::uint32_t> lines_without_walls(const Workbench& bench) {
     const std::vector<std::uint32_t> wall = first_walls(bench.doom, bench.parts);
     std::vector<bool> is_lone(bench.doom.lines.size());
@@ -150,7 +174,8 @@ std::vector<std::uint32_t> lines_without_walls(const Workbench& bench) {
     for (std::uint32_t i = 0; i < bench.doom.lines.size(); ++i) {
         const Linedef& line = bench.doom.lines[i];
         const bool is_there = line.start < bench.doom.vertices.size() && line.end < bench.doom.vertices.size();
-        if (wall[i] == kNone && is_there && (is_lone[i] || line.special != 0)) lines.push_back(i);
+        const bool matters = is_lone[i] || line.special != 0 || (is_two_sided(line) && line.flags & kBlocking);
+        if (wall[i] == kNone && is_there && matters) lines.push_back(i);
     }
     return lines;
 }

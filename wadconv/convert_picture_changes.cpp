@@ -48,6 +48,8 @@ Names pictures_of_triggers(const MapFile& file) {
     for_each_wall(file, [&](const WallRecord& wall) {
         if (!wall.triggers.empty()) add(wall, names);
     });
+    for (const SectorRecord& sector : file.sectors)
+        for (const PanelRecord& panel : sector.panels) add(panel.triggers, names);
     return names;
 }
 

@@ -52,9 +52,12 @@ public:
     }
 
     void run() {
-        for (SectorRecord& sector : bench_.file.sectors)
+        for (SectorRecord& sector : bench_.file.sectors) {
             for (LoopRecord& loop : sector.loops)
-                for (WallRecord& wall : loop.walls) give_sounds(wall);
+                for (WallRecord& wall : loop.walls) give_sounds(wall.triggers, shows_switch(wall), wall.next);
+            for (PanelRecord& panel : sector.panels)
+                give_sounds(panel.triggers, switches_.contains(panel.texture.name), sector.name);
+        }
         for (ThingRecord& thing : bench_.file.things) give_sound(thing);
         for (const std::string_view sound : used_)
             bench_.file.sounds.push_back(
@@ -62,14 +65,14 @@ public:
     }
 
 private:
-    void give_sounds(WallRecord& wall) {
-        const bool is_switch = shows_switch(wall);
-        for (TriggerRecord& trigger : wall.triggers) {
+    /// `usual`: the sector that a trigger without a target is about.
+    void give_sounds(std::vector<TriggerRecord>& triggers, bool is_switch, const std::string& usual) {
+        for (TriggerRecord& trigger : triggers) {
             if (trigger.deed == Deed::teleport)
                 trigger.sound = use("telept");
             else if (is_switch && trigger.on == Occasion::use)
                 trigger.sound = use(trigger.deed == Deed::exit ? "swtchx" : "swtchn");
-            give_movers(trigger, wall.next);
+            give_movers(trigger, usual);
         }
     }
 
@@ -81,10 +84,10 @@ private:
     }
 
     /// Whatever first moves a sector decides.
-    void give_movers(const TriggerRecord& trigger, const std::string& behind) {
+    void give_movers(const TriggerRecord& trigger, const std::string& usual) {
         const MoverSounds sounds = sounds_of(trigger);
         if (sounds.up.empty()) return;
-        if (trigger.targets.empty()) return give_movers(sounds, behind);
+        if (trigger.targets.empty()) return give_movers(sounds, usual);
         for (const std::string& target : trigger.targets) give_movers(sounds, target);
     }
 

@@ -29,7 +29,7 @@ constexpr std::array kFacts = {
     KindFacts{Kind::self_panel, Fate::converted, "lines with one sector on both sides that stand in it", "line",
               "Their picture becomes a panel."},
     KindFacts{Kind::self_unseen, Fate::converted, "the same without a picture", "line",
-              "A panel without texture, which keeps the line's special, tag and flags."},
+              "A panel without texture, which blocks and does what the line does."},
     KindFacts{Kind::deep_water, Fate::repaired, "lines of a ring with one sector on both sides, inside another", "line",
               "The outside belongs to the sector around the ring (\"deep water\")."},
     KindFacts{Kind::shared_side, Fate::converted, "sides used by several lines", "side", "Each line gets its own."},

@@ -202,6 +202,68 @@ TEST(ConvertTriggers, SinkAPillarIntoItsRing) {
     EXPECT_EQ(triggers[1].texture, "flats/floor0_1");
 }
 
+/// The level with a lone line, 12, of that special, and its panels.
+struct LoneLine {
+    Level level = small_level();
+    Linedef& line = level.map.lines[12];
+    explicit LoneLine(int special, int flags = kTwoSided) {
+        line.special = static_cast<std::uint16_t>(special);
+        line.flags = static_cast<std::uint16_t>(flags);
+        line.tag = level.map.sectors[1].tag = 7;
+    }
+
+    /// The triggers of each panel in the line's place.
+    static std::vector<std::vector<TriggerRecord>> triggers(const Converted& c) {
+        std::vector<std::vector<TriggerRecord>> all;
+        for (const PanelRecord& panel : c.file.sectors[0].panels)
+            if (panel.a.y == -6) all.push_back(panel.triggers);
+        return all;
+    }
+    TriggerRecord trigger() const {
+        const auto all = triggers(Converted(level));
+        EXPECT_TRUE(all.size() == 1 && all[0].size() == 1);
+        return all.empty() || all[0].empty() ? TriggerRecord{} : all[0][0];
+    }
+};
+
+TEST(ConvertPanels, DoWhatTheirLineDoes) {
+    const LoneLine lift(88);
+    EXPECT_EQ(lift.trigger().on, Occasion::cross);
+    EXPECT_EQ(lift.trigger().deed, Deed::lift);
+    EXPECT_THAT(lift.trigger().targets, ElementsAre("tag 7"));
+    EXPECT_FALSE(lift.trigger().one_way);
+    EXPECT_THAT(Converted(lift.level).report.lines_left, IsEmpty());
+}
+
+TEST(ConvertPanels, AreUsedFromTheirRightAndShotAtFromBothSides) {
+    EXPECT_TRUE(LoneLine(62).trigger().one_way);
+    EXPECT_FALSE(LoneLine(46).trigger().one_way);
+}
+
+TEST(ConvertPanels, ThatBlockAreNotPassed) {
+    const Converted c(LoneLine(88, kTwoSided | kBlocking).level);
+    EXPECT_THAT(LoneLine::triggers(c), ElementsAre(IsEmpty()));
+    EXPECT_THAT(c.noted(Kind::closed_trigger), ElementsAre(12u));
+    EXPECT_EQ(c.report.lines_left.at(88), 1u);
+}
+
+TEST(ConvertPanels, ThatBlockAreUsed) { EXPECT_EQ(LoneLine(62, kTwoSided | kBlocking).trigger().on, Occasion::use); }
+
+TEST(ConvertPanels, OfALineThatOnlyItsLeftShowsStillWorkFromItsRight) {
+    LoneLine lever(62);
+    lever.level.map.sides[lever.line.left].middle = "FENCE";
+    const Converted c(lever.level);
+    EXPECT_THAT(LoneLine::triggers(c), ElementsAre(SizeIs(1), IsEmpty()));
+    EXPECT_EQ(c.file.sectors[0].panels[1].a, (Vec2{4, -6})) << "the one that works runs as the line does";
+}
+
+TEST(ConvertPanels, OfALineWithTwoPicturesWorkOnce) {
+    LoneLine lift(88);
+    lift.level.map.sides[lift.line.left].middle = lift.level.map.sides[lift.line.right].middle = "FENCE";
+    lift.level.map.sides[lift.line.left].x_offset = 5;
+    EXPECT_THAT(LoneLine::triggers(Converted(lift.level)), ElementsAre(SizeIs(1), IsEmpty()));
+}
+
 TEST(ConvertWalls, ScrollToTheLeft) {
     const Converted c(Line(48).level);
     EXPECT_EQ(c.wall("s0", 64, 64).scroll, (Vec2{-35 / 32., 0}));

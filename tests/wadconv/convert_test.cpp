@@ -313,6 +313,23 @@ TEST(ConvertPanels, GiveEachSideItsPictureWhereTheyDiffer) {
     EXPECT_NE(fences[0].texture.offset_tx, fences[1].texture.offset_tx);
 }
 
+TEST(ConvertPanels, BlockWhereTheLineDoes) {
+    Level level = small_level();
+    EXPECT_FALSE(panel(Converted(level), "fence").blocks);
+    for (const std::size_t line : {11u, 12u}) level.map.lines[line].flags |= kBlocking;
+    const Converted c(level);
+    EXPECT_TRUE(panel(c, "fence").blocks);
+    EXPECT_FALSE(panel(c, "fence").doom);
+    EXPECT_TRUE(panel(c, "-").blocks) << "without a picture, too";
+}
+
+TEST(ConvertPanels, BlockWhereALineDrawnOverAnotherDoes) {
+    Doorway d;
+    Linedef& over = d.level.map.lines[static_cast<std::size_t>(d.level.line({64, 64}, {64, 0}, 0, 1))];
+    over.flags |= kBlocking;
+    EXPECT_TRUE(panel(Converted(d.level), "-").blocks);
+}
+
 TEST(ConvertPanels, KeepWhatALineWithoutPictureMeans) {
     const Converted c(small_level());
     EXPECT_EQ(panel(c, "-").doom, (DoomRecord{97, 0, 0}));
@@ -337,10 +354,13 @@ TEST(ConvertPanels, AreCutWhereTheyLeaveTheirSector) {
     EXPECT_EQ(c.file.sectors[1].panels[0].texture.offset_tx.x, -16);
 }
 
-TEST(ConvertPanels, KeepTheRecordOfALineDrawnOverAnother) {
+TEST(ConvertPanels, DoWhatALineDrawnOverAnotherDoes) {
     Doorway d;
     d.level.map.lines[static_cast<std::size_t>(d.level.line({64, 64}, {64, 0}, 0, 1))].special = 52;
-    EXPECT_EQ(panel(Converted(d.level), "-").doom->special, 52);
+    const Converted c(d.level);
+    ASSERT_THAT(panel(c, "-").triggers, SizeIs(1));
+    EXPECT_EQ(panel(c, "-").triggers[0].deed, Deed::exit);
+    EXPECT_FALSE(panel(c, "-").doom);
 }
 
 TEST(OpenDoors, RaiseTheSectorBehindAPushedDoor) {

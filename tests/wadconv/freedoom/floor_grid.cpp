@@ -51,6 +51,9 @@ double clear_around(const Map& map, const Place& place) {
     const Sector& sector = map[place.sector];
     for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w)
         clear = std::min(clear, distance_to_segment(place.point, map.walls[w].a, map.walls[w].b));
+    for (std::uint32_t p = sector.first_panel; p < sector.first_panel + sector.panel_count; ++p)
+        if (map.panels[p].blocks)
+            clear = std::min(clear, distance_to_segment(place.point, map.panels[p].a, map.panels[p].b));
     for (const ThingId id : map.solid_things) {
         const Vec2 off = place.point - map[id].position;
         clear = std::min(clear, std::sqrt(dot(off, off)) - map[id].radius);
