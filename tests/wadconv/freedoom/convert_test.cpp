@@ -113,12 +113,14 @@ TEST_P(FreeDoom, KeepsEveryVertexExactly) {
     }
 }
 
-/// How many walls do something.
+/// How many walls and panels do something.
 std::size_t walls_with_effects(const MapFile& file) {
     std::size_t count = 0;
-    for (const SectorRecord& sector : file.sectors)
+    for (const SectorRecord& sector : file.sectors) {
         for (const LoopRecord& loop : sector.loops)
             for (const WallRecord& wall : loop.walls) count += !wall.triggers.empty() || wall.scroll != Vec2{};
+        for (const PanelRecord& panel : sector.panels) count += !panel.triggers.empty();
+    }
     return count;
 }
 

@@ -67,6 +67,7 @@ void print_row(const std::string& name, const Tally& tally, const std::string& s
 Map stilled(Map map) {
     map.at_start.clear();
     for (Wall& wall : map.walls) wall.triggers = {};
+    for (Panel& panel : map.panels) panel.triggers = {};
     for (Thing& thing : map.things) thing.triggers = {};
     for (Sector& sector : map.sectors) {
         sector.triggers = {};
