@@ -66,6 +66,24 @@ TEST(Tick, TakesNoMemoryOnStairsAndInCornersOfAnyShape) {
     }
 }
 
+TEST(Tick, TakesNoMemoryAmongPanels) {
+    MapFile file = map_of({box_room("hall", 0, 0, 10, 10)});
+    for (int i = 0; i < 8; ++i) {
+        PanelRecord panel;
+        panel.a = {1.25 * i, 1.0 * i};
+        panel.b = {1.25 * i, 1.0 * i + 3};
+        panel.texture = spec("-");
+        panel.blocks = i % 2 == 0;
+        panel.triggers = {trigger_on(Occasion::use, Deed::door)};
+        panel.triggers[0].key = "of nobody";
+        file.sectors[0].panels.push_back(panel);
+    }
+    place_player(file, "hall", {2, 5}, kEyeOnFloor);
+    const Game game(file);
+    RandomKeys keys(1);
+    EXPECT_EQ(allocations_of_ticks(game.map, game.world, &keys), 0u);
+}
+
 TEST(Tick, TakesNoMemoryWhileFloorsMove) {
     MapFile file = furnished_rooms();
     for (std::size_t i = 0; i < 10; ++i) file.sectors[i].triggers.push_back(trigger_on(Occasion::start, Deed::shuttle));
