@@ -81,7 +81,8 @@ void mention_hidden_eyes(const Map& map, const RenderRequest& request, const std
     for (std::size_t i = 0; i < views.size(); ++i) {
         const auto hidden = hidden_eye(map, snapshot, views[i]);
         if (hidden && ++count == 1)
-            fmt::print(stderr, "{}: note: {}; the picture looks through it\n", place_text(request, places, i), *hidden);
+            fmt::print(stderr, "{}: note: {}; the picture looks through it and smears it\n",
+                       place_text(request, places, i), *hidden);
     }
     if (count > 1) fmt::print(stderr, "{}: note: {} more like it\n", request.views, count - 1);
 }

@@ -128,7 +128,7 @@ TEST_F(Render, MentionsAnEyeAboveTheCeilingOrBelowTheFloor) {
     EXPECT_EQ(above.exit_code, 0);
     EXPECT_EQ(above.err,
               "map.toml: 2 warnings; `enfilade check map.toml` shows them\nmap.toml: note: the eye at z = 3 is "
-              "not below the ceiling of sector 'hall' at 3 m; the picture looks through it\n");
+              "not below the ceiling of sector 'hall' at 3 m; the picture looks through it and smears it\n");
     EXPECT_THAT(render({"--view", "2,3,-1,0,0", "--out", "a.png"}).err, HasSubstr("not above the floor"));
     EXPECT_THAT(render({"--view", "2,3,2.9,0,0", "--out", "a.png"}).err, Not(HasSubstr("note")));
     program_.write("views.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n2,3,4,0,0\n2,3,5,0,0\n");
