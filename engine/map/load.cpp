@@ -47,6 +47,7 @@ void note_named_files(const MapFile& file, LoadedMap& loaded) {
     for (const SoundRecord& sound : file.sounds) loaded.sounds.push_back({sound.file, sound.place});
     for (const SectorRecord& sector : file.sectors) {
         note_exits(sector.triggers, loaded.next_maps);
+        for (const PanelRecord& panel : sector.panels) note_exits(panel.triggers, loaded.next_maps);
         for (const LoopRecord& loop : sector.loops)
             for (const WallRecord& wall : loop.walls) note_exits(wall.triggers, loaded.next_maps);
     }

@@ -108,15 +108,19 @@ TEST(LoadMap, SuggestsThePictureThatIsCalledNearlySo) {
 TEST(LoadMap, NamesTheFilesThatSoundsAndExitsNeed) {
     const std::string sounds = "\nsounds = [{ name = \"hum\", file = \"hum.wav\" }]\n";
     std::string text = "format = 1" + sounds + kRoom.substr(kRoom.find('\n'));
+    text += "[[sectors.panels]]\nv = [2, 1,  3, 1]\nbottom = 0\ntop = 1\ntexture = \"-\"\n";
+    text += "triggers = [{ on = \"use\", do = \"exit\", target = \"attic\" }]\n";
     text += "[[things]]\nx = 3\ny = 1\ntriggers = [{ on = \"touch\", do = \"exit\", target = \"cellar\" }]\n";
     Folder folder{{{"hall.toml", text}}, {"./textures/Brick.png"}, {}};
     const LoadedMap loaded = load_map("hall.toml", {}, folder.reader());
     ASSERT_EQ(loaded.sounds.size(), 1u);
     EXPECT_EQ(loaded.sounds[0].name, "hum.wav");
     EXPECT_EQ(loaded.sounds[0].place.line, 2u);
-    ASSERT_EQ(loaded.next_maps.size(), 1u);
-    EXPECT_EQ(loaded.next_maps[0].name, "cellar");
-    EXPECT_EQ(loaded.next_maps[0].place.line, 19u);
+    ASSERT_EQ(loaded.next_maps.size(), 2u);
+    EXPECT_EQ(loaded.next_maps[0].name, "attic");
+    EXPECT_EQ(loaded.next_maps[0].place.line, 21u);
+    EXPECT_EQ(loaded.next_maps[1].name, "cellar");
+    EXPECT_EQ(loaded.next_maps[1].place.line, 25u);
 }
 
 TEST(LoadMap, SaysInOneFindingThatAFileCannotBeRead) {
