@@ -198,9 +198,9 @@ TEST(Reach, FindsAPanelBehindALinkWhereItIs) {
 TEST(Reach, DoesNotFindAPanelThatADoorwayDoesNotShow) {
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 1, 5, 3), box_room("c", 5, 0, 9, 4)});
     split_and_join(file);
-    sector(file, "c").panels = {fence({5.125, 0}, {5.125, 0.5})};
-    EXPECT_THAT(reach(built(file), {kFirst, {3.75, 2.5}}, 2).walls, SizeIs(testing::Gt(0u)));
-    for (const ReachedWall& wall : reach(built(file), {kFirst, {3.75, 2.5}}, 2).walls) EXPECT_FALSE(wall.panel);
+    sector(file, "c").panels = {fence({5.125, 0}, {5.125, 0.75})};
+    EXPECT_THAT(reach(built(file), {kFirst, {3.75, 2.5}}, 2.5).walls, SizeIs(testing::Gt(0u)));
+    for (const ReachedWall& wall : reach(built(file), {kFirst, {3.75, 2.5}}, 2.5).walls) EXPECT_FALSE(wall.panel);
 }
 
 TEST(Reach, FindsAPanelThatOnlyShowsItsEndAroundACorner) {

@@ -165,6 +165,11 @@ TEST(Fence, IsLeftByWhoStartsOnItsLine) {
     }
 }
 
+TEST(Fence, IsNotCrossedByWhoIsMovedOffAWallAtTheStart) {
+    Game game(hall_with({fence({0.25, 0}, {0.25, 10})}, {0.0625, 5}));
+    EXPECT_LT(game.point().x, 0.25);
+}
+
 TEST(Fence, IsLeftByWhoIsTeleportedOntoIt) {
     MapFile file = hall_with(
         {fence({5, 2}, {5, 8}), line({2, 0}, {2, 10}, trigger_on(Occasion::cross, Deed::teleport, {"pad"}))}, {1, 5});
