@@ -167,7 +167,8 @@ Effect damage() {
 }
 
 Effect sounds() {
-    return {"sounds", "sound", "a sound device, and each frame the ways that sound takes to the player",
+    return {"sounds", "sound",
+            "a sound device; while anything sounds, each tick the ways that sound takes to the player",
             [](const MapFile& map) { return map.sounds.size(); }, nullptr};
 }
 

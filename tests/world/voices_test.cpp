@@ -103,6 +103,13 @@ TEST(Voices, AreNotThereInASilentMap) {
     EXPECT_THAT(voices_at(now(game.map, game.world), hearing, {game.player().place, {}}, {}), IsEmpty());
 }
 
+TEST(Voices, AreOnlyListenedForWhereSomethingSounds) {
+    Heard heard(hall_with_hum({13, 8}));
+    heard.game.map.sounding_things.clear();
+    heard.now();
+    EXPECT_THAT(heard.hearing.sectors(), IsEmpty());
+}
+
 TEST(Voices, GoRoundCorners) {
     MapFile file = map_of({room("bend", {{0, 0}, {8, 0}, {8, 2}, {2, 2}, {2, 8}, {0, 8}})});
     file.things = {humming({6, 1})};
