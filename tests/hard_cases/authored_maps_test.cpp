@@ -13,7 +13,7 @@ namespace enfilade::test {
 namespace {
 
 /// Poses of each kind and size: 200 in a long run; fewer show nearly as much in CI.
-const int kPoses = std::getenv("ENFILADE_LONG") ? 200 : 75;
+const int kPoses = std::getenv("ENFILADE_LONG") ? 200 : 60;
 constexpr PictureSize kEven{320, 200}, kOdd{117, 83};  ///< an odd side has a ray exactly along the look
 
 std::vector<std::string> authored_maps() {
