@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include "base/files.h"
@@ -122,6 +123,14 @@ Status refuse_as_script(const std::string& path) {
         if (is_map(text)) return about_map(path);
         return {};
     });
+}
+
+std::string about_file(const std::string& path) {
+    const auto bytes = read_file(path);
+    if (!bytes.ok()) return bytes.error().what;
+    if (const auto other = about_others(path, bytes.value())) return *other;
+    if (is_script(as_text(bytes.value()))) return about_script(path);
+    return fmt::format("found a map; `enfilade play {}` walks through it", path);
 }
 
 std::vector<std::string> maps_in_folders(const std::vector<std::string>& paths) {

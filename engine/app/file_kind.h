@@ -19,6 +19,9 @@ Status refuse_as_map(const std::string& path);
 /// The same where a script was wanted: a map is one of the others there.
 Status refuse_as_script(const std::string& path);
 
+/// "found a map; …": what a file is and which command takes it, for where neither was wanted.
+std::string about_file(const std::string& path);
+
 /// The paths, with every folder replaced by the maps in it (*.toml), in the order of their names and without the
 /// scripts. A folder without maps stays.
 std::vector<std::string> maps_in_folders(const std::vector<std::string>& paths);
