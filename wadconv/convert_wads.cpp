@@ -97,14 +97,16 @@ public:
     MapWriter(const WadPile& pile, const Pictures& pictures, const Sounds& sounds, const RunOptions& options)
         : pile_(pile), pictures_(pictures), sounds_(sounds), options_(options), sizes_(pictures.sizes()) {}
 
-    Report convert(const std::string& name) const {
+    /// An error where a map was converted and cannot be written.
+    Result<Report> convert(const std::string& name) const {
         Conversion conversion = convert_one(name);
         Report& report = conversion.report;
         report.map = name;
         if (report.refused.empty()) report.refused = first_error(*conversion.file, sizes_);
         if (report.refused.empty() && options_.strict && report.count(Fate::guessed) > 0)
             report.refused = guesses_text(report);
-        if (report.refused.empty()) write(name, *conversion.file, report);
+        if (report.refused.empty())
+            if (Status failed = write(name, *conversion.file)) return *failed;
         return std::move(report);
     }
 
@@ -123,9 +125,10 @@ private:
         return conversion;
     }
 
-    void write(const std::string& name, const MapFile& file, Report& report) const {
-        const Status failed = write_file(options_.out + "/" + file_of(name), write_map(file));
-        if (failed) report.refused = failed->text();
+    /// The report, written last, flushes the folder.
+    Status write(const std::string& name, const MapFile& file) const {
+        const std::string text = write_map(file);
+        return write_one_of_many(options_.out + "/" + file_of(name), std::as_bytes(std::span(text)));
     }
 
     const WadPile& pile_;
@@ -168,13 +171,22 @@ Result<RunResult> convert_wads(const RunOptions& options, const Progress& progre
     add_problems(sounds.problems());
     const MapWriter writer(pile.value(), pictures, sounds, options);
     result.reports.resize(maps.value().size());
+    std::vector<Status> unwritten(maps.value().size());
     parallel_for(maps.value().size(), options.jobs, [&](std::size_t i, std::size_t) {
-        result.reports[i] = writer.convert(maps.value()[i]);
+        Result<Report> report = writer.convert(maps.value()[i]);
+        if (report)
+            result.reports[i] = std::move(report).value();
+        else
+            unwritten[i] = report.error();
         step();
     });
+    for (const Status& failed : unwritten)
+        if (failed) return *failed;
     if (std::ranges::any_of(result.reports, is_converted)) {
-        add_problems(write_pictures(pictures, options.out + "/textures", options.jobs, step));
-        add_problems(sounds.write(options.out));
+        const auto problems = write_pictures(pictures, options.out + "/textures", options.jobs, step);
+        if (!problems) return problems.error();
+        add_problems(problems.value());
+        if (Status failed = sounds.write(options.out)) return *failed;
     } else {
         for (std::size_t i = 0; i < pictures.files().size(); ++i) step();
     }

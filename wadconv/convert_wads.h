@@ -34,8 +34,8 @@ struct RunResult {
 /// Writes OUT/NAME.toml for every map (name in lower case), OUT/textures with all pictures and OUT/sounds, both unless
 /// every map is refused, and OUT/report.txt. Every converted map is checked by build_map before it is written; one that
 /// does not pass is refused, like one that cannot be converted, and leaves no file. The same input gives the same bytes
-/// with any number of jobs. An Error where an archive cannot be read, a map that was asked for is not there, or nothing
-/// can be written.
+/// with any number of jobs. An Error where an archive cannot be read, a map that was asked for is not there, or a file
+/// cannot be written; the report is written last, so where there is a new one, everything else is there.
 Result<RunResult> convert_wads(const RunOptions& options, const Progress& progress);
 
 /// What lies in the folder OUT now, and what to do with it: a line or two.

@@ -1,9 +1,11 @@
 #include "wadconv/pictures.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <system_error>
 
+#include "base/output_file.h"
 #include "base/parallel.h"
 
 namespace enfilade::wadconv {
@@ -32,14 +34,21 @@ Result<Picture> read_flat(const Lump& lump) {
     return picture;
 }
 
-Status write_picture(const PictureFile& file, const Palette& palette, const std::string& folder) {
+/// What is wrong with one picture, and why it could not be written.
+struct PictureFaults {
+    Status undrawn, unwritten;
+};
+
+PictureFaults write_picture(const PictureFile& file, const Palette& palette, const std::string& folder) {
     const Result<Picture> picture = file.draw();
-    if (!picture) return picture.error();
-    return write_file(folder + "/" + file.name + ".png", to_png(picture.value(), palette));
+    if (!picture) return {picture.error(), {}};
+    return {{}, write_one_of_many(folder + "/" + file.name + ".png", to_png(picture.value(), palette))};
 }
 
+constexpr std::array<std::string_view, 3> kFolders{"", kFlatFolder, kSpriteFolder};
+
 Status make_folders(const std::string& folder) {
-    for (std::string_view part : {std::string_view(), kFlatFolder, kSpriteFolder}) {
+    for (std::string_view part : kFolders) {
         const std::string path = folder + "/" + std::string(part);
         std::error_code failed;
         std::filesystem::create_directories(path, failed);
@@ -158,19 +167,23 @@ TextureSet Pictures::sizes() const {
     return set;
 }
 
-std::vector<Error> write_pictures(const Pictures& pictures, const std::string& folder, std::size_t workers,
-                                  const std::function<void()>& progress) {
-    if (Status failed = make_folders(folder)) return {*failed};
+Result<std::vector<Error>> write_pictures(const Pictures& pictures, const std::string& folder, std::size_t workers,
+                                          const std::function<void()>& progress) {
+    if (Status failed = make_folders(folder)) return *failed;
     const std::vector<PictureFile>& files = pictures.files();
-    std::vector<Status> failures(files.size());
+    std::vector<PictureFaults> faults(files.size());
     parallel_for(files.size(), workers, [&](std::size_t i, std::size_t) {
-        failures[i] = write_picture(files[i], pictures.palette(), folder);
+        faults[i] = write_picture(files[i], pictures.palette(), folder);
         progress();
     });
-    std::vector<Error> errors;
-    for (const Status& failed : failures)
-        if (failed) errors.push_back(*failed);
-    return errors;
+    std::vector<Error> problems;
+    for (const PictureFaults& fault : faults) {
+        if (fault.unwritten) return *fault.unwritten;
+        if (fault.undrawn) problems.push_back(*fault.undrawn);
+    }
+    for (std::string_view part : kFolders)
+        if (Status failed = flush_folder(folder + "/" + std::string(part))) return *failed;
+    return problems;
 }
 
 }  // namespace enfilade::wadconv

@@ -91,9 +91,10 @@ private:
     std::vector<Error> problems_;
 };
 
-/// Writes every picture as FOLDER/NAME.png, on `workers` threads. Returns what went wrong, in the order of the
-/// pictures; those that failed are not written. `progress` is called after each picture, from any thread.
-std::vector<Error> write_pictures(const Pictures& pictures, const std::string& folder, std::size_t workers,
-                                  const std::function<void()>& progress);
+/// Writes every picture as FOLDER/NAME.png, on `workers` threads. Returns what is wrong with those that cannot be
+/// drawn, in the order of the pictures; an error where one cannot be written. `progress` is called after each picture,
+/// from any thread.
+Result<std::vector<Error>> write_pictures(const Pictures& pictures, const std::string& folder, std::size_t workers,
+                                          const std::function<void()>& progress);
 
 }  // namespace enfilade::wadconv

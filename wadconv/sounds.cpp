@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/bytes.h"
+#include "base/output_file.h"
 
 namespace enfilade::wadconv {
 namespace {
@@ -73,16 +74,15 @@ Sounds Sounds::list(const WadPile& pile) {
 
 std::string Sounds::file_of(std::string_view name) { return std::string(kSoundFolder) + std::string(name) + ".wav"; }
 
-std::vector<Error> Sounds::write(const std::string& folder) const {
+Status Sounds::write(const std::string& folder) const {
     if (files_.empty()) return {};
     const std::string path = folder + "/" + std::string(kSoundFolder);
     std::error_code failed;
     std::filesystem::create_directories(path, failed);
-    if (failed) return {Error{path, "cannot make the folder: " + failed.message()}};
-    std::vector<Error> failures;
+    if (failed) return Error{path, "cannot make the folder: " + failed.message()};
     for (const auto& [name, bytes] : files_)
-        if (Status unwritten = write_file(folder + "/" + file_of(name), bytes)) failures.push_back(*unwritten);
-    return failures;
+        if (Status unwritten = write_one_of_many(folder + "/" + file_of(name), bytes)) return unwritten;
+    return flush_folder(path);
 }
 
 }  // namespace enfilade::wadconv

@@ -30,8 +30,8 @@ public:
     static std::string file_of(std::string_view name);
     const std::vector<Error>& problems() const { return problems_; }
 
-    /// Writes every one below the folder of the maps. Returns what went wrong.
-    std::vector<Error> write(const std::string& folder) const;
+    /// Writes every one below the folder of the maps.
+    Status write(const std::string& folder) const;
 
 private:
     std::map<std::string, Bytes, std::less<>> files_;

@@ -131,7 +131,7 @@ Status time_frames(const BenchRequest& request, const BenchChoices& choices, con
         return took_ns;
     };
     if (Status failed = measure(frames, choices.rounds, draw)) return failed;
-    fmt::print("{}", bench_table(request.files, frames));
+    fmt::print(request.csv == "-" ? stderr : stdout, "{}", bench_table(request.files, frames));
     return request.csv.empty() ? Status() : write_file(request.csv, bench_csv(request.files, frames));
 }
 

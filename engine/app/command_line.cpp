@@ -5,10 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <csignal>
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
 #include "app/usage_faults.h"
+#include "base/output_file.h"
 #include "formats/number_text.h"
 #include "render/view.h"
 
@@ -117,7 +119,7 @@ void declare_pictures(CLI::App& command, RenderRequest& request) {
     declare_threads(command, request.threads);
     declare_textures(command, request.texture_folders);
     declare_skill(command, request.skill);
-    command.add_option("--out", request.out, "One picture, or a folder for 000000.png onward")
+    command.add_option("--out", request.out, "One picture (- for standard output), or a folder for 000000.png onward")
         ->type_name("FILE.png|DIR")
         ->required();
     command.add_option("--ids", request.ids, "The same for pictures of 24-bit surface ids, red the high byte")
@@ -140,9 +142,11 @@ CLI::App* declare_render(CLI::App& enfilade, RenderRequest& request) {
 
 void declare_drawing(CLI::App& command, FlyRequest& request) {
     command
-        .add_option("--out", request.out,
-                    "A folder for 000000.png onward, or a film; needed, unless --check or --record is given. With "
-                    "--check, the folder of its report; if not given, SCRIPT's name with .failed in the current folder")
+        .add_option(
+            "--out", request.out,
+            "A folder for 000000.png onward, or a film (- for standard output, as .y4m); needed, unless --check or "
+            "--record is given. With "
+            "--check, the folder of its report; if not given, SCRIPT's name with .failed in the current folder")
         ->type_name("DIR|FILE.mp4|FILE.y4m");
     command.add_option("--frames", request.frames, "Only these frames, counted from 0")->type_name("A..B");
     command.add_option("--size", request.size, "Size in pixels instead of the script's")->type_name("WxH");
@@ -277,7 +281,9 @@ int run_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         return refuse_usage({"", fmt::format("{}; see `{} --help`", fault_text(app, error), command_at_fault(app))});
     }
-    if (declared_play->parsed()) return run_play(play);
+    remove_temporary_files_on({SIGHUP});
+    if (declared_play->parsed()) return run_play(play);  // its window turns the other signals into leaving the game
+    remove_temporary_files_on({SIGINT, SIGTERM});
     if (declared_render->parsed()) return run_render(render);
     if (declared_fly->parsed()) return run_fly(fly);
     if (declared_bench->parsed()) return run_bench(bench);

@@ -22,10 +22,11 @@ public:
     virtual Status finish() = 0;
 };
 
-/// Whether the path ends like a film that can be written.
+/// Whether the path ends like a film that can be written, or names a stream (base/output_file.h).
 bool names_film(const std::string& path);
 
-/// .y4m is written here; .mp4 by the program ffmpeg, and it is an error where that is not installed.
+/// .mp4 is written by the program ffmpeg, and it is an error where that is not installed; all else is .y4m, written
+/// here.
 Result<std::unique_ptr<Film>> start_film(const std::string& path, const FilmFormat& format);
 
 }  // namespace enfilade

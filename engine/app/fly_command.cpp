@@ -12,6 +12,7 @@
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/recorded_flight.h"
+#include "base/output_file.h"
 #include "formats/number_text.h"
 #include "platform/gl_context.h"
 
@@ -39,7 +40,7 @@ Status check_out(const FlyRequest& request) {
     const std::string expected =
         request.check ? "a folder for the report" : "a folder for many pictures, or a .mp4 or .y4m film";
     if (request.check && names_film(request.out)) return not_a("--out", expected, request.out);
-    if (names_picture(request.out)) return not_a("--out", expected, request.out);
+    if (names_picture(request.out) && !names_film(request.out)) return not_a("--out", expected, request.out);
     return refuse_other_kinds("--out", expected, request.out);
 }
 
@@ -99,10 +100,11 @@ Result<DrawPlan> plan_of(const FlyChoices& choices, const OpenFlight& open) {
 Status draw_pictures_into(const std::string& folder, const FlightScene& scene, const DrawPlan& plan) {
     if (Status failed = make_folder(folder)) return failed;
     Progress progress(std::size_t(plan.last - plan.first + 1), "frames");
-    return draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
+    const Status failed = draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
         progress.step(worker);
-        return write_picture(numbered_picture(folder, std::size_t(number)), image_of(frame));
+        return write_numbered_picture(folder, std::size_t(number), image_of(frame));
     });
+    return failed ? failed : flush_folder(folder);
 }
 
 Status draw_film(const std::string& path, const FlightScene& scene, const DrawPlan& plan, int rate) {

@@ -10,6 +10,7 @@
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "base/files.h"
+#include "base/output_file.h"
 #include "base/parallel.h"
 #include "formats/number_text.h"
 #include "platform/clock.h"
@@ -51,7 +52,9 @@ public:
             progress.step(worker);
         });
         const auto failed = std::ranges::find_if(desks_, [](const Desk& desk) { return desk.failed.has_value(); });
-        return failed != desks_.end() ? failed->failed : write_timing();
+        if (failed != desks_.end()) return failed->failed;
+        if (Status unsure = flush_folders()) return unsure;
+        return write_timing();
     }
 
 private:
@@ -76,13 +79,20 @@ private:
     }
 
     Status write(const Desk& desk, std::size_t i) const {
-        if (Status failed = write_picture(path_of(job_.out, i), image_of(desk.frame))) return failed;
+        if (Status failed = write(job_.out, i, image_of(desk.frame))) return failed;
         if (job_.ids.empty()) return {};
-        return write_picture(path_of(job_.ids, i), ids_image(desk.facts, desk.frame.width, desk.frame.height));
+        return write(job_.ids, i, ids_image(desk.facts, desk.frame.width, desk.frame.height));
     }
 
-    static std::string path_of(const std::string& out, std::size_t i) {
-        return names_picture(out) ? out : numbered_picture(out, i);
+    static Status write(const std::string& out, std::size_t i, const Image& image) {
+        return names_picture(out) ? write_picture(out, image) : write_numbered_picture(out, i, image);
+    }
+
+    Status flush_folders() const {
+        for (const std::string& out : {job_.out, job_.ids})
+            if (!out.empty() && !names_picture(out))
+                if (Status failed = flush_folder(out)) return failed;
+        return {};
     }
 
     Status write_timing() const {
@@ -111,8 +121,11 @@ Snapshot snapshot_at(const Map& map, double time_s) {
 }
 
 Status check_outputs(const PictureJob& job) {
+    if ((job.out == "-") + (job.ids == "-") + (job.timing == "-") > 1)
+        return Error{"", "only one of --out, --ids and --timing can be '-', standard output"};
     for (const auto& [argument, path] : {std::pair{"--out", job.out}, {"--ids", job.ids}}) {
-        if (names_film(path)) return Error{argument, "render writes pictures; `enfilade fly` writes films"};
+        if (names_film(path) && !names_picture(path))
+            return Error{argument, "render writes pictures; `enfilade fly` writes films"};
         const std::size_t count = job.views.size();
         const std::string expected = count == 1 ? "a .png picture, or a folder for 000000.png"
                                                 : fmt::format("a folder for {}", counted(count, "picture"));

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/output_file.h"
+
 namespace enfilade {
 namespace {
 
@@ -34,7 +36,7 @@ std::string ending_of(const std::string& path) {
     return ending;
 }
 
-bool names_picture(const std::string& path) { return ending_of(path) == ".png"; }
+bool names_picture(const std::string& path) { return ending_of(path) == ".png" || names_stream(path); }
 
 Error not_a(const std::string& argument, const std::string& expected, const std::string& path) {
     return {argument, fmt::format("expected {}; found '{}'", expected, path)};
@@ -57,5 +59,9 @@ Status make_folder(const std::string& path) {
 }
 
 Status write_picture(const std::string& path, const Image& image) { return write_file(path, write_png(image)); }
+
+Status write_numbered_picture(const std::string& folder, std::size_t number, const Image& image) {
+    return write_one_of_many(numbered_picture(folder, number), write_png(image));
+}
 
 }  // namespace enfilade

@@ -13,7 +13,7 @@ Image image_of(const Frame& frame);
 /// 24-bit surface ids as colours: red is the high byte.
 Image ids_image(const FrameFacts& facts, int width, int height);
 
-/// Whether a path names one PNG file; anything else is a folder of pictures.
+/// Whether a path names one PNG file or a stream (base/output_file.h); anything else is a folder of pictures.
 bool names_picture(const std::string& path);
 
 /// ".png" of "a/B.PNG".
@@ -32,7 +32,9 @@ std::string numbered_picture(const std::string& folder, std::size_t number);
 /// Makes the folder, and those above it, where they are missing.
 Status make_folder(const std::string& path);
 
-/// Writes beside and renames.
+/// As write_file does (base/files.h).
 Status write_picture(const std::string& path, const Image& image);
+/// numbered_picture(), written as one of many.
+Status write_numbered_picture(const std::string& folder, std::size_t number, const Image& image);
 
 }  // namespace enfilade

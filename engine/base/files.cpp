@@ -7,6 +7,8 @@
 #include <memory>
 #include <system_error>
 
+#include "base/output_file.h"
+
 namespace enfilade {
 namespace {
 
@@ -19,15 +21,6 @@ Error system_error(const std::string& path, const char* doing) {
     return {path, std::string("cannot ") + doing + ": " + std::generic_category().message(errno)};
 }
 
-/// A name beside the path, so that the rename stays on one file system.
-std::string temporary_beside(const std::string& path) { return path + ".part"; }
-
-Status write_all(std::FILE* f, const std::string& path, std::span<const std::byte> bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), f) != bytes.size() || std::fflush(f) != 0)
-        return system_error(path, "write the file");
-    return {};
-}
-
 /// Why the path cannot be read as a file, without opening it: opening a pipe could wait for ever.
 Status not_a_file(const std::string& path) {
     std::error_code failed;
@@ -38,6 +31,13 @@ Status not_a_file(const std::string& path) {
         case std::filesystem::file_type::directory: return Error{path, "expected a file, found a folder"};
         default: return Error{path, "expected a file, found a device or a pipe"};
     }
+}
+
+Status write_and_flush(const std::string& path, std::span<const std::byte> bytes, OutputFile::Flush flush) {
+    Result<OutputFile> file = OutputFile::open(path);
+    if (!file) return file.error();
+    if (Status failed = file.value().write(bytes)) return failed;
+    return file.value().commit(flush);
 }
 
 }  // namespace
@@ -67,21 +67,11 @@ std::vector<std::string> list_folder(const std::string& path) {
 }
 
 Status write_file(const std::string& path, std::span<const std::byte> bytes) {
-    const std::string part = temporary_beside(path);
-    {
-        File f(std::fopen(part.c_str(), "wb"));
-        if (!f) return system_error(path, "create the file");
-        if (Status failed = write_all(f.get(), path, bytes)) {
-            std::remove(part.c_str());
-            return failed;
-        }
-    }
-    if (std::rename(part.c_str(), path.c_str()) != 0) {
-        Error error = system_error(path, "put the finished file in its place");
-        std::remove(part.c_str());
-        return error;
-    }
-    return {};
+    return write_and_flush(path, bytes, OutputFile::Flush::file_and_folder);
+}
+
+Status write_one_of_many(const std::string& path, std::span<const std::byte> bytes) {
+    return write_and_flush(path, bytes, OutputFile::Flush::file);
 }
 
 Status write_file(const std::string& path, std::string_view text) {

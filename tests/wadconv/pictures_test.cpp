@@ -287,7 +287,7 @@ std::vector<std::string> files_below(const std::string& folder) {
 TEST(WritePictures, WritesEachIntoItsFolder) {
     const TempDir dir;
     const Listed l;
-    EXPECT_THAT(write_pictures(l.pictures, dir.path(), 1, [] {}), IsEmpty());
+    EXPECT_THAT(write_pictures(l.pictures, dir.path(), 1, [] {}).value(), IsEmpty());
     EXPECT_THAT(files_below(dir.path()),
                 ElementsAre("aanull.png", "fence.png", "flats/ceil1_1.png", "flats/floor0_1.png", "sky1.png",
                             "sprites/bar1a.png", "sprites/possa1.png", "sprites/possa2.png", "sprites/possa3.png",
@@ -298,8 +298,8 @@ TEST(WritePictures, WritesEachIntoItsFolder) {
 TEST(WritePictures, WritesTheSameBytesOnAnyNumberOfThreads) {
     const TempDir one, three;
     const Listed l;
-    write_pictures(l.pictures, one.path(), 1, [] {});
-    write_pictures(l.pictures, three.path(), 3, [] {});
+    ASSERT_TRUE(write_pictures(l.pictures, one.path(), 1, [] {}).ok());
+    ASSERT_TRUE(write_pictures(l.pictures, three.path(), 3, [] {}).ok());
     for (const std::string& file : files_below(one.path()))
         EXPECT_EQ(read_file(one.path(file)).value(), read_file(three.path(file)).value()) << file;
 }
@@ -310,11 +310,20 @@ TEST(WritePictures, SaysWhatIsWrongAndWritesTheRest) {
     const WadPile pile = pile_of({wad.finish()});
     const Pictures pictures = Pictures::list(pile, {}).value();
     const TempDir dir;
-    const std::vector<Error> errors = write_pictures(pictures, dir.path(), 1, [] {});
+    const std::vector<Error> errors = write_pictures(pictures, dir.path(), 1, [] {}).value();
     ASSERT_EQ(errors.size(), 1u);
     EXPECT_THAT(errors[0].text(), HasSubstr("texture FENCE, patch BARS"));
     EXPECT_FALSE(std::filesystem::exists(dir.path("fence.png")));
     EXPECT_TRUE(std::filesystem::exists(dir.path("wall.png")));
+}
+
+TEST(WritePictures, FailsWhereOneCannotBeWritten) {
+    const TempDir dir;
+    const Listed l;
+    std::filesystem::create_directories(dir.path("wall.png"));
+    const auto problems = write_pictures(l.pictures, dir.path(), 1, [] {});
+    ASSERT_FALSE(problems.ok());
+    EXPECT_EQ(problems.error().text(), dir.path("wall.png") + ": expected a file, found a folder");
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // `enfilade fly` from outside.
 #include <gmock/gmock.h>
 
+#include <csignal>
+
 #include "app/cli/program.h"
 #include "formats/tape.h"
 
@@ -55,7 +57,29 @@ TEST_F(Fly, FilmsAsY4m) {
     const std::string film = program_.text("walk.y4m");
     EXPECT_THAT(film, StartsWith("YUV4MPEG2 W64 H40 F10:1 "));
     EXPECT_EQ(film.size(), film.find('\n') + 1 + 11 * (6 + 3 * 64 * 40));
-    EXPECT_FALSE(program_.exists("walk.y4m.part"));
+    EXPECT_EQ(program_.hidden_files(), 0u);
+}
+
+TEST_F(Fly, FilmsIntoAStream) {
+    fly({"--out", "walk.y4m"});
+    for (const char* stream : {"-", "/dev/stdout"})
+        EXPECT_TRUE(fly({"--out", stream}).out == program_.text("walk.y4m")) << stream;
+}
+
+TEST_F(Fly, FilmsAsMp4) {
+    if (std::system("command -v ffmpeg >/dev/null") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+    EXPECT_EQ(fly({"--out", "walk.mp4"}).exit_code, 0);
+    EXPECT_THAT(program_.text("walk.mp4").substr(0, 12), HasSubstr("ftyp"));
+    EXPECT_EQ(program_.hidden_files(), 0u);
+}
+
+TEST_F(Fly, LeavesTheFilmOfBeforeWhereItIsStopped) {
+    program_.write("walk.toml", std::string(kWalk) + "[[legs]]\nwait = 1000\n");
+    program_.write("walk.y4m", "the film of before");
+    const Ended ended = program_.run({"fly", "walk.toml", "--out", "walk.y4m"}, "timeout --preserve-status 0.3");
+    EXPECT_EQ(ended.exit_code, 128 + SIGTERM);
+    EXPECT_EQ(program_.text("walk.y4m"), "the film of before");
+    EXPECT_EQ(program_.hidden_files(), 0u);
 }
 
 TEST_F(Fly, SaysThatAnMp4NeedsFfmpeg) {

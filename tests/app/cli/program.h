@@ -30,6 +30,13 @@ public:
 
     std::string path(const std::string& name) const { return dir_.path(name); }
     bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
+    /// How many files there are whose names begin with a dot: temporary ones.
+    std::size_t hidden_files() const {
+        std::size_t count = 0;
+        for (const auto& entry : std::filesystem::directory_iterator(dir_.path()))
+            count += entry.path().filename().string().starts_with(".") ? 1 : 0;
+        return count;
+    }
     std::string text(const std::string& name) const {
         const auto bytes = read_file(path(name));
         return bytes.ok() ? std::string(as_text(bytes.value())) : "";

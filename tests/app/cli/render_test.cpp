@@ -169,6 +169,23 @@ TEST_F(Render, LeavesNothingBehindForAMapThatIsRefused) {
     EXPECT_FALSE(program_.exists("new"));
 }
 
+TEST_F(Render, DrawsIntoAStream) {
+    render({"--out", "a.png"});
+    for (const char* stream : {"-", "/dev/stdout"})
+        EXPECT_TRUE(render({"--out", stream}).out == program_.text("a.png")) << stream;
+    EXPECT_THAT(render({"--out", "b.png", "--timing", "-"}).out, ::testing::StartsWith("view,ns\n0,"));
+    EXPECT_EQ(render({"--out", "-", "--ids", "-"}).exit_code, 2);
+}
+
+TEST_F(Render, WritesIntoADeviceAndLeavesItThere) {
+    EXPECT_EQ(render({"--out", "/dev/null", "--timing", "/dev/null"}).exit_code, 0);
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+    const Ended full = render({"--out", "/dev/full"});
+    EXPECT_EQ(full.exit_code, 1);
+    EXPECT_THAT(full.err, HasSubstr("enfilade: /dev/full: cannot write the file: "));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
 TEST_F(Render, SaysWhenAPictureCannotBeWritten) {
     const Ended ended = render({"--out", "no/such/a.png"});
     EXPECT_EQ(ended.exit_code, 1);
