@@ -3,8 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <csignal>
 #include <cstdio>
 
+#include "base/attempt.h"
+#include "base/output_file.h"
 #include "base/parallel.h"
 #include "wadconv/convert_wads.h"
 
@@ -56,9 +59,7 @@ int run(const RunOptions& options, bool is_verbose) {
     return result.value().is_complete() ? kAllConverted : kSomeRefused;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_command_line(int argc, char** argv) {
     CLI::App app("Converts the maps, textures and sprites of Doom and Doom II WADs into enfilade maps", "wadconv");
     RunOptions options;
     bool is_verbose = false;
@@ -88,5 +89,12 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return refuse_usage(error.what());
     }
+    enfilade::remove_temporary_files_on({SIGHUP, SIGINT, SIGTERM});
     return run(options, is_verbose);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return enfilade::run_program("wadconv", [&] { return run_command_line(argc, argv); });
 }

@@ -4,6 +4,7 @@
 #endif
 
 #include "app/command_line.h"
+#include "base/attempt.h"
 
 namespace {
 
@@ -23,5 +24,5 @@ void take_memory_in_large_pieces() {
 
 int main(int argc, char** argv) {
     take_memory_in_large_pieces();
-    return enfilade::run_command_line(argc, argv);
+    return enfilade::run_program("enfilade", [&] { return enfilade::run_command_line(argc, argv); });
 }

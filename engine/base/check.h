@@ -3,7 +3,8 @@
 
 namespace enfilade {
 
-/// Prints "file:line: broken contract: text" to stderr and aborts.
+/// Where an attempt is under way in this thread (base/attempt.h), ends that attempt. Else removes unfinished files,
+/// prints "file:line: broken contract: text" to stderr and aborts.
 [[noreturn]] void contract_broken(const char* file, int line, const char* text);
 
 }  // namespace enfilade

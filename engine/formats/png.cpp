@@ -6,6 +6,9 @@
 #include <cstring>
 #include <string>
 
+#include "base/attempt.h"
+#include "base/check.h"
+
 namespace enfilade {
 namespace {
 
@@ -18,7 +21,15 @@ struct PngHolder {
     ~PngHolder() { png_image_free(&image); }
 };
 
-Error not_an_image(const png_image& image) { return {"", std::string("not a PNG image: ") + image.message}; }
+/// libpng gets memory by itself, and says so in the same way as everything else.
+void heed_shortage(const png_image& image) {
+    if (std::strstr(image.message, "memory")) out_of_memory();
+}
+
+Error not_an_image(const png_image& image) {
+    heed_shortage(image);
+    return {"", std::string("not a PNG image: ") + image.message};
+}
 
 /// The most bytes that deflate makes of one (RFC 1951: 258 from two bits).
 constexpr std::uint64_t kMostFromOneByte = 1032;
@@ -41,7 +52,9 @@ Status refuse_size(const png_image& image, std::size_t file_bytes) {
 Bytes encode(PngHolder& png, const void* pixels, const void* palette) {
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png.image);
     Bytes bytes(size);
-    ENFILADE_CHECK(png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels, 0, palette));
+    const int written = png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels, 0, palette);
+    if (!written) heed_shortage(png.image);
+    ENFILADE_CHECK(written);
     bytes.resize(size);
     return bytes;
 }

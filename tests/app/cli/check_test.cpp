@@ -25,6 +25,24 @@ TEST(CommandLine, ExplainsEveryCommand) {
     }
 }
 
+TEST(CommandLine, EndsWithASentenceWhereMemoryIsShort) {
+    const Program program;
+    program.write("map.toml", test::kTwoRooms);
+    int short_of_it = 0;
+    for (int limit_kib = 30'000; limit_kib <= 250'000; limit_kib += 2'000) {
+        const Ended ended =
+            program.run({"render", "map.toml", "--out", "x.png"}, "ulimit -v " + std::to_string(limit_kib) + ";");
+        if (ended.exit_code == 127) continue;  // not even the libraries can be loaded
+        SCOPED_TRACE(std::to_string(limit_kib) + " KiB: " + ended.err);
+        EXPECT_THAT(ended.exit_code, ::testing::AnyOf(0, 1));
+        EXPECT_EQ(program.hidden_files(), 0u);
+        if (ended.exit_code == 0) continue;
+        ++short_of_it;
+        EXPECT_THAT(ended.err, HasSubstr("enfilade: there is not enough memory for this\n"));
+    }
+    EXPECT_GT(short_of_it, 0);
+}
+
 TEST(CommandLine, TellsItsVersion) {
     const Ended ended = Program().run({"--version"});
     EXPECT_EQ(ended.exit_code, 0);

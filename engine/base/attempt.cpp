@@ -1,0 +1,104 @@
+#include "base/attempt.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include "base/output_file.h"
+
+namespace enfilade {
+namespace {
+
+thread_local bool attempt_is_under_way = false;
+
+/// Thrown by broken contracts, inside attempts only.
+class BrokenContract : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+constexpr const char* kNoMemory = "there is not enough memory for this";
+
+/// What was thrown, as a sentence without an end.
+Error what_was_thrown() {
+    try {
+        throw;
+    } catch (const BrokenContract& broken) {
+        return {"", std::string("a fault in this program, please report it: ") + broken.what()};
+    } catch (const std::bad_alloc&) {
+        return {"", kNoMemory};
+    } catch (const std::exception& other) {
+        return {"", std::string("a fault in a library: ") + other.what()};
+    } catch (...) {
+        return {"", "a fault in a library"};
+    }
+}
+
+/// "NAME: what" on stderr, without taking memory.
+void say_last_words(const char* name, const char* what) {
+    for (const char* words : {name, ": ", what, "\n"})
+        if (::write(STDERR_FILENO, words, std::strlen(words)) < 0) return;
+}
+
+const char* program_name = "";  // a terminate handler gets no arguments
+
+/// Where an exception cannot get through: the same last words as elsewhere.
+[[noreturn]] void end_the_program() {
+    remove_temporary_files();
+    const char* what = "it had to end";
+    try {
+        if (std::current_exception()) throw;
+    } catch (const std::bad_alloc&) {
+        what = kNoMemory;
+    } catch (...) {
+        what = "a fault in a library";
+    }
+    say_last_words(program_name, what);
+    std::_Exit(EXIT_FAILURE);
+}
+
+}  // namespace
+
+bool is_attempting() { return attempt_is_under_way; }
+
+Attempting::Attempting(bool is_attempting) : before_(attempt_is_under_way) { attempt_is_under_way = is_attempting; }
+Attempting::~Attempting() { attempt_is_under_way = before_; }
+
+void out_of_memory() { throw std::bad_alloc(); }
+
+void contract_broken(const char* file, int line, const char* text) {
+    if (is_attempting())
+        throw BrokenContract(std::string(file) + ":" + std::to_string(line) + ": broken contract: " + text);
+    remove_temporary_files();
+    std::fprintf(stderr, "%s:%d: broken contract: %s\n", file, line, text);
+    std::abort();
+}
+
+Status attempt(const std::function<void()>& work) {
+    try {
+        const Attempting here(true);
+        work();
+        return {};
+    } catch (...) {
+        return what_was_thrown();
+    }
+}
+
+int run_program(const char* name, const std::function<int()>& work) {
+    program_name = name;
+    std::set_terminate(end_the_program);
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        say_last_words(name, kNoMemory);
+    } catch (const std::exception& other) {
+        say_last_words(name, other.what());
+    }
+    return EXIT_FAILURE;
+}
+
+}  // namespace enfilade
