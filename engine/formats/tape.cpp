@@ -8,19 +8,24 @@
 
 // All numbers little-endian:
 //
-//   8   "ENFTAPE" and the version, 1
+//   8   "ENFTAPE" and the version, 2
 //   4   rate
 //   2   length of the map's name, then the name in UTF-8
 //   8   map_hash
-//   4   number of ticks, then 11 bytes for each: forward, strafe, yaw_steps, pitch_steps, buttons
+//  11   for each tick: forward, strafe, yaw_steps, pitch_steps, buttons
+//   1   0x80, which no tick begins with
 //   8   final_hash
+//
+// So a tape can be written tick by tick, and is one wherever it was stopped. Version 1 had the number of ticks, 4
+// bytes, before them, and no 0x80.
 
 namespace enfilade {
 namespace {
 
 constexpr std::string_view kMagic = "ENFTAPE";
-constexpr std::uint8_t kVersion = 1;
-constexpr std::size_t kTickBytes = 11;
+constexpr std::uint8_t kVersion = 2, kVersionWithCount = 1;
+constexpr std::byte kEndMark{0x80};
+constexpr std::size_t kEndBytes = 9;  // the mark and the hash
 constexpr std::uint32_t kMaxRate = 1000;
 constexpr std::uint8_t kAllButtons = kButtonRun | kButtonCrouch | kButtonUse | kButtonJump;
 
@@ -39,13 +44,14 @@ bool is_valid_name(std::string_view name) {
     return true;
 }
 
-Status read_header(ByteReader& reader, Tape& tape) {
+/// Its version, after the tape has all but its ticks.
+Result<std::uint8_t> read_header(ByteReader& reader, Tape& tape) {
     if (as_text(reader.take(kMagic.size())) != kMagic)
         return bad_tape(reader, "not a tape: it does not start with ENFTAPE");
     const std::uint8_t version = reader.u8();
     if (reader.failed()) return ends_early(reader);
-    if (version != kVersion)
-        return bad_tape(reader, "the tape has version " + std::to_string(version) + "; only 1 can be read");
+    if (version != kVersion && version != kVersionWithCount)
+        return bad_tape(reader, "the tape has version " + std::to_string(version) + "; 1 and 2 can be read");
     tape.rate = reader.u32();
     const std::size_t name_length = reader.u16();
     if (reader.failed()) return ends_early(reader);
@@ -56,7 +62,7 @@ Status read_header(ByteReader& reader, Tape& tape) {
     tape.map_hash = reader.u64();
     if (reader.failed()) return ends_early(reader);
     if (!is_valid_name(tape.map)) return bad_tape(reader, "the map's name is not UTF-8 text");
-    return {};
+    return version;
 }
 
 InputRecord read_tick(ByteReader& reader) {
@@ -77,15 +83,36 @@ Status wrong_tick(const ByteReader& reader, const InputRecord& tick) {
     return {};
 }
 
-Status read_ticks(ByteReader& reader, Tape& tape) {
-    const std::uint32_t count = reader.u32();
-    if (reader.failed() || count > reader.remaining() / kTickBytes) return ends_early(reader);
+Status read_ticks(ByteReader& reader, std::size_t count, Tape& tape) {
     tape.ticks.reserve(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         tape.ticks.push_back(read_tick(reader));
         if (Status wrong = wrong_tick(reader, tape.ticks.back())) return wrong;
     }
     return {};
+}
+
+Status read_counted_ticks(ByteReader& reader, Tape& tape) {
+    const std::uint32_t count = reader.u32();
+    if (reader.failed() || count > reader.remaining() / kTapeTickBytes) return ends_early(reader);
+    return read_ticks(reader, count, tape);
+}
+
+/// How many whole ticks stand before the end mark, or before the end of the bytes.
+std::size_t count_ticks(std::span<const std::byte> bytes) {
+    std::size_t count = 0;
+    while ((count + 1) * kTapeTickBytes <= bytes.size() && bytes[count * kTapeTickBytes] != kEndMark) ++count;
+    return count;
+}
+
+/// False where the tape stops before its end is whole.
+Result<bool> read_ticks_to_the_end(ByteReader& reader, std::span<const std::byte> bytes, Tape& tape) {
+    const auto rest = bytes.subspan(reader.position());
+    const std::size_t count = count_ticks(rest);
+    if (Status wrong = read_ticks(reader, count, tape)) return *wrong;
+    if (reader.remaining() < kEndBytes || rest[count * kTapeTickBytes] != kEndMark) return false;
+    reader.u8();
+    return true;
 }
 
 }  // namespace
@@ -93,8 +120,16 @@ Status read_ticks(ByteReader& reader, Tape& tape) {
 Result<Tape> read_tape(std::span<const std::byte> bytes) {
     ByteReader reader(bytes);
     Tape tape;
-    if (Status failed = read_header(reader, tape)) return *failed;
-    if (Status failed = read_ticks(reader, tape)) return *failed;
+    const Result<std::uint8_t> version = read_header(reader, tape);
+    if (!version) return version.error();
+    if (version.value() == kVersionWithCount) {
+        if (Status failed = read_counted_ticks(reader, tape)) return *failed;
+    } else {
+        const Result<bool> ended = read_ticks_to_the_end(reader, bytes, tape);
+        if (!ended) return ended.error();
+        tape.final_hash.reset();
+        if (!ended.value()) return tape;
+    }
     tape.final_hash = reader.u64();
     if (reader.failed()) return ends_early(reader);
     if (reader.remaining() > 0)
@@ -103,7 +138,7 @@ Result<Tape> read_tape(std::span<const std::byte> bytes) {
     return tape;
 }
 
-Bytes write_tape(const Tape& tape) {
+Bytes tape_beginning(const Tape& tape) {
     ENFILADE_CHECK(tape.map.size() <= kMaxTapeMapName);
     ENFILADE_CHECK(tape.rate >= 1 && tape.rate <= kMaxRate);
     ByteWriter writer;
@@ -113,16 +148,32 @@ Bytes write_tape(const Tape& tape) {
     writer.u16(static_cast<std::uint16_t>(tape.map.size()));
     writer.text(tape.map);
     writer.u64(tape.map_hash);
-    writer.u32(static_cast<std::uint32_t>(tape.ticks.size()));
-    for (const InputRecord& tick : tape.ticks) {
-        writer.u8(static_cast<std::uint8_t>(tick.forward));
-        writer.u8(static_cast<std::uint8_t>(tick.strafe));
-        writer.u32(static_cast<std::uint32_t>(tick.yaw_steps));
-        writer.u32(static_cast<std::uint32_t>(tick.pitch_steps));
-        writer.u8(tick.buttons);
-    }
-    writer.u64(tape.final_hash);
     return {writer.bytes().begin(), writer.bytes().end()};
+}
+
+Bytes tape_tick(const InputRecord& tick) {
+    ByteWriter writer;
+    writer.u8(static_cast<std::uint8_t>(tick.forward));
+    writer.u8(static_cast<std::uint8_t>(tick.strafe));
+    writer.u32(static_cast<std::uint32_t>(tick.yaw_steps));
+    writer.u32(static_cast<std::uint32_t>(tick.pitch_steps));
+    writer.u8(tick.buttons);
+    return {writer.bytes().begin(), writer.bytes().end()};
+}
+
+Bytes tape_end(std::uint64_t final_hash) {
+    ByteWriter writer;
+    writer.u8(std::to_integer<std::uint8_t>(kEndMark));
+    writer.u64(final_hash);
+    return {writer.bytes().begin(), writer.bytes().end()};
+}
+
+Bytes write_tape(const Tape& tape) {
+    Bytes bytes = tape_beginning(tape);
+    const auto add = [&](const Bytes& piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); };
+    for (const InputRecord& tick : tape.ticks) add(tape_tick(tick));
+    if (tape.final_hash) add(tape_end(*tape.final_hash));
+    return bytes;
 }
 
 }  // namespace enfilade

@@ -74,7 +74,7 @@ TEST_F(TapePathInHall, ShowsTheStartOfAnEmptyTape) {
 }
 
 TEST_F(TapePathInHall, RefusesAWalkThatEndsElsewhere) {
-    tape_.final_hash ^= 1;
+    *tape_.final_hash ^= 1;
     EXPECT_FALSE(TapePath::plan(map_, tape_).ok());
 }
 

@@ -64,7 +64,7 @@ TEST(Replay, CountsAMissingTickAsADifference) {
 TEST(Replay, RefusesATapeThatEndsElsewhere) {
     const Map map = two_rooms();
     Tape tape = recorded(map);
-    tape.final_hash ^= 1;
+    *tape.final_hash ^= 1;
     ASSERT_FALSE(replay(map, tape).ok());
     EXPECT_NE(replay(map, tape).error().what.find("after 300 ticks"), std::string::npos);
 }
