@@ -27,6 +27,22 @@ SectorId sector_named(const Map& map, const std::string& name) {
     return found == map.sectors.end() ? SectorId{} : SectorId(static_cast<std::size_t>(found - map.sectors.begin()));
 }
 
+/// How many games are kept that were saved in one place.
+constexpr int kKeptSaves = 3;
+
+/// Where the game is that was saved so many games ago.
+std::string saved_before(const std::string& path, int age) {
+    return age == 0 ? path : path + "." + std::to_string(age);
+}
+
+/// Nothing is copied where nothing is. A copy, not a rename: at every moment there is a game under each name.
+Status copy_saved(const std::string& from, const std::string& to) {
+    std::error_code unknown;
+    if (!std::filesystem::exists(from, unknown)) return {};
+    const auto bytes = read_file(from);
+    return bytes.ok() ? write_file(to, std::span<const std::byte>(bytes.value())) : Status(bytes.error());
+}
+
 /// The angle of pitch_steps, within ±kMaxPitchSteps.
 Angle pitch_of(std::int64_t steps) {
     const std::int64_t within = std::clamp<std::int64_t>(steps, -kMaxPitchSteps, kMaxPitchSteps);
@@ -41,27 +57,35 @@ Game::Game(std::string path, std::vector<std::string> texture_folders, int skill
 Result<std::unique_ptr<Game>> Game::start(const std::string& map_path, std::vector<std::string> texture_folders,
                                           int skill) {
     std::unique_ptr<Game> game(new Game(map_path, std::move(texture_folders), skill));
-    auto map = game->load();
+    auto map = game->load(map_path, game->watch_);
     if (!map.ok()) return map.error();
-    game->map_ = std::move(map).value();
-    game->automap_ = Automap(game->map());
+    game->take(std::move(map).value());
     game->restart();
     return game;
 }
 
-Result<OpenMap> Game::load() {
-    const FileReader watched = watch_.start_reading();
+Result<Game::Loaded> Game::load(const std::string& map_path, MapWatch& watch) const {
+    Loaded loaded;
+    const FileReader watched = watch.start_reading();
     const auto read = [&](const std::string& path) {
         auto bytes = watched(path);
-        if (bytes.ok() && path == path_) map_hash_ = hash_of_text(as_text(bytes.value()));
+        if (bytes.ok() && path == map_path) loaded.hash = hash_of_text(as_text(bytes.value()));
         return bytes;
     };
-    LoadedMap loaded = load_map(path_, texture_folders_, read, skill_, list_folder);
-    if (!loaded.map)
-        if (Status other = refuse_as_map(path_)) return *other;
-    if (!loaded.map) return Error{"", lines_of(path_, loaded.findings)};
-    if (!loaded.map->player) return Error{path_, "the map has no player to start as; give it a [player] to play it"};
-    return OpenMap{std::move(*loaded.map), std::move(loaded.textures)};
+    LoadedMap map = load_map(map_path, texture_folders_, read, skill_, list_folder);
+    if (!map.map)
+        if (Status other = refuse_as_map(map_path)) return *other;
+    if (!map.map) return Error{"", lines_of(map_path, map.findings)};
+    if (!map.map->player) return Error{map_path, "the map has no player to start as; give it a [player] to play it"};
+    loaded.open = OpenMap{std::move(*map.map), std::move(map.textures)};
+    return loaded;
+}
+
+void Game::take(Loaded loaded) {
+    end_recording();
+    map_ = std::move(loaded.open);
+    map_hash_ = loaded.hash;
+    automap_ = Automap(map());
 }
 
 void Game::restart() {
@@ -69,26 +93,38 @@ void Game::restart() {
     from_start_ = true;
     snapshot_ = at_rest(map());
     automap_.visit(player().place.sector);
+    from_start_ = true;
+    if (recorder_) heed(recorder_->cut_to(0));
 }
 
 void Game::tick(const TickInput& input) {
     if (world().health == 0 && input.buttons & kButtonUse) return restart();
     timeline_.play(map(), input);
+    if (recorder_) heed(recorder_->add(input));
     automap_.visit(player().place.sector);
 }
 
 void Game::rewind(std::size_t ticks) {
     const std::size_t played = timeline_.inputs().size();
     timeline_.go_back(map(), played - std::min(played, ticks));
+    if (recorder_) heed(recorder_->cut_to(timeline_.inputs().size()));
 }
 
 Status Game::save(const std::string& path) const {
     if (!from_start_)
         return Error{path, "the map was loaded again while it was played; start it anew, then it can be saved"};
+    const auto text = read_file(path_);
+    if (!text.ok() || hash_of_text(as_text(text.value())) != map_hash_)
+        return Error{path,
+                     "not saved: " + path_ +
+                         " is no longer the map that is played, so the game could not be loaded again; put it back "
+                         "as it was, or mend it"};
     std::error_code failed;
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     if (!folder.empty()) std::filesystem::create_directories(folder, failed);
     if (failed) return Error{path, "the folder for it cannot be made: " + failed.message()};
+    for (int age = kKeptSaves - 1; age > 0; --age)
+        if (Status unkept = copy_saved(saved_before(path, age - 1), saved_before(path, age))) return unkept;
     return write_file(path, std::span<const std::byte>(write_tape(tape())));
 }
 
@@ -101,41 +137,33 @@ Status Game::load_saved(const std::string& path) {
         return Error{path, "this game was saved in another map, or in this one before it was changed"};
     Timeline played(*start_of(map()));
     for (const TickInput& input : saved.value().ticks) played.play(map(), input);
-    if (hash(played.world()) != saved.value().final_hash)
-        return Error{path, "this game was saved by another version of Enfilade"};
+    if (saved.value().final_hash && hash(played.world()) != *saved.value().final_hash)
+        return Error{path, "this game was saved by another version of Enfilade, or played with another --skill"};
+    end_recording();
     timeline_ = std::move(played);
     from_start_ = true;
     return {};
 }
 
 Status Game::enter(const std::string& map_path) {
-    const std::string path_before = std::exchange(path_, map_path);
-    const MapWatch watch_before = watch_;
-    const std::uint64_t hash_before = map_hash_;
-    auto next = load();
-    if (!next.ok()) {
-        path_ = path_before;
-        watch_ = watch_before;
-        map_hash_ = hash_before;
-        return next.error();
-    }
-    map_ = std::move(next).value();
-    automap_ = Automap(map());
-    recording_ = false;
+    MapWatch watch;
+    auto next = load(map_path, watch);
+    if (!next.ok()) return next.error();
+    take(std::move(next).value());
+    watch_ = std::move(watch);
+    path_ = map_path;
     restart();
     return {};
 }
 
 Status Game::reload() {
-    auto fresh = load();
+    auto fresh = load(path_, watch_);
     if (!fresh.ok()) return fresh.error();
     const Player before = player();
     const std::string sector_name = map()[before.place.sector].name;
     const bool automap_open = automap_.is_open();
-    map_ = std::move(fresh).value();
-    automap_ = Automap(map());
+    take(std::move(fresh).value());
     if (automap_open) automap_.toggle();
-    recording_ = false;
     restart();
     keep_player(before, sector_name);
     return {};
@@ -178,7 +206,23 @@ const Snapshot& Game::snapshot(double part) {
     return snapshot_;
 }
 
-void Game::record() { recording_ = true; }
+Status Game::record(const std::string& path) {
+    auto begun = TapeRecorder::begin(path, tape());
+    if (!begun.ok()) return begun.error();
+    recorder_.emplace(std::move(begun).value());
+    return {};
+}
+
+void Game::end_recording() {
+    if (recorder_) heed(recorder_->finish(hash(world())));
+    recorder_.reset();
+}
+
+void Game::heed(Status failed) {
+    if (!failed) return;
+    recorder_.reset();
+    recording_fault_ = std::move(failed);
+}
 
 Tape Game::tape() const {
     const std::span<const TickInput> inputs = timeline_.inputs();

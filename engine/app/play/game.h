@@ -1,13 +1,16 @@
 // A map that is being played: the world in it, what was seen of it, and the tape of what was pressed.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/open_map.h"
 #include "app/play/automap.h"
 #include "app/play/map_watch.h"
 #include "app/play/player_input.h"
+#include "app/play/tape_recorder.h"
 #include "base/result.h"
 #include "formats/tape.h"
 #include "render/view.h"
@@ -29,25 +32,29 @@ public:
     /// The player is at the start again, and a tape that is recorded begins again.
     void restart();
 
-    /// Leaves the map for the start of another; a tape ends here. An error leaves everything as it was.
+    /// Leaves the map for the start of another; a recording ends here. An error leaves everything as it was.
     Status enter(const std::string& map_path);
 
     /// Goes back in time by some ticks, or to the beginning; what came later is forgotten, by a tape as well.
     void rewind(std::size_t ticks);
 
-    /// Writes down how the game stands, as the tape of all that led there; an error where that cannot be written, or
-    /// where the map was loaded again on the way, so that it does not begin at its start.
+    /// Writes down how the game stands, as the tape of all that led there. The two files that were saved there before
+    /// are kept beside it, with .1 and .2 behind their names. An error where it cannot be written, and where it could
+    /// not be loaded again: the map was loaded again on the way, so that it does not begin at its start, or the map's
+    /// file is no longer the one that is played. Then what was saved before stays as it is.
     Status save(const std::string& path) const;
 
-    /// Goes on where a game was saved. An error where there is none, or it is of another map, or of this one as it was
-    /// before it was changed; then everything is as it was. Cost: all ticks that were played.
+    /// Goes on where a game was saved, or where a recording ends; one that is being recorded ends here. An error where
+    /// there is none, or it is of another map, or of this one as it was before it was changed; then everything is as it
+    /// was. Cost: all ticks that were played.
     Status load_saved(const std::string& path);
 
     /// True where the map or one of its pictures was saved since it was loaded.
     bool map_changed() const { return watch_.changed(); }
 
     /// Loads the map again. The player stays where he is, or where that is no longer inside the map, begins at its
-    /// start. An error, with all findings, leaves everything as it was. A tape ends here: it belongs to the map before.
+    /// start. An error, with all findings, leaves everything as it was. A recording ends here: it belongs to the map
+    /// before.
     Status reload();
 
     /// What the player sees, `part` of the way from the tick before to this one, the head turned further by `ahead`.
@@ -63,17 +70,30 @@ public:
     const std::string& path() const { return path_; }
     Automap& automap() { return automap_; }
 
-    /// From now on everything is written down; only right after start or restart.
-    void record();
-    bool is_recording() const { return recording_; }
-    /// What was recorded so far. The hash is of the world as it is now, so take it before anything else happens.
+    /// From now on everything is written to the tape at `path`, tick by tick; only right after start or restart.
+    Status record(const std::string& path);
+    bool is_recording() const { return recorder_.has_value(); }
+    /// Ends the recording, where there is one.
+    void end_recording();
+    /// Why the last recording could not be written to its end, once.
+    Status take_recording_fault() { return std::exchange(recording_fault_, {}); }
+
+    /// All that was pressed since the start, and how the world is now.
     Tape tape() const;
 
 private:
     Game(std::string path, std::vector<std::string> texture_folders, int skill);
 
-    /// The map as it is on disk now.
-    Result<OpenMap> load();
+    /// A map as it is on disk now.
+    struct Loaded {
+        OpenMap open;
+        std::uint64_t hash = 0;  ///< of the map's text
+    };
+    /// watch : remembers what was read, also for a map that is refused
+    Result<Loaded> load(const std::string& map_path, MapWatch& watch) const;
+    void take(Loaded loaded);
+    /// Ends the recording where writing it failed.
+    void heed(Status failed);
     /// The player of before in the map of now.
     void keep_player(const Player& before, const std::string& sector_name);
 
@@ -81,13 +101,14 @@ private:
     std::vector<std::string> texture_folders_;
     int skill_;
     MapWatch watch_;
-    std::uint64_t map_hash_ = 0;  ///< of the map's text
+    std::uint64_t map_hash_ = 0;  ///< of the map's text, as it is played
     OpenMap map_;
     Timeline timeline_;
     Snapshot snapshot_;
     Automap automap_;
     bool from_start_ = true;  ///< the timeline begins as the map does
-    bool recording_ = false;
+    std::optional<TapeRecorder> recorder_;
+    Status recording_fault_;
 };
 
 }  // namespace enfilade

@@ -47,6 +47,9 @@ protected:
         for (int i = 0; i < ticks; ++i) game_->tick(input);
     }
 
+    std::string tape_path() const { return dir_.path("walk.tape"); }
+    Tape recorded() const { return read_tape(read_file(tape_path()).value()).value(); }
+
     testing::TempDir dir_;
     std::filesystem::file_time_type stamp_ = std::filesystem::file_time_type::clock::now();
     std::unique_ptr<Game> game_;
@@ -76,20 +79,52 @@ TEST_F(GameOnDisk, StandsAtTheStartAgainAfterARestart) {
 }
 
 TEST_F(GameOnDisk, RecordsAWalkThatCanBePlayedAgain) {
-    game_->record();
+    ASSERT_FALSE(game_->record(tape_path()));
     walk(100);
-    const Tape tape = game_->tape();
-    EXPECT_EQ(tape.ticks.size(), 100u);
-    EXPECT_TRUE(replay(game_->map(), tape).ok());
+    game_->end_recording();
+    EXPECT_EQ(recorded(), game_->tape());
+    EXPECT_EQ(recorded().ticks.size(), 100u);
+    EXPECT_TRUE(replay(game_->map(), recorded()).ok());
+}
+
+TEST_F(GameOnDisk, HasEveryTickOnTheTapeAtOnce) {
+    ASSERT_FALSE(game_->record(tape_path()));
+    for (std::size_t ticks = 0; ticks < 20; ++ticks) {
+        EXPECT_EQ(recorded().ticks.size(), ticks);
+        EXPECT_FALSE(recorded().final_hash);
+        EXPECT_TRUE(replay(game_->map(), recorded()).ok());
+        walk(1);
+    }
 }
 
 TEST_F(GameOnDisk, BeginsTheRecordingAgainAfterARestart) {
-    game_->record();
+    ASSERT_FALSE(game_->record(tape_path()));
     walk(50);
     game_->restart();
     walk(10);
-    EXPECT_EQ(game_->tape().ticks.size(), 10u);
-    EXPECT_TRUE(replay(game_->map(), game_->tape()).ok());
+    game_->end_recording();
+    EXPECT_EQ(recorded(), game_->tape());
+    EXPECT_EQ(recorded().ticks.size(), 10u);
+}
+
+TEST_F(GameOnDisk, ForgetsOnTheTapeWhatWasRewound) {
+    ASSERT_FALSE(game_->record(tape_path()));
+    walk(50);
+    game_->rewind(30);
+    TickInput back;
+    back.forward = -127;
+    for (int i = 0; i < 5; ++i) game_->tick(back);
+    game_->end_recording();
+    EXPECT_EQ(recorded(), game_->tape());
+    EXPECT_EQ(recorded().ticks.size(), 25u);
+}
+
+TEST_F(GameOnDisk, EndsTheRecordingOnceWhereItCannotBeWritten) {
+    std::filesystem::create_symlink("/dev/full", tape_path());
+    EXPECT_TRUE(game_->record(tape_path()));
+    EXPECT_FALSE(game_->is_recording());
+    walk(10);
+    EXPECT_FALSE(game_->take_recording_fault());
 }
 
 TEST_F(GameOnDisk, SeesThatTheMapWasSaved) {
@@ -138,10 +173,13 @@ TEST_F(GameOnDisk, KeepsTheMapBeforeWhereTheNewOneHasErrors) {
 }
 
 TEST_F(GameOnDisk, EndsTheRecordingWhenTheMapIsLoadedAgain) {
-    game_->record();
+    ASSERT_FALSE(game_->record(tape_path()));
+    walk(10);
     save(two_rooms());
     ASSERT_FALSE(game_->reload());
     EXPECT_FALSE(game_->is_recording());
+    EXPECT_EQ(recorded().ticks.size(), 10u);
+    EXPECT_TRUE(recorded().final_hash);
 }
 
 TEST(Game, RefusesAMapWithoutPlayer) {
@@ -173,17 +211,57 @@ TEST_F(GameOnDisk, RefusesAGameThatWasSavedInAnotherMap) {
     EXPECT_NE(refused->text().find("before it was changed"), std::string::npos) << refused->text();
 }
 
-TEST_F(GameOnDisk, RefusesASavedGameThatIsCutShortAndGoesOn) {
+TEST_F(GameOnDisk, RefusesASavedGameThatIsDamagedAndGoesOn) {
     walk(10);
     ASSERT_FALSE(game_->save(dir_.path("a.save")));
-    auto bytes = read_file(dir_.path("a.save"));
-    ASSERT_TRUE(bytes.ok());
-    Bytes cut = bytes.value();
-    cut.resize(cut.size() / 2);
+    Bytes cut = read_file(dir_.path("a.save")).value();
+    cut.resize(20);
     ASSERT_FALSE(write_file(dir_.path("a.save"), std::span<const std::byte>(cut)));
     const std::uint64_t before = hash(game_->world());
     EXPECT_TRUE(game_->load_saved(dir_.path("a.save")));
     EXPECT_EQ(hash(game_->world()), before);
+}
+
+TEST_F(GameOnDisk, GoesOnWhereARecordingWasStopped) {
+    ASSERT_FALSE(game_->record(tape_path()));
+    walk(30);
+    const std::uint64_t then = hash(game_->world());
+    std::filesystem::copy(tape_path(), dir_.path("stopped.tape"));
+    walk(30);
+    ASSERT_FALSE(game_->load_saved(dir_.path("stopped.tape")));
+    EXPECT_EQ(hash(game_->world()), then);
+    EXPECT_FALSE(game_->is_recording());
+}
+
+TEST_F(GameOnDisk, KeepsTheLastThreeGamesThatWereSaved) {
+    std::vector<std::uint64_t> saved;
+    for (int i = 0; i < 5; ++i) {
+        walk(10);
+        ASSERT_FALSE(game_->save(dir_.path("a.save")));
+        saved.push_back(hash(game_->world()));
+    }
+    for (const auto& [name, hash_then] :
+         {std::pair("a.save", saved[4]), {"a.save.1", saved[3]}, {"a.save.2", saved[2]}}) {
+        ASSERT_FALSE(game_->load_saved(dir_.path(name))) << name;
+        EXPECT_EQ(hash(game_->world()), hash_then) << name;
+    }
+    EXPECT_FALSE(std::filesystem::exists(dir_.path("a.save.3")));
+}
+
+TEST_F(GameOnDisk, NeverReplacesAGameByOneThatCannotBeLoaded) {
+    walk(10);
+    ASSERT_FALSE(game_->save(dir_.path("a.save")));
+    const std::uint64_t saved = hash(game_->world());
+    save_text("format = 1\nnonsense = 3\n");
+    ASSERT_TRUE(game_->reload());
+    walk(10);
+    const Status refused = game_->save(dir_.path("a.save"));
+    ASSERT_TRUE(refused);
+    EXPECT_NE(refused->text().find("no longer the map that is played"), std::string::npos) << refused->text();
+    save(two_rooms());
+    ASSERT_FALSE(game_->load_saved(dir_.path("a.save")));
+    EXPECT_EQ(hash(game_->world()), saved);
+    ASSERT_FALSE(game_->save(dir_.path("a.save")));
 }
 
 TEST_F(GameOnDisk, GoesBackInTime) {
