@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/attempt.h"
 #include "platform/clock.h"
 
 namespace enfilade {
@@ -21,10 +22,18 @@ PlayLoop::PlayLoop(Game& game, Window& window, const PlayOptions& options, std::
     : game_(game), window_(window), options_(options), renderer_(std::move(renderer)) {
     settings_.fullscreen = options.fullscreen;
     settings_.true_pitch = options.true_pitch;
-    if (!options_.tape.empty()) game_.record();
 }
 
 Status PlayLoop::run() {
+    Status ended;
+    const Status broken = attempt([&] { ended = play(); });
+    if (broken) return save_what_was_played(*broken);
+    return ended ? Status(save_what_was_played(*ended)) : Status();
+}
+
+Status PlayLoop::play() {
+    if (!options_.tape.empty())
+        if (Status failed = game_.record(options_.tape)) return failed;
     started_ns_ = passed_until_ns_ = ticked_until_ns_ = looked_ns_ = now_ns();
     window_.grab_mouse(true);
     notices_.say("Esc: menu   Tab: map   F2: renderer   F3: times   F12: picture", 0, kWelcomeSeconds);
@@ -42,7 +51,8 @@ Status PlayLoop::run() {
         if (Status failed = show(now)) return failed;
         sleep_until_ns(now + frame_time);
     }
-    return save_tape();
+    game_.end_recording();
+    return game_.take_recording_fault();
 }
 
 double PlayLoop::now_s() const { return static_cast<double>(now_ns() - started_ns_) / kSecond; }
@@ -70,7 +80,7 @@ void PlayLoop::handle_key(Key key) {
         case Key::tab: return game_.automap().toggle();
         case Key::plus: return game_.automap().zoom(1);
         case Key::minus: return game_.automap().zoom(-1);
-        case Key::f2: return change_renderer();
+        case Key::f2: change_renderer(); return;
         case Key::f3: readout_open_ = !readout_open_; return;
         case Key::f5: return save_game();
         case Key::f9: return load_game();

@@ -31,10 +31,15 @@ class PlayLoop {
 public:
     PlayLoop(Game& game, Window& window, const PlayOptions& options, std::unique_ptr<Renderer> renderer);
 
-    /// Runs until the end; an error where the window fails or the tape cannot be written.
+    /// Runs until the end; an error where the window fails or the tape cannot be written. Where the game cannot go on,
+    /// it is saved first, and the error says where.
     Status run();
 
 private:
+    /// All of run() but what has to be done when it breaks off.
+    Status play();
+    /// Why the game cannot go on, and where it was saved.
+    Error save_what_was_played(const Error& why);
     void handle(const InputEvent& event);
     void handle_key(Key key);
     void handle_gamepad(GamepadButton button);
@@ -47,14 +52,18 @@ private:
     /// Opens the sound device if the map calls for it.
     void begin_sounds();
     void hear();
+    /// Sound is what one can play without.
+    void play_without_sound(const Error& why);
     void save_game();
     void load_game();
     /// Tells what has come to be known, and goes on in the next map where this one was left.
     void follow_events();
     void leave_map();
-    /// From the column to the stencil renderer or back; where there is no OpenGL, a notice says so.
-    void change_renderer();
+    /// From the column to the stencil renderer or back; false, with a notice, where there is no OpenGL.
+    bool change_renderer();
     View view_now(double part) const;
+    Status try_to_draw(double part);
+    /// Draws the view, by the other renderer where this one fails.
     Status draw_view(double part);
     /// Lets as many ticks pass as time has; none while the menu is open, and the picture then stands still, too.
     void pass_time(std::int64_t now);
@@ -63,7 +72,8 @@ private:
     Status show(std::int64_t now);
     void draw_over(const View& view);
     void take_screenshot();
-    Status save_tape();
+    /// Says so where the recording could not be written on.
+    void follow_recording();
     /// Shows a notice for a while.
     void tell(const std::string& text);
     double now_s() const;

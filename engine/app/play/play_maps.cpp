@@ -7,7 +7,7 @@
 #include "app/open_map.h"
 #include "app/play/play_loop.h"
 #include "app/play/saved_game.h"
-#include "base/files.h"
+#include "base/attempt.h"
 
 namespace enfilade {
 namespace {
@@ -35,8 +35,9 @@ void PlayLoop::look_for_changes(std::int64_t now) {
 
 void PlayLoop::reload() {
     const bool was_recording = game_.is_recording();
-    const Status unsaved = was_recording ? save_tape() : Status{};
-    if (Status refused = game_.reload()) {
+    Status refused;
+    if (Status broken = attempt([&] { refused = game_.reload(); })) refused = broken;
+    if (refused) {
         std::vector<std::string> lines = split_lines(refused->text());
         const std::size_t all = lines.size();
         lines.resize(std::min(all, kMostLines));
@@ -47,11 +48,11 @@ void PlayLoop::reload() {
     begin_sounds();
     notices_.pin({});
     tell("The map was changed and loaded again.");
-    if (unsaved) tell(unsaved->text());
     if (was_recording) tell("The recording ended with the map before.");
 }
 
 void PlayLoop::follow_events() {
+    follow_recording();
     const World& world = game_.world();
     if (world.tick < told_) told_ = world.tick;
     if (world.news && world.news->tick > told_) {
@@ -74,7 +75,9 @@ void PlayLoop::leave_map() {
         return tell(next.empty() ? fmt::format("You left {}.", left)
                                  : fmt::format("You left {}; the next map, {}, is not here.", left, next));
     }
-    if (Status failed = game_.enter(path)) {
+    Status failed;
+    if (Status broken = attempt([&] { failed = game_.enter(path); })) failed = broken;
+    if (failed) {
         game_.restart();
         return notices_.pin(split_lines(failed->text()));
     }
@@ -85,7 +88,7 @@ void PlayLoop::leave_map() {
 
 void PlayLoop::save_game() {
     const Status failed = game_.save(options_.save);
-    tell(failed ? failed->text() : "Saved. F9 comes back here.");
+    tell(failed ? failed->text() : "Saved. F9 comes back here; the two games before are kept beside it.");
 }
 
 void PlayLoop::load_game() {
@@ -94,22 +97,44 @@ void PlayLoop::load_game() {
     tell(failed ? failed->text() : "Back where you saved.");
 }
 
-Status PlayLoop::save_tape() {
-    if (!game_.is_recording()) return {};
-    const Bytes bytes = write_tape(game_.tape());
-    return write_file(options_.tape, bytes);
+void PlayLoop::follow_recording() {
+    if (Status failed = game_.take_recording_fault()) tell("The recording ends here: " + failed->text());
+}
+
+Error PlayLoop::save_what_was_played(const Error& why) {
+    Status unsaved;
+    if (Status broken = attempt([&] {
+            game_.end_recording();
+            unsaved = game_.save(options_.save);
+        }))
+        unsaved = broken;
+    if (unsaved) return {"", fmt::format("{}; the game could not be saved: {}", why.text(), unsaved->text())};
+    return {"", fmt::format("{}; the game was saved, and `enfilade play {} --load {}` goes on with it", why.text(),
+                            game_.path(), options_.save)};
 }
 
 void PlayLoop::begin_sounds() {
     if (options_.mute) return;
-    for (const std::string& fault : sounds_.begin(game_.map(), game_.path())) tell(fault);
+    const Status broken = attempt([&] {
+        for (const std::string& fault : sounds_.begin(game_.map(), game_.path())) tell(fault);
+    });
+    if (broken) play_without_sound(*broken);
 }
 
 void PlayLoop::hear() {
-    if (menu_.is_open() || rewinding_)
-        sounds_.fall_silent();
-    else
-        sounds_.hear(game_.map(), game_.world(), settings_.volume);
+    const Status broken = attempt([&] {
+        if (menu_.is_open() || rewinding_)
+            sounds_.fall_silent();
+        else
+            sounds_.hear(game_.map(), game_.world(), settings_.volume);
+    });
+    if (broken) play_without_sound(*broken);
+}
+
+void PlayLoop::play_without_sound(const Error& why) {
+    sounds_.end();
+    options_.mute = true;
+    tell("There is no sound from here on: " + why.text());
 }
 
 }  // namespace enfilade

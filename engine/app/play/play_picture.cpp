@@ -1,6 +1,7 @@
 // What is shown while one plays: the view, and over it the map, notices and the menu.
 #include "app/play/play_loop.h"
 #include "app/play/screenshot.h"
+#include "base/attempt.h"
 #include "base/parallel.h"
 #include "platform/clock.h"
 #include "platform/gl_context.h"
@@ -13,13 +14,18 @@ void PlayLoop::remember_seen(std::int64_t now) {
     for (const ViewportShape& shape : renderer_->viewports()) game_.automap().see(shape.sector);
 }
 
-void PlayLoop::change_renderer() {
+bool PlayLoop::change_renderer() {
     const auto other = options_.renderer == RendererKind::stencil ? RendererKind::column : RendererKind::stencil;
-    auto renderer = make_renderer(other, hardware_threads(), open_gl_for_play);
-    if (!renderer.ok()) return tell(renderer.error().text());
-    renderer_ = std::move(renderer).value();
+    Status failed;
+    const Status broken = attempt([&] {
+        auto renderer = make_renderer(other, hardware_threads(), open_gl_for_play);
+        if (!renderer.ok()) failed = renderer.error();
+        if (!failed) renderer_ = std::move(renderer).value();
+    });
+    if (broken || failed) return tell(broken ? broken->text() : failed->text()), false;
     options_.renderer = other;
     tell("Drawn by the " + name_of(other) + " renderer.");
+    return true;
 }
 
 View PlayLoop::view_now(double part) const {
@@ -27,16 +33,21 @@ View PlayLoop::view_now(double part) const {
     return game_.view(part, input_.ahead(part), settings_.fov_degrees, tilts);
 }
 
-/// A graphics card that fails is no reason to stop playing.
+Status PlayLoop::try_to_draw(double part) {
+    Status failed;
+    const Status broken = attempt([&] {
+        failed =
+            renderer_->render(frame_, nullptr, game_.map(), game_.textures(), game_.snapshot(part), view_now(part));
+    });
+    return broken ? broken : failed;
+}
+
+/// A graphics card or a renderer that fails is no reason to stop playing.
 Status PlayLoop::draw_view(double part) {
-    const auto draw = [&] {
-        return renderer_->render(frame_, nullptr, game_.map(), game_.textures(), game_.snapshot(part), view_now(part));
-    };
-    const Status failed = draw();
-    if (!failed || options_.renderer != RendererKind::stencil) return failed;
-    change_renderer();
+    const Status failed = try_to_draw(part);
+    if (!failed) return {};
     tell(failed->text());
-    return draw();
+    return change_renderer() ? try_to_draw(part) : failed;
 }
 
 Status PlayLoop::show(std::int64_t now) {

@@ -5,9 +5,7 @@
 namespace enfilade {
 
 std::vector<std::string> Soundscape::begin(const Map& map, const std::string& map_path) {
-    audio_.reset();
-    heard_tick_.reset();
-    hearing_.reset();
+    end();
     if (map.sounds.empty()) return {};
     LoadedSounds loaded = load_sounds(map, map_path, read_file);
     lengths_s_ = lengths_of(loaded.samples);
@@ -21,6 +19,12 @@ std::vector<std::string> Soundscape::begin(const Map& map, const std::string& ma
     audio_ = std::move(audio).value();
     hearing_.emplace(map);
     return faults;
+}
+
+void Soundscape::end() {
+    audio_.reset();
+    heard_tick_.reset();
+    hearing_.reset();
 }
 
 void Soundscape::hear(const Map& map, const World& world, double volume) {

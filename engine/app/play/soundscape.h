@@ -15,6 +15,8 @@ public:
     /// Begins with a map, which must stay where it is until the next one. A device is opened only if the map has
     /// sounds. Returns what the player should know: sounds that cannot be read, no device; then it is silent.
     std::vector<std::string> begin(const Map& map, const std::string& map_path);
+    /// Closes the device; silent until the next map.
+    void end();
 
     /// Whether the map called for a device, and there was one.
     bool is_open() const { return audio_ != nullptr; }
