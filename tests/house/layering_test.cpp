@@ -76,6 +76,8 @@ TEST(House, FilesAreShort) { EXPECT_THAT(complaints(sources(), check_length), Is
 
 TEST(House, NothingIsLeftUnfinished) { EXPECT_THAT(complaints(sources(), check_forbidden_words), IsEmpty()); }
 
+TEST(House, ErrorsAreResults) { EXPECT_THAT(complaints(sources(), check_exceptions), IsEmpty()); }
+
 TEST(House, NoFlagChangesWhatTheCodeComputes) {
     const auto files =
         files_under({"engine", "wadconv", "tests", "maps", "CMakeLists.txt", "CMakePresets.json", "run", ".ci/run"});

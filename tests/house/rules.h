@@ -41,6 +41,9 @@ Complaints check_libm(const SourceFile& file);
 /// A source file longer than this answers more than one question [lines].
 inline constexpr int kMaxLines = 500;
 
+/// `throw`, `try` and `catch` stand where attempts are made and ended, and where a library throws; errors are Results.
+Complaints check_exceptions(const SourceFile& file);
+
 /// The text with comments and the insides of string and character literals replaced by blanks; lines stay where
 /// they are. Raw strings are not known; the house has none with quotes in them.
 std::string without_comments_and_strings(std::string_view text);

@@ -132,6 +132,16 @@ TEST(Libm, IsSeenInSimulationStateOnly) {
     EXPECT_THAT(check_libm({"engine/render/a.cpp", "x = std::sin(y);\n"}), IsEmpty());
 }
 
+TEST(Exceptions, StayWhereAttemptsAreMade) {
+    for (const char* code : {"throw 1;\n", "try { f(); }\n", "} catch (...) {\n"}) {
+        EXPECT_THAT(check_exceptions({"engine/world/a.cpp", code}), ElementsAre(HasSubstr("engine/world/a.cpp:1")))
+            << code;
+        EXPECT_THAT(check_exceptions({"engine/base/attempt.cpp", code}), IsEmpty()) << code;
+        EXPECT_THAT(check_exceptions({"tests/base/a_test.cpp", code}), IsEmpty()) << code;
+    }
+    EXPECT_THAT(check_exceptions({"engine/world/a.cpp", "// try this\nretry(catcher);\n"}), IsEmpty());
+}
+
 TEST(Blanking, KeepsCodeAndLinesAndDropsTheRest) {
     EXPECT_EQ(without_comments_and_strings("a /* b\nc */ d \"e\\\"f\" g // h\ni 'j' k"),
               "a     \n     d        g     \ni     k");
