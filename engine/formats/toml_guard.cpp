@@ -29,7 +29,7 @@ private:
     void step(char c) {
         if (c == '\n') return end_line();
         if (c == '#') return skip_comment();
-        if (c == '"' || c == '\'') return skip_string(c);
+        if (c == '"' || c == '\'') return is_behind_bare_letter() ? refuse_quote_in_word() : skip_string(c);
         if (static_cast<unsigned char>(c) >= 0x80) return refuse_bare_non_ascii();
         if (c != ' ' && c != '\t' && c != '\r') structure(c);
         ++at_;
@@ -108,6 +108,14 @@ private:
         while (at_ < text_.size() && text_[at_] != '\n' && !problem_) skip_character();
     }
 
+    /// Whether the text before here is the letter of a bare key or value: no string may begin there.
+    bool is_behind_bare_letter() const {
+        constexpr std::string_view kOtherLetters = "_-+:";
+        const char before = at_ == 0 ? '\n' : text_[at_ - 1];
+        return (before >= 'a' && before <= 'z') || (before >= 'A' && before <= 'Z') ||
+               (before >= '0' && before <= '9') || kOtherLetters.find(before) != std::string_view::npos;
+    }
+
     void skip_string(char quote) {
         line_is_empty_ = false;
         const std::string_view rest = text_.substr(at_);
@@ -151,11 +159,16 @@ private:
                                "; save the file as UTF-8");
     }
 
+    void refuse_quote_in_word() {
+        refuse("bad-toml", "expected the end of a key or a value, found a quote; is the quote at its start missing?");
+    }
+
     void refuse_bare_non_ascii() {
         const std::size_t length = utf8_length(text_.substr(at_));
         if (length == 0) return refuse_not_utf8();
-        refuse("bad-toml", "expected a key or a value, found '" + std::string(text_.substr(at_, length)) +
-                               "'; letters beyond ASCII may only stand in quotes and comments");
+        refuse("bad-toml",
+               "expected a key or a value, found '" + std::string(text_.substr(at_, length)) +
+                   "'; letters beyond ASCII may only stand in quotes and comments: is the quote before it missing?");
     }
 
     void deepen(int levels) {

@@ -22,8 +22,8 @@ inline constexpr std::size_t kMaxDottedKeys = std::size_t{1} << 16;
 /// with two of them each.
 inline constexpr std::size_t kMaxDottedHeaders = std::size_t{1} << 18;
 
-/// The first reason not to parse a text: too-large, not-utf8, too-deep, or bad-toml for what the library does not
-/// survive. A text without one may still be wrong.
+/// The first reason not to parse a text: too-large, not-utf8, too-deep, or bad-toml for letters beyond ASCII and quotes
+/// in bare words, of which this can say more than the library. A text without one may still be wrong.
 /// Cost: a few ns a byte, no memory.
 std::optional<Finding> scan_toml(std::string_view text, const TomlLimits& limits);
 

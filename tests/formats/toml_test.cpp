@@ -127,6 +127,26 @@ INSTANTIATE_TEST_SUITE_P(BareLetters, BadToml,
                                          BadCase{"a = 1\nb = é", "bad-toml 2:5"},
                                          BadCase{"a = 'é'\u00A0", "bad-toml 1:8"}));
 
+// A forgotten quote before an accent: the library looks ahead in a bare value, where the letters are no text to it.
+INSTANTIATE_TEST_SUITE_P(QuotesInBareWords, BadToml,
+                         testing::Values(BadCase{"a = 1'é'", "bad-toml 1:6"}, BadCase{"a = 2'é", "bad-toml 1:6"},
+                                         BadCase{"a = 1\"é\"", "bad-toml 1:6"}, BadCase{"a = 0x1'é'", "bad-toml 1:8"},
+                                         BadCase{"a = 1979-05-27'é'", "bad-toml 1:15"},
+                                         BadCase{"a = [1'é']", "bad-toml 1:7"}, BadCase{"[1'é']", "bad-toml 1:3"},
+                                         BadCase{"a = -'é'", "bad-toml 1:6"}, BadCase{"a = 1.'é'", "bad-toml 1:7"}));
+
+TEST(Toml, AsksForTheQuoteThatIsMissing) {
+    Findings findings;
+    TomlDocument::parse("name = caf'é'", kLimits, findings);
+    TomlDocument::parse("name = café'", kLimits, findings);
+    ASSERT_EQ(findings.size(), 2u);
+    EXPECT_EQ(findings[0].sentence,
+              "expected the end of a key or a value, found a quote; is the quote at its start missing?");
+    EXPECT_EQ(findings[1].sentence,
+              "expected a key or a value, found 'é'; letters beyond ASCII may only stand in quotes and comments: is "
+              "the quote before it missing?");
+}
+
 INSTANTIATE_TEST_SUITE_P(NotUtf8, BadToml,
                          testing::Values(BadCase{"a = 1 # \xE9\n", "not-utf8 1:9"},
                                          BadCase{"a = '\xC3\xA9'\nb = '''\n\xC3\xA9\xFF'''", "not-utf8 3:2"},

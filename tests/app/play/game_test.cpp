@@ -172,6 +172,14 @@ TEST_F(GameOnDisk, KeepsTheMapBeforeWhereTheNewOneHasErrors) {
     EXPECT_FALSE(game_->map_changed());  // until it is saved again
 }
 
+TEST_F(GameOnDisk, KeepsTheMapBeforeWhereAQuoteIsForgottenBeforeAnAccent) {
+    save_text("format = 1'é'\n");
+    const Status refused = game_->reload();
+    ASSERT_TRUE(refused);
+    EXPECT_NE(refused->text().find("map.toml:1:11: error: "), std::string::npos) << refused->text();
+    EXPECT_EQ(game_->map().sectors.size(), 2u);
+}
+
 TEST_F(GameOnDisk, EndsTheRecordingWhenTheMapIsLoadedAgain) {
     ASSERT_FALSE(game_->record(tape_path()));
     walk(10);
