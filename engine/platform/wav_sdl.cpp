@@ -1,7 +1,6 @@
 #include <SDL.h>
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 
 #include "platform/wav.h"
@@ -24,7 +23,8 @@ struct Wav {
     std::uint32_t bytes = 0;
 
     std::uint32_t frame_bytes() const { return SDL_AUDIO_BITSIZE(spec.format) / 8u * spec.channels; }
-    double seconds() const { return double(bytes / frame_bytes()) / spec.freq; }
+    std::uint32_t frames() const { return bytes / frame_bytes(); }
+    double seconds() const { return double(frames()) / spec.freq; }
 };
 
 Result<Wav> load(std::span<const std::byte> bytes) {
@@ -45,6 +45,7 @@ Status check(const Wav& wav) {
         return Error{"sound", "expected 1000 to 384000 frames a second, found " + std::to_string(spec.freq)};
     if (spec.channels < 1 || spec.channels > kMostChannels)
         return Error{"sound", "expected one channel or two, found " + std::to_string(spec.channels)};
+    if (wav.frames() == 0) return Error{"sound", "expected sound, found a WAV file without any"};
     if (wav.seconds() > kLongestSound)
         return Error{"sound", "expected two minutes at most, found " + std::to_string(wav.seconds()) + " s"};
     return {};
@@ -56,14 +57,15 @@ Result<Samples> converted(const Wav& wav) {
     SDL_AudioCVT conversion{};
     if (SDL_BuildAudioCVT(&conversion, spec.format, spec.channels, spec.freq, AUDIO_F32SYS, 1, kMixRate) < 0)
         return sdl_error("convert the sound");
-    const std::uint32_t whole_frames = wav.bytes / wav.frame_bytes() * wav.frame_bytes();
+    const std::uint32_t whole_frames = wav.frames() * wav.frame_bytes();
     std::vector<std::uint8_t> buffer(std::size_t{whole_frames} * static_cast<std::size_t>(conversion.len_mult));
     std::copy_n(wav.data.get(), whole_frames, buffer.begin());
     conversion.buf = buffer.data();
     conversion.len = conversion.len_cvt = static_cast<int>(whole_frames);
     if (conversion.needed != 0 && SDL_ConvertAudio(&conversion) != 0) return sdl_error("convert the sound");
     Samples samples(static_cast<std::size_t>(conversion.len_cvt) / sizeof(float));
-    std::memcpy(samples.data(), buffer.data(), samples.size() * sizeof(float));
+    // Of few frames at a high rate none may be left, and there is no memory behind a vector without elements.
+    std::copy_n(buffer.data(), samples.size() * sizeof(float), reinterpret_cast<std::uint8_t*>(samples.data()));
     // Files of floats may hold anything.
     for (float& sample : samples) sample = sample >= -1 ? std::min(sample, 1.0f) : sample < -1 ? -1.0f : 0.0f;
     return samples;

@@ -50,6 +50,21 @@ TEST(Wav, LongerThanTwoMinutesIsRefused) {
     EXPECT_FALSE(read_wav(wav_of(std::vector<double>(121 * 1000, 0.0), {1000, 1})).ok());
 }
 
+TEST(Wav, WithoutAnySoundIsRefused) {
+    for (const WavShape shape : {WavShape{}, WavShape{11025, 1}, WavShape{48000, 2}}) {
+        const auto samples = read_wav(wav_of({}, shape));
+        ASSERT_FALSE(samples.ok());
+        EXPECT_EQ(samples.error().text(), "sound: expected sound, found a WAV file without any");
+    }
+    EXPECT_FALSE(read_wav(wav_of({0.5}, {48000, 2})).ok());  // half a frame
+}
+
+TEST(Wav, OfLessThanASampleHasNone) {
+    const auto samples = read_wav(wav_of({0.5}, {384000, 1}));
+    ASSERT_TRUE(samples.ok()) << samples.error().text();
+    EXPECT_TRUE(samples.value().empty());
+}
+
 TEST(Wav, WithAnyBytesChangedIsReadOrRefused) {
     const Bytes sound = wav_of(tone(200, 440));
     Random random(5);
