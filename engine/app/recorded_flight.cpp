@@ -78,18 +78,20 @@ std::string size_text(std::uint32_t width, std::uint32_t height) { return fmt::f
 
 /// Where the recording is of pictures that these can never be equal to.
 Status other_pictures(const FrameRecording& recording, const DrawPlan& plan, const std::string& script_path) {
-    const std::string recorded = size_text(recording.width, recording.height),
+    if (!recording.pictures) return {};
+    const RecordedPictures& pictures = *recording.pictures;
+    const std::string recorded = size_text(pictures.width, pictures.height),
                       drawn = size_text(std::uint32_t(plan.width), std::uint32_t(plan.height));
-    if (recording.width > 0 && recorded != drawn)
+    if (recorded != drawn)
         return Error{script_path,
                      fmt::format("the recording has pictures of {0} pixels, and these have {1}; check with "
                                  "--size {0}, or record it again with --record",
                                  recorded, drawn)};
-    if (!recording.renderer.empty() && recording.renderer != name_of(plan.renderer))
+    if (pictures.renderer != name_of(plan.renderer))
         return Error{script_path,
                      fmt::format("the recording was drawn by the {0} renderer, and these pictures are by {1}; "
                                  "check with --renderer {0}, or compare the two with --check --against {0}",
-                                 recording.renderer, name_of(plan.renderer))};
+                                 pictures.renderer, name_of(plan.renderer))};
     return {};
 }
 
@@ -192,7 +194,8 @@ Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::
         return write_picture(numbered_picture(folder, std::size_t(number)), image_of(frame));
     });
     if (!hashes.ok()) return hashes.error();
-    FrameRecording recording{std::uint32_t(plan.width), std::uint32_t(plan.height), name_of(plan.renderer), {}};
+    FrameRecording recording{
+        RecordedPictures{std::uint32_t(plan.width), std::uint32_t(plan.height), name_of(plan.renderer)}, {}};
     for (const std::uint64_t hash : hashes.value())
         recording.frames.push_back({static_cast<std::uint32_t>(recording.frames.size()), hash});
     return write_file(hashes_path(script_path), write_frame_hashes(recording));

@@ -1,9 +1,11 @@
 #include "formats/frame_hashes.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "formats/lines.h"
 #include "formats/quoted.h"
+#include "formats/words.h"
 
 namespace enfilade {
 namespace {
@@ -33,18 +35,26 @@ Result<FrameHash> read_line(const TextLine& line) {
     return entry;
 }
 
-constexpr std::string_view kPicture = "picture ";
+constexpr std::string_view kPictures = "picture ";
+
+/// The digits of a picture's width or height; no picture is 0 wide or high.
+bool read_side(std::string_view text, std::uint32_t& side) { return read_whole(text, 10, side) && side > 0; }
 
 /// "picture WIDTHxHEIGHT RENDERER".
-Status read_picture(const TextLine& line, FrameRecording& recording) {
-    const std::string_view rest = line.text.substr(kPicture.size());
-    const std::size_t blank = rest.find(' '), x = rest.find('x');
-    const bool has_parts = blank != std::string_view::npos && x < blank;
-    if (!has_parts || !read_whole(rest.substr(0, x), 10, recording.width) ||
-        !read_whole(rest.substr(x + 1, blank - x - 1), 10, recording.height))
+Result<RecordedPictures> read_pictures(const TextLine& line) {
+    const std::string_view rest = line.text.substr(kPictures.size());
+    const std::string_view size = rest.substr(0, rest.find(' '));
+    const std::string_view width = size.substr(0, size.find('x'));
+    RecordedPictures pictures;
+    if (width == size || size == rest || !read_side(width, pictures.width) ||
+        !read_side(size.substr(width.size() + 1), pictures.height))
         return bad_line(line, 0, "expected \"picture WIDTHxHEIGHT RENDERER\", found " + quoted(line.text));
-    recording.renderer = rest.substr(blank + 1);
-    return {};
+    pictures.renderer = rest.substr(size.size() + 1);
+    if (std::ranges::find(kRendererWords, pictures.renderer) == kRendererWords.end())
+        return bad_line(
+            line, kPictures.size() + size.size() + 1,
+            "expected a renderer, found " + quoted(pictures.renderer) + suggestion(pictures.renderer, kRendererWords));
+    return pictures;
 }
 
 }  // namespace
@@ -54,8 +64,10 @@ Result<FrameRecording> read_frame_hashes(std::string_view text) {
     std::vector<FrameHash>& hashes = recording.frames;
     for (LineReader lines(text); const auto line = lines.next();) {
         if (line->text.empty() || line->text.starts_with('#')) continue;
-        if (hashes.empty() && line->text.starts_with(kPicture)) {
-            if (Status wrong = read_picture(*line, recording)) return *wrong;
+        if (hashes.empty() && !recording.pictures && line->text.starts_with(kPictures)) {
+            auto pictures = read_pictures(*line);
+            if (!pictures) return pictures.error();
+            recording.pictures = std::move(pictures).value();
             continue;
         }
         const Result<FrameHash> entry = read_line(*line);
@@ -72,9 +84,9 @@ Result<FrameRecording> read_frame_hashes(std::string_view text) {
 std::string write_frame_hashes(const FrameRecording& recording) {
     constexpr std::string_view kDigits = "0123456789abcdef";
     std::string text = "# Frames and their hashes, written by 'enfilade fly SCRIPT --record'.\n";
-    if (recording.width > 0)
-        text += std::string(kPicture) + std::to_string(recording.width) + "x" + std::to_string(recording.height) + " " +
-                recording.renderer + "\n";
+    if (const auto& pictures = recording.pictures)
+        text += std::string(kPictures) + std::to_string(pictures->width) + "x" + std::to_string(pictures->height) +
+                " " + pictures->renderer + "\n";
     for (const FrameHash& entry : recording.frames) {
         text += std::to_string(entry.frame) + ' ';
         for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(entry.hash >> shift) & 15];

@@ -1,6 +1,7 @@
 // The hashes a flythrough's frames had when they were recorded: a text file beside the script.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,20 +17,25 @@ struct FrameHash {
     bool operator==(const FrameHash&) const = default;
 };
 
+/// How the frames of a recording were drawn.
+struct RecordedPictures {
+    std::uint32_t width = 1, height = 1;  ///< of each frame [px], at least 1
+    std::string renderer;                 ///< one of kRendererWords
+    bool operator==(const RecordedPictures&) const = default;
+};
+
 /// What a flythrough looked like.
 struct FrameRecording {
-    std::uint32_t width = 0, height = 0;  ///< of the frames [px]; 0: the recording does not say
-    std::string renderer;                 ///< which drew them; empty: the recording does not say
+    std::optional<RecordedPictures> pictures;  ///< none: the recording does not say
     std::vector<FrameHash> frames;
     bool operator==(const FrameRecording&) const = default;
 };
 
-/// Reads "FRAME HASH" lines, HASH as 16 hexadecimal digits, frames growing, and before them perhaps "picture
+/// Reads "FRAME HASH" lines, HASH as 16 hexadecimal digits, frames growing, and before them at most one line "picture
 /// WIDTHxHEIGHT RENDERER"; empty lines and lines that start with '#' are skipped. `where` of an error is "line:column".
 Result<FrameRecording> read_frame_hashes(std::string_view text);
 
-/// The text that reads back as this, with a comment that says what it is. Frames must grow; the renderer's name is a
-/// word where there is a size, else empty.
+/// The text that reads back as this, with a comment that says what it is. Frames must grow.
 std::string write_frame_hashes(const FrameRecording& recording);
 
 }  // namespace enfilade

@@ -8,7 +8,8 @@
 namespace enfilade {
 namespace {
 
-const FrameRecording kRecording{64, 40, "column", {{0, 0x0123456789ABCDEF}, {7, 0}, {4000000000, ~std::uint64_t{0}}}};
+const FrameRecording kRecording{RecordedPictures{64, 40, "column"},
+                                {{0, 0x0123456789ABCDEF}, {7, 0}, {4000000000, ~std::uint64_t{0}}}};
 
 std::string complaint(std::string_view text) {
     const auto hashes = read_frame_hashes(text);
@@ -24,7 +25,7 @@ TEST(FrameHashes, ReadBackWhatWasWritten) {
 TEST(FrameHashes, SkipCommentsEmptyLinesAndCarriageReturns) {
     const auto hashes = read_frame_hashes("# a\r\n\r\n3 0123456789abcdef\r\n");
     ASSERT_TRUE(hashes.ok());
-    EXPECT_EQ(hashes.value(), (FrameRecording{0, 0, "", {{3, 0x0123456789ABCDEF}}}));
+    EXPECT_EQ(hashes.value(), (FrameRecording{{}, {{3, 0x0123456789ABCDEF}}}));
 }
 
 TEST(FrameHashes, SurviveBeingCutAnywhere) {
@@ -51,9 +52,22 @@ TEST(FrameHashes, NameFramesThatDoNotGrow) {
 }
 
 TEST(FrameHashes, NameAPictureThatIsNone) {
-    for (const char* text : {"picture 64 column", "picture 64x40", "picture 64xcolumn 3", "picture x40 column"})
+    for (const char* text : {"picture 64 column", "picture 64x40", "picture 64xcolumn 3", "picture x40 column",
+                             "picture 0x7 column", "picture 7x0 column", "picture 0x0 column", "picture 7x column",
+                             "picture 7x8x9 column", "picture -7x8 column", "picture +7x8 column",
+                             "picture 4294967296x8 column", "picture  7x8 column", "picture 0x07 column"})
         EXPECT_EQ(complaint(text),
                   "1:1: expected \"picture WIDTHxHEIGHT RENDERER\", found '" + std::string(text) + "'");
+}
+
+TEST(FrameHashes, NameARendererThatIsNone) {
+    EXPECT_EQ(complaint("picture 7x8 colum"), "1:13: expected a renderer, found 'colum'; did you mean 'column'?");
+    for (const char* text : {"picture 7x8 R", "picture 7x8 ", "picture 7x8  column", "picture 7x8 column stencil"})
+        EXPECT_NE(complaint(text).find("1:13: expected a renderer, found '"), std::string::npos) << text;
+}
+
+TEST(FrameHashes, NameASecondLineAboutPictures) {
+    EXPECT_EQ(complaint("picture 7x8 column\npicture 7x8 column"), "2:1: expected a frame's number, found 'picture'");
 }
 
 TEST(FrameHashes, RefuseANumberThatDoesNotFit) { EXPECT_NE(complaint("4294967296 0000000000000000"), ""); }
