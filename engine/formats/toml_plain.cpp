@@ -14,6 +14,9 @@ constexpr std::size_t kMostMembers = 64;
 /// Digits that fit a whole number for sure.
 constexpr std::size_t kMostDigits = 18;
 
+/// The library refuses numbers from some length on; any double can be written with 24 characters.
+constexpr std::size_t kLongestNumber = 32;
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_key_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_' || c == '-';
@@ -207,7 +210,7 @@ private:
         const bool has_exponent = take('e') || take('E');
         if (has_exponent && !take('-')) take('+');
         if (has_exponent && !skip_digits()) return false;
-        if (!is_end_of_value()) return false;
+        if (!is_end_of_value() || at_ - begin > kLongestNumber) return false;
         const char *const from = text_.data() + begin, *const to = text_.data() + at_;
         value.kind = has_fraction || has_exponent ? TomlKind::real : TomlKind::integer;
         const auto read = value.kind == TomlKind::real ? std::from_chars(from, to, value.real)

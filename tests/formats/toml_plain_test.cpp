@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Texts, PlainToml,
                                            "a = 1\n[b]\nc = 2\n[d]\n",
                                            "[[a]]\nx = 1\n[[a.b]]\ny = 1\n[[a.b]]\n[a.c]\nz = 3\n[[a]]\nx = 2\n[[a.b]]",
                                            " [ a ] # c\n [[ b ]]\n [[ b . c ]]\n", "[a]\n[a.b]\n[[a.c]]\nx = 1",
-                                           "a-b_9 = 123456789012345678"));
+                                           "a-b_9 = 123456789012345678", "a = 1.000000000000000000000000000000"));
 
 class OddToml : public ::testing::TestWithParam<const char*> {};
 
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Texts, OddToml,
                                            "a = [1", "a = 01", "a = 1.", "a = .5", "a = tru", "a = truex", "[a", "[[a]",
                                            "[a]]", "a = 1\rb = 2", "a", "= 1", "a = \"x", "a = 'x\ny'", "a = '\x01'",
                                            "# \x01", "a = 1234567890123456789", "[[a]]\n[a]", "[a]\n[[a]]", "a = 1e",
-                                           "a = -"));
+                                           "a = -", "a = 1.0000000000000000000000000000000"));
 
 TEST(PlainTomlFiles, AreTheProjectsOwnMaps) {
     int plain = 0;
