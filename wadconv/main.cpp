@@ -5,10 +5,12 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <sstream>
 
 #include "base/attempt.h"
 #include "base/output_file.h"
 #include "base/parallel.h"
+#include "base/terminal.h"
 #include "wadconv/convert_wads.h"
 
 namespace {
@@ -28,9 +30,10 @@ public:
         const int percent = static_cast<int>(100 * done / total);
         if (shown_.exchange(percent) == percent) return;
         const int filled = kBarWidth * percent / 100;
-        std::fprintf(stderr, "\r[%s%s] %3d%%%s", std::string(static_cast<std::size_t>(filled), '#').c_str(),
-                     std::string(static_cast<std::size_t>(kBarWidth - filled), ' ').c_str(), percent,
-                     done == total ? "\n" : "");
+        enfilade::redraw_line("[" + std::string(static_cast<std::size_t>(filled), '#') +
+                              std::string(static_cast<std::size_t>(kBarWidth - filled), ' ') + "] " +
+                              std::to_string(percent) + "%");
+        if (done == total) enfilade::print_text(stderr, "\n");
     }
 
 private:
@@ -38,8 +41,10 @@ private:
     std::atomic<int> shown_{-1};
 };
 
+void complain(const std::string& what) { enfilade::print_text(stderr, "wadconv: " + what + "\n"); }
+
 int refuse_usage(const std::string& what) {
-    std::fprintf(stderr, "wadconv: %s; see `wadconv --help`\n", what.c_str());
+    complain(what + "; see `wadconv --help`");
     return kUsage;
 }
 
@@ -47,15 +52,14 @@ int run(const RunOptions& options, bool is_verbose) {
     ProgressBar bar;
     const auto result = convert_wads(options, [&](std::size_t done, std::size_t total) { bar.show(done, total); });
     if (!result) {
-        std::fprintf(stderr, "wadconv: %s\n", result.error().text().c_str());
+        complain(result.error().text());
         return kSomeRefused;
     }
-    for (const std::string& problem : result.value().problems) std::fprintf(stderr, "wadconv: %s\n", problem.c_str());
+    for (const std::string& problem : result.value().problems) complain(problem);
     for (const Report& report : result.value().reports)
-        if (!report.refused.empty())
-            std::fprintf(stderr, "wadconv: %s refused: %s\n", report.map.c_str(), report.refused.c_str());
+        if (!report.refused.empty()) complain(report.map + " refused: " + report.refused);
     const std::string text = is_verbose ? to_text(result.value()) : totals_text(result.value().reports);
-    std::printf("%s%s", text.c_str(), written_text(result.value(), options.out).c_str());
+    enfilade::print_text(stdout, text + written_text(result.value(), options.out));
     return result.value().is_complete() ? kAllConverted : kSomeRefused;
 }
 
@@ -85,7 +89,10 @@ int run_command_line(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked_for_text) {
-        return app.exit(asked_for_text);
+        std::ostringstream text;
+        const int exit_code = app.exit(asked_for_text, text);
+        enfilade::print_text(stdout, text.str());
+        return exit_code;
     } catch (const CLI::ParseError& error) {
         return refuse_usage(error.what());
     }

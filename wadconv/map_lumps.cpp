@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "formats/quoted.h"
+
 namespace enfilade::wadconv {
 namespace {
 
@@ -70,7 +72,7 @@ Result<MapLumps> find_map(const WadPile& pile, std::string_view name) {
         for (std::size_t i = lumps.size(); i-- > 0;)
             if (lumps[i].name == name && is_map_name(name)) return take_lumps(wad->file(), name, lumps_after(lumps, i));
     }
-    return Error{pile.wads().empty() ? "" : pile.wads().back().file(), "there is no map " + std::string(name)};
+    return Error{pile.wads().empty() ? "" : pile.wads().back().file(), "there is no map " + enfilade::quoted(name)};
 }
 
 }  // namespace enfilade::wadconv

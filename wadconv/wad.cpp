@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/bytes.h"
+#include "formats/quoted.h"
 
 namespace enfilade::wadconv {
 namespace {
@@ -33,7 +34,7 @@ bool fits(std::int64_t offset, std::int64_t size, std::size_t total) {
 }
 
 Error outside_file(const std::string& file, std::size_t index, const Entry& entry, std::size_t total) {
-    return {file, "lump " + std::to_string(index) + " '" + entry.name + "' is said to take " +
+    return {file, "lump " + std::to_string(index) + " " + quoted(entry.name) + " is said to take " +
                       std::to_string(entry.size) + " bytes from byte " + std::to_string(entry.offset) +
                       ", but the file has " + std::to_string(total)};
 }

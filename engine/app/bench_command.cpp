@@ -12,6 +12,7 @@
 #include "app/shipped_maps.h"
 #include "app/viewing.h"
 #include "base/files.h"
+#include "base/terminal.h"
 #include "flight/renderer.h"
 #include "formats/map_toml.h"
 #include "formats/script_toml.h"
@@ -131,7 +132,7 @@ Status time_frames(const BenchRequest& request, const BenchChoices& choices, con
         return took_ns;
     };
     if (Status failed = measure(frames, choices.rounds, draw)) return failed;
-    fmt::print(request.csv == "-" ? stderr : stdout, "{}", bench_table(request.files, frames));
+    print_text(request.csv == "-" ? stderr : stdout, bench_table(request.files, frames));
     return request.csv.empty() ? Status() : write_file(request.csv, bench_csv(request.files, frames));
 }
 
@@ -141,7 +142,7 @@ bool price_map(const std::string& path, const BenchRequest& request, const Price
     const auto bytes = read_file(path);
     if (!map || !bytes.ok()) return false;
     const Prices prices = effect_prices(read_map(as_text(bytes.value())).map, map->textures, choices);
-    fmt::print("{}:\n\n{}\n", path, to_markdown(prices));
+    print_text(stdout, fmt::format("{}:\n\n{}\n", path, to_markdown(prices)));
     return true;
 }
 

@@ -12,6 +12,7 @@
 #include "app/open_map.h"
 #include "app/sounds.h"
 #include "base/files.h"
+#include "base/terminal.h"
 #include "formats/map_toml.h"
 #include "formats/number_text.h"
 #include "map/load.h"
@@ -27,7 +28,8 @@ void print_effects(const std::string& path, const TextureSet& textures) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) return;
     const MapFile map = read_map(as_text(bytes.value())).map;
-    fmt::print("{}: {}, and\n{}", path, counted(map.sectors.size(), "sector"), to_text(effect_prices(map, textures)));
+    print_text(stdout, fmt::format("{}: {}, and\n{}", path, counted(map.sectors.size(), "sector"),
+                                   to_text(effect_prices(map, textures))));
 }
 
 /// What only a look at other files shows.
@@ -67,7 +69,7 @@ void check_map(const std::string& path, const CheckRequest& request, Tally& tall
         text += to_text(path, finding) + '\n';
         ++(finding.severity == Severity::error ? tally.errors : tally.warnings);
     }
-    fmt::print("{}", text);
+    print_text(stdout, text);
     ++tally.maps;
     tally.refused += has_errors(loaded.findings);
     if (request.effects && loaded.map) print_effects(path, loaded.textures);
@@ -78,8 +80,8 @@ void check_map(const std::string& path, const CheckRequest& request, Tally& tall
 int run_check(const CheckRequest& request) {
     Tally tally;
     for (const std::string& map : maps_in_folders(request.maps)) check_map(map, request, tally);
-    fmt::print("{} checked, {} refused: {}, {}\n", counted(tally.maps, "map"), tally.refused,
-               counted(tally.errors, "error"), counted(tally.warnings, "warning"));
+    print_text(stdout, fmt::format("{} checked, {} refused: {}, {}\n", counted(tally.maps, "map"), tally.refused,
+                                   counted(tally.errors, "error"), counted(tally.warnings, "warning")));
     return tally.refused == 0 ? kDone : kFailed;
 }
 

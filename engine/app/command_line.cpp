@@ -6,12 +6,15 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <csignal>
+#include <sstream>
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
 #include "app/usage_faults.h"
 #include "base/output_file.h"
+#include "base/terminal.h"
 #include "formats/number_text.h"
+#include "formats/quoted.h"
 #include "render/view.h"
 
 namespace enfilade {
@@ -29,7 +32,7 @@ CLI::Validator number_within(double low, double high) {
         [=](std::string& text) -> std::string {
             const auto number = parse_number(text);
             if (number && *number >= low && *number <= high) return {};
-            return fmt::format("expected a number from {} to {}; found '{}'", low, high, text);
+            return fmt::format("expected a number from {} to {}; found {}", low, high, enfilade::quoted(text));
         },
         "");
 }
@@ -277,7 +280,10 @@ int run_command_line(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked_for_text) {
-        return app.exit(asked_for_text);
+        std::ostringstream text;
+        const int exit_code = app.exit(asked_for_text, text);
+        print_text(stdout, text.str());
+        return exit_code;
     } catch (const CLI::ParseError& error) {
         return refuse_usage({"", fmt::format("{}; see `{} --help`", fault_text(app, error), command_at_fault(app))});
     }

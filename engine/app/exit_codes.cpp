@@ -1,11 +1,11 @@
 #include "app/exit_codes.h"
 
-#include <fmt/format.h>
+#include "base/terminal.h"
 
 namespace enfilade {
 
 int fail(const Error& error) {
-    fmt::print(stderr, "enfilade: {}\n", error.text());
+    print_text(stderr, "enfilade: " + error.text() + "\n");
     return kFailed;
 }
 

@@ -13,6 +13,7 @@
 #include "app/progress.h"
 #include "app/recorded_flight.h"
 #include "base/output_file.h"
+#include "base/terminal.h"
 #include "formats/number_text.h"
 #include "platform/gl_context.h"
 
@@ -137,10 +138,11 @@ Status record_or_check(const FlyRequest& request, const FlightScene& scene, cons
 Status test(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan, const FlyChoices& choices) {
     const Status failed = record_or_check(request, scene, plan, choices);
     if (!failed)
-        fmt::print("{}: {} {}\n", request.script, counted(std::size_t(plan.last - plan.first + 1), "frame"),
-                   request.record    ? "recorded"
-                   : choices.against ? "drawn alike by both renderers"
-                                     : "as they were recorded");
+        print_text(stdout,
+                   fmt::format("{}: {} {}\n", request.script, counted(std::size_t(plan.last - plan.first + 1), "frame"),
+                               request.record    ? "recorded"
+                               : choices.against ? "drawn alike by both renderers"
+                                                 : "as they were recorded"));
     return failed;
 }
 

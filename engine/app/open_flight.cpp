@@ -8,6 +8,7 @@
 #include "app/file_kind.h"
 #include "base/files.h"
 #include "base/hash.h"
+#include "base/terminal.h"
 #include "formats/script_toml.h"
 #include "formats/tape.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 /// Prints them; true where one is an error.
 bool print_findings(const std::string& path, const Findings& findings) {
-    for (const Finding& finding : findings) fmt::print(stderr, "{}\n", to_text(path, finding));
+    for (const Finding& finding : findings) print_text(stderr, to_text(path, finding) + "\n");
     return has_errors(findings);
 }
 

@@ -8,6 +8,7 @@
 #include "app/exit_codes.h"
 #include "app/file_kind.h"
 #include "base/files.h"
+#include "base/terminal.h"
 
 namespace enfilade {
 namespace {
@@ -16,13 +17,13 @@ bool is_warning(const Finding& finding) { return finding.severity == Severity::w
 
 void print_errors(const std::string& path, const Findings& findings) {
     for (const Finding& finding : findings)
-        if (!is_warning(finding)) fmt::print(stderr, "{}\n", to_text(path, finding));
+        if (!is_warning(finding)) print_text(stderr, to_text(path, finding) + "\n");
 }
 
 void mention_warnings(const std::string& path, const Findings& findings) {
     const auto count = std::ranges::count_if(findings, is_warning);
-    if (count == 1) fmt::print(stderr, "{}\n", to_text(path, *std::ranges::find_if(findings, is_warning)));
-    if (count > 1) fmt::print(stderr, "{0}: {1} warnings; `enfilade check {0}` shows them\n", path, count);
+    if (count == 1) print_text(stderr, to_text(path, *std::ranges::find_if(findings, is_warning)) + "\n");
+    if (count > 1) print_text(stderr, fmt::format("{0}: {1} warnings; `enfilade check {0}` shows them\n", path, count));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "formats/quoted.h"
 #include "render/view.h"
 
 namespace enfilade {
@@ -30,8 +31,8 @@ Result<PictureSize> parse_size(const std::string& text) {
         if (is_side(width) && is_side(height)) return PictureSize{*width, *height};
     }
     return Error{"--size", fmt::format("expected WIDTHxHEIGHT in pixels, each from 1 to {}, for example 1280x800; "
-                                       "found '{}'",
-                                       kMaxPictureSide, text)};
+                                       "found {}",
+                                       kMaxPictureSide, quoted(text))};
 }
 
 Result<FrameRange> parse_frames(const std::string& text) {
@@ -39,7 +40,8 @@ Result<FrameRange> parse_frames(const std::string& text) {
     const auto first = whole_number_in(std::string_view(text).substr(0, dots));
     const auto last = dots == std::string::npos ? first : whole_number_in(std::string_view(text).substr(dots + 2));
     if (first && last && *first >= 0 && *first <= *last) return FrameRange{*first, *last};
-    return Error{"--frames", fmt::format("expected FIRST..LAST, counted from 0, for example 0..59; found '{}'", text)};
+    return Error{"--frames",
+                 fmt::format("expected FIRST..LAST, counted from 0, for example 0..59; found {}", quoted(text))};
 }
 
 }  // namespace enfilade

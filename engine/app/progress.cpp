@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/terminal.h"
 #include "platform/clock.h"
 
 namespace enfilade {
@@ -23,7 +24,7 @@ Progress::Progress(std::size_t total, std::string noun)
       on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
-    if (on_terminal_) fmt::print(stderr, "\r\033[K");
+    if (on_terminal_) redraw_line("");
 }
 
 void Progress::step(std::size_t worker) {
@@ -36,9 +37,8 @@ void Progress::step(std::size_t worker) {
 void Progress::draw(std::size_t done) {
     const std::size_t filled = kBarWidth * done / total_;
     const double passed_s = double(now_ns() - started_ns_) * 1e-9;
-    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {} of {} {}, {:.0f} s left", "", filled, "", kBarWidth - filled, done,
-               total_, noun_, passed_s / double(done) * double(total_ - done));
-    std::fflush(stderr);
+    redraw_line(fmt::format("[{:#<{}}{:.<{}}] {} of {} {}, {:.0f} s left", "", filled, "", kBarWidth - filled, done,
+                            total_, noun_, passed_s / double(done) * double(total_ - done)));
 }
 
 }  // namespace enfilade

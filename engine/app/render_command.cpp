@@ -8,6 +8,8 @@
 #include "app/picture_job.h"
 #include "app/viewing.h"
 #include "base/files.h"
+#include "base/terminal.h"
+#include "formats/quoted.h"
 #include "formats/views_csv.h"
 
 namespace enfilade {
@@ -21,7 +23,7 @@ std::optional<std::vector<ViewRow>> read_places(const std::string& path) {
         return {};
     }
     ViewsReading reading = read_views(as_text(bytes.value()));
-    for (const Finding& finding : reading.findings) fmt::print(stderr, "{}\n", to_text(path, finding));
+    for (const Finding& finding : reading.findings) print_text(stderr, to_text(path, finding) + "\n");
     if (has_errors(reading.findings)) return {};
     return std::move(reading.views);
 }
@@ -35,7 +37,7 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     if (Status refused = refuse_true_pitch(renderer.value(), request.true_pitch)) return *refused;
     if (request.accuracy != "exact")
         return Error{"--accuracy",
-                     fmt::format("expected 'exact', the only one there is; found '{}'", request.accuracy)};
+                     fmt::format("expected 'exact', the only one there is; found {}", quoted(request.accuracy))};
     PictureJob job;
     job.size = size.value();
     job.renderer = renderer.value();
@@ -81,10 +83,10 @@ void mention_hidden_eyes(const Map& map, const RenderRequest& request, const std
     for (std::size_t i = 0; i < views.size(); ++i) {
         const auto hidden = hidden_eye(map, snapshot, views[i]);
         if (hidden && ++count == 1)
-            fmt::print(stderr, "{}: note: {}; the picture looks through it and smears it\n",
-                       place_text(request, places, i), *hidden);
+            print_text(stderr, fmt::format("{}: note: {}; the picture looks through it and smears it\n",
+                                           place_text(request, places, i), *hidden));
     }
-    if (count > 1) fmt::print(stderr, "{}: note: {} more like it\n", request.views, count - 1);
+    if (count > 1) print_text(stderr, fmt::format("{}: note: {} more like it\n", request.views, count - 1));
 }
 
 }  // namespace

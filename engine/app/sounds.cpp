@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "formats/quoted.h"
 #include "platform/wav.h"
 
 namespace enfilade {
@@ -24,7 +25,8 @@ LoadedSounds load_sounds(const Map& map, const std::string& map_path, const File
         const Sound& sound = map.sounds[i];
         auto samples = load_sound((folder / sound.file).string(), read);
         if (!samples.ok())
-            loaded.faults.push_back({SoundId(i), "sound '" + sound.name + "' is silent: " + samples.error().text()});
+            loaded.faults.push_back(
+                {SoundId(i), "sound " + enfilade::quoted(sound.name) + " is silent: " + samples.error().text()});
         loaded.samples.push_back(samples.ok() ? std::move(samples).value() : Samples{});
     }
     return loaded;

@@ -31,9 +31,9 @@ Result<SectorId> sector_of(const Map& map, const ViewRow& row, Vec2 eye) {
     }
     auto named = sector_named(map, row.sector);
     if (named.ok() && !contains(map, named.value(), eye))
-        return Error{"", fmt::format("sector '{}' does not hold the point ({}, {}); give a point inside it, or leave "
+        return Error{"", fmt::format("sector {} does not hold the point ({}, {}); give a point inside it, or leave "
                                      "the sector out to have it found",
-                                     row.sector, eye.x, eye.y)};
+                                     enfilade::quoted(row.sector), eye.x, eye.y)};
     return named;
 }
 

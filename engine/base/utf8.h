@@ -1,4 +1,4 @@
-// UTF-8, as far as places and validity go.
+// UTF-8: which bytes are characters, and which.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -28,6 +28,15 @@ constexpr std::size_t utf8_length(std::string_view text) {
         return second && within(2, 0x80, 0xBF) && within(3, 0x80, 0xBF) ? 4 : 0;
     }
     return 0;
+}
+
+/// The character at the start of a text, whose utf8_length() is not 0.
+constexpr char32_t utf8_character(std::string_view text) {
+    constexpr char32_t kOfFirst[] = {0, 0x7F, 0x1F, 0x0F, 0x07};  // by length
+    const std::size_t length = utf8_length(text);
+    char32_t character = static_cast<unsigned char>(text[0]) & kOfFirst[length];
+    for (char c : text.substr(1, length - 1)) character = character << 6 | (static_cast<unsigned char>(c) & 0x3F);
+    return character;
 }
 
 /// How many characters a well-formed text has.

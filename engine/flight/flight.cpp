@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "formats/quoted.h"
 #include "world/deed.h"
 #include "world/happen.h"
 #include "world/input.h"
@@ -100,9 +101,10 @@ std::optional<Finding> Flight::misplaced_eye(const CameraPath& path, const Scrip
         const auto leg = path.leg_at(time);
         const std::string where = leg ? "leg " + std::to_string(*leg + 1) : "the start";
         return Finding{leg ? script.legs[*leg].place : script.start.place, Severity::error, "eye-in-wall",
-                       where + " takes the eye to height " + std::to_string(pose.eye_z) + " in '" +
-                           map[pose.place.sector].name + "', which reaches from " + std::to_string(here.floor_z) +
-                           " to " + std::to_string(here.ceiling_z) + " (frame " + std::to_string(frame) + ")"};
+                       where + " takes the eye to height " + std::to_string(pose.eye_z) + " in " +
+                           quoted(map[pose.place.sector].name) + ", which reaches from " +
+                           std::to_string(here.floor_z) + " to " + std::to_string(here.ceiling_z) + " (frame " +
+                           std::to_string(frame) + ")"};
     }
     return {};
 }

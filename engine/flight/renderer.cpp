@@ -1,5 +1,6 @@
 #include "flight/renderer.h"
 
+#include "formats/quoted.h"
 #include "render/column/strips.h"
 #include "render/reference/reference_renderer.h"
 #include "render/stencil/stencil_renderer.h"
@@ -81,7 +82,7 @@ Result<RendererKind> parse_renderer(const std::string& name) {
     if (name == "column") return RendererKind::column;
     if (name == "reference") return RendererKind::reference;
     if (name == "stencil") return RendererKind::stencil;
-    return Error{"--renderer", "expected column, stencil or reference; found '" + name + "'"};
+    return Error{"--renderer", "expected column, stencil or reference; found " + quoted(name)};
 }
 
 std::string name_of(RendererKind kind) {

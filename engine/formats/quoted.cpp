@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "base/printable.h"
+
 namespace enfilade {
 namespace {
 
@@ -33,12 +35,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string quoted(std::string_view word) {
     std::size_t length = std::min(word.size(), kShownBytes);
     while (length < word.size() && length > 0 && (static_cast<unsigned char>(word[length]) & 0xC0) == 0x80) --length;
-    std::string shown = "'";
-    for (char c : word.substr(0, length)) {
-        const auto byte = static_cast<unsigned char>(c);
-        shown += byte < 0x20 || byte == 0x7F ? '?' : c;
-    }
-    return shown + (length < word.size() ? "…'" : "'");
+    return "'" + printable_line(word.substr(0, length)) + (length < word.size() ? "…'" : "'");
 }
 
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known) {

@@ -7,7 +7,7 @@
 
 namespace enfilade {
 
-/// The word in single quotes; control characters become '?', and what is longer than 60 bytes is cut.
+/// The word in single quotes; what a terminal would obey becomes '?', and what is longer than 60 bytes is cut.
 std::string quoted(std::string_view word);
 
 /// The known word that takes the fewest changed letters, if it is near enough to be meant; else empty.

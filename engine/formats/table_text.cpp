@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/utf8.h"
 #include "formats/number_text.h"
 #include "formats/texture_spec.h"
-#include "formats/utf8.h"
 
 namespace enfilade {
 namespace {

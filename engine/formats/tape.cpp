@@ -4,7 +4,7 @@
 
 #include "base/bytes.h"
 #include "base/check.h"
-#include "formats/utf8.h"
+#include "base/utf8.h"
 
 // All numbers little-endian:
 //

@@ -4,6 +4,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "base/printable.h"
 #include "formats/toml_tree.h"
 
 // toml++ 3.3.0 states what it believes as assertions, and with NDEBUG as promises to the optimiser; fuzzing shows
@@ -59,7 +60,7 @@ TextPlace place_of(const toml::node& node) { return place_of(node.source().begin
 Finding syntax_error(TextPlace place, std::string_view description) {
     std::string sentence(description);
     if (sentence.starts_with('E')) sentence.front() = 'e';  // the library's sentences start with "Error while"
-    return {place, Severity::error, "bad-toml", "not valid TOML: " + sentence};
+    return {place, Severity::error, "bad-toml", "not valid TOML: " + printable_line(sentence)};
 }
 
 /// Copies the library's tree into ours.

@@ -3,7 +3,8 @@
 #include <array>
 #include <string>
 
-#include "formats/utf8.h"
+#include "base/utf8.h"
+#include "formats/quoted.h"
 
 namespace enfilade {
 namespace {
@@ -167,8 +168,8 @@ private:
         const std::size_t length = utf8_length(text_.substr(at_));
         if (length == 0) return refuse_not_utf8();
         refuse("bad-toml",
-               "expected a key or a value, found '" + std::string(text_.substr(at_, length)) +
-                   "'; letters beyond ASCII may only stand in quotes and comments: is the quote before it missing?");
+               "expected a key or a value, found " + quoted(text_.substr(at_, length)) +
+                   "; letters beyond ASCII may only stand in quotes and comments: is the quote before it missing?");
     }
 
     void deepen(int levels) {

@@ -2,10 +2,10 @@
 
 #include <array>
 
+#include "base/utf8.h"
 #include "formats/lines.h"
 #include "formats/map_keys.h"
 #include "formats/number_text.h"
-#include "formats/utf8.h"
 
 namespace enfilade {
 namespace {

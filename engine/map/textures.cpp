@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "formats/png.h"
+#include "formats/quoted.h"
 #include "map/names.h"
 
 namespace enfilade {
@@ -191,8 +192,8 @@ void TextureLoader::unpack(std::size_t i) {
 void TextureLoader::report(const Picture& picture, Findings& findings) {
     if (!picture.bytes)
         findings.push_back({picture.place, Severity::warning, "missing-texture",
-                            "texture '" + picture.written +
-                                "' is in none of the texture folders; a placeholder is drawn" + picture.near});
+                            "texture " + quoted(picture.written) +
+                                " is in none of the texture folders; a placeholder is drawn" + picture.near});
     if (!picture.fault.empty())
         findings.push_back({picture.place, Severity::error, "bad-texture", picture.path + ": " + picture.fault});
 }

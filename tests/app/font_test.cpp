@@ -35,6 +35,15 @@ TEST(Font, LeavesASpaceEmpty) { EXPECT_EQ(picture(Font()[U' ']).find('#'), std::
 
 TEST(Font, ShowsAQuestionMarkForWhatItLacks) { EXPECT_EQ(picture(Font()[U'\u4E16']), picture(Font()[U'?'])); }
 
+TEST(Font, ShowsAQuestionMarkForControlCharacters) {
+    const Font font;
+    const auto expect_question_mark = [&](char32_t control) {
+        EXPECT_EQ(font[control].rows, font[U'?'].rows) << int(control);
+    };
+    for (char32_t control = 0; control < 0x20; ++control) expect_question_mark(control);
+    for (char32_t control = 0x7F; control < 0xA0; ++control) expect_question_mark(control);
+}
+
 TEST(TakeCharacter, ReadsOneToFourBytes) {
     EXPECT_EQ(characters("a\xC3\xA4\xE2\x82\xAC\xF0\x9F\x99\x82"), (std::vector<char32_t>{'a', 0xE4, 0x20AC, 0x1F642}));
 }

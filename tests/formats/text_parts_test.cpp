@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "base/utf8.h"
 #include "formats/lines.h"
 #include "formats/number_text.h"
 #include "formats/quoted.h"
 #include "formats/table_text.h"
-#include "formats/utf8.h"
 
 namespace enfilade {
 namespace {
@@ -73,7 +73,10 @@ TEST(Quoted, CutsBetweenCharacters) {
     EXPECT_EQ(enfilade::quoted(text + "é"), "'" + text + "…'");
 }
 
-TEST(Quoted, ShowsNoControlCharacters) { EXPECT_EQ(enfilade::quoted("a\x1B\n\x7F"), "'a?\?\?'"); }
+TEST(Quoted, ShowsNothingThatATerminalObeys) {
+    EXPECT_EQ(enfilade::quoted("a\x1B\n\x7F"), "'a?\?\?'");
+    EXPECT_EQ(enfilade::quoted("\u009B\u202E\u2067\u2028\xFF"), "'\?\?\?\?\?'");
+}
 
 constexpr std::array<std::string_view, 4> kKnown{"texture", "next", "x", "y"};
 

@@ -84,6 +84,8 @@ TEST(House, NoFlagChangesWhatTheCodeComputes) {
     EXPECT_THAT(complaints(files, check_float_flags), IsEmpty());
 }
 
+TEST(House, WordsReachTheTerminalByOneWay) { EXPECT_THAT(complaints(sources(), check_printing), IsEmpty()); }
+
 TEST(House, SimulationStateUsesOnlyOurOwnTrigonometry) { EXPECT_THAT(complaints(sources(), check_libm), IsEmpty()); }
 
 }  // namespace

@@ -186,6 +186,14 @@ Complaints check_exceptions(const SourceFile& file) {
     return lines_with(file, without_comments_and_strings(file.text), words, "errors are Results; see base/attempt.h");
 }
 
+Complaints check_printing(const SourceFile& file) {
+    // A broken contract is told in words of our own, by as little code as can be.
+    if (!is_ours(file) || file.path == "engine/base/terminal.cpp" || file.path == "engine/base/attempt.cpp") return {};
+    static const std::regex calls(
+        R"(\b(v?d?f?printf|f?puts|f?putc|putchar|perror)\s*\(|\bfmt::v?print(ln)?\b|\bstd::w?(cout|cerr|clog)\b)");
+    return lines_with(file, without_comments_and_strings(file.text), calls, "print by base/terminal.h");
+}
+
 std::string without_comments_and_strings(std::string_view text) {
     enum class In { code, line_comment, block_comment, string, character };
     std::string blanked(text);

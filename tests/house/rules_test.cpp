@@ -142,6 +142,19 @@ TEST(Exceptions, StayWhereAttemptsAreMade) {
     EXPECT_THAT(check_exceptions({"engine/world/a.cpp", "// try this\nretry(catcher);\n"}), IsEmpty());
 }
 
+TEST(Printing, IsSeenOutsideOfTheTerminal) {
+    for (const char* code :
+         {"fmt::print(stderr, x);", "std::printf(x);", "std::fprintf(stderr, x);", "puts(x);", "std::fputs(x, stdout);",
+          "std::cout << x;", "std::cerr << x;", "putchar (c);", "perror(x);"})
+        for (const char* path : {"engine/app/a.cpp", "wadconv/main.cpp"})
+            EXPECT_THAT(check_printing({path, code}), ElementsAre(HasSubstr("base/terminal.h"))) << code;
+    EXPECT_THAT(check_printing({"engine/base/terminal.cpp", "std::fputs(x, stdout);"}), IsEmpty());
+    EXPECT_THAT(check_printing({"tests/bench/a.cpp", "std::puts(x);"}), IsEmpty());
+    EXPECT_THAT(
+        check_printing({"engine/app/a.cpp", "std::snprintf(t, n, x); print_text(stdout, x); inputs(); // puts(x)"}),
+        IsEmpty());
+}
+
 TEST(Blanking, KeepsCodeAndLinesAndDropsTheRest) {
     EXPECT_EQ(without_comments_and_strings("a /* b\nc */ d \"e\\\"f\" g // h\ni 'j' k"),
               "a     \n     d        g     \ni     k");

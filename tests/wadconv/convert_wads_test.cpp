@@ -102,7 +102,7 @@ TEST(ConvertWads, NamesAMapThatIsNotThere) {
     Bench bench;
     bench.add(wad_with({{"E1M1", small_level()}}));
     bench.options.maps = {"E9M9"};
-    EXPECT_THAT(bench.run().error().text(), HasSubstr("no map E9M9; the only one is E1M1"));
+    EXPECT_THAT(bench.run().error().text(), HasSubstr("no map 'E9M9'; the only one is E1M1"));
 }
 
 TEST(ConvertWads, RefusesOneMapAndConvertsTheOthers) {

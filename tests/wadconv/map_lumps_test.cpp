@@ -64,7 +64,7 @@ TEST(FindMap, NamesTheLumpThatIsMissing) {
     EXPECT_THAT(error_of(wad), HasSubstr("no SIDEDEFS lump"));
 }
 
-TEST(FindMap, NamesTheMapThatIsMissing) { EXPECT_THAT(error_of(WadBuilder()), HasSubstr("no map MAP01")); }
+TEST(FindMap, NamesTheMapThatIsMissing) { EXPECT_THAT(error_of(WadBuilder()), HasSubstr("no map 'MAP01'")); }
 
 TEST(DecodeMap, ReadsEveryFieldOfEveryRecord) {
     DoomMap map;

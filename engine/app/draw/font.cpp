@@ -2,6 +2,10 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "base/utf8.h"
+
 namespace enfilade {
 namespace {
 
@@ -20,15 +24,6 @@ Glyph copy_shape(const ImFontGlyph& from, const unsigned char* atlas, int atlas_
             if (inside && ink) glyph.rows[std::size_t(y0 + y)] |= std::uint8_t(1u << (x0 + x));
         }
     return glyph;
-}
-
-/// How many bytes follow the first byte of a UTF-8 character; -1 where it cannot be a first byte.
-int bytes_after(unsigned char first) {
-    if (first < 0x80) return 0;
-    if ((first & 0xE0) == 0xC0) return 1;
-    if ((first & 0xF0) == 0xE0) return 2;
-    if ((first & 0xF8) == 0xF0) return 3;
-    return -1;
 }
 
 constexpr char32_t kReplacement = 0xFFFD;
@@ -54,17 +49,9 @@ const Glyph& Font::operator[](char32_t character) const {
 }
 
 char32_t take_character(std::string_view& text) {
-    const auto first = static_cast<unsigned char>(text[0]);
-    const int more = bytes_after(first);
-    text.remove_prefix(1);
-    if (more < 0 || std::size_t(more) > text.size()) return kReplacement;
-    char32_t character = more == 0 ? first : first & (0x3Fu >> more);
-    for (int i = 0; i < more; ++i) {
-        const auto next = static_cast<unsigned char>(text[std::size_t(i)]);
-        if ((next & 0xC0) != 0x80) return kReplacement;
-        character = character << 6 | (next & 0x3Fu);
-    }
-    text.remove_prefix(std::size_t(more));
+    const std::size_t length = utf8_length(text);
+    const char32_t character = length == 0 ? kReplacement : utf8_character(text);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
     return character;
 }
 

@@ -8,6 +8,7 @@
 #include "app/shipped_maps.h"
 #include "app/viewing.h"
 #include "base/parallel.h"
+#include "base/printable.h"
 #include "platform/gl_context.h"
 
 namespace enfilade {
@@ -33,7 +34,7 @@ Result<PlayOptions> options_of(const PlayRequest& request) {
 
 Result<std::unique_ptr<Window>> window_for(const Game& game, const PlayOptions& options) {
     WindowOptions wanted;
-    wanted.title = "Enfilade - " + game.map().name;
+    wanted.title = "Enfilade - " + printable_line(game.map().name);
     wanted.fullscreen = options.fullscreen;
     if (options.size) {
         wanted.width = options.size->width;
