@@ -1,6 +1,7 @@
 // The keys of triggers, light effects, animations, switches and sounds.
 #include <array>
 
+#include "formats/file_key.h"
 #include "formats/map_keys.h"
 
 namespace enfilade {
@@ -36,6 +37,14 @@ void write_targets(TableText& table, const Key<TriggerRecord>& key, const Trigge
         table.add(key.name, value_text(trigger.targets));
 }
 
+/// Of an exit, the target is the map it leads to.
+void check_exit(Reading& reading, const NamedValue& target) {
+    if (target.node.kind() == TomlKind::string && !target.node.text().empty())
+        expect_file_name(reading, target, Files::below_folder);
+    for (std::size_t i = 0; target.node.kind() == TomlKind::array && i < target.node.size(); ++i)
+        check_exit(reading, {target.name, target.node.at(i)});
+}
+
 /// How far a sound may reach [m]; the ways to all it reaches are looked at.
 constexpr Range kSoundReaches{0x1p-4, 1024};
 
@@ -55,7 +64,7 @@ constexpr std::array kTriggerKeys{
     key<&TriggerRecord::wait>("wait", kNew, Need::optional, kSeconds),
     key<&TriggerRecord::step>("step", kNew, Need::optional, kStairs),
     key<&TriggerRecord::crushes>("crushes", kNew),
-    key<&TriggerRecord::texture>("texture", kNew),
+    file_key<&TriggerRecord::texture>("texture", kNew),
     key<&TriggerRecord::heals>("heals", kNew),
     key<&TriggerRecord::light>("light", kNew, Need::optional, kLight),
     key<&TriggerRecord::light_of>("light_of", kNew),
@@ -72,18 +81,18 @@ constexpr std::array kLightEffectKeys{
 };
 
 constexpr std::array kAnimationKeys{
-    key<&AnimationRecord::frames>("frames", kNew, Need::required),
+    file_key<&AnimationRecord::frames>("frames", kNew, Need::required),
     key<&AnimationRecord::seconds>("seconds", kNew, Need::optional, kPictureSeconds),
 };
 
 constexpr std::array kSwitchKeys{
-    key<&SwitchRecord::off>("off", kNew, Need::required),
-    key<&SwitchRecord::on>("on", kNew, Need::required),
+    file_key<&SwitchRecord::off>("off", kNew, Need::required),
+    file_key<&SwitchRecord::on>("on", kNew, Need::required),
 };
 
 constexpr std::array kSoundKeys{
     key<&SoundRecord::name>("name", kNew, Need::required),
-    key<&SoundRecord::file>("file", kNew, Need::required),
+    file_key<&SoundRecord::file>("file", kNew, Need::required),
     key<&SoundRecord::volume>("volume", kNew, Need::optional, {0, 1}),
     key<&SoundRecord::reach>("reach", kNew, Need::optional, kSoundReaches),
     key<&SoundRecord::loops>("loops", kNew),
@@ -123,7 +132,9 @@ const KeyList<SoundRecord>& keys_of() {
 }
 
 template <>
-void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, TriggerRecord&) {
+void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, TriggerRecord& trigger) {
+    const TomlEntry* target = find_entry(entries, "target");
+    if (target && trigger.deed == Deed::exit) check_exit(reading, {target->key, target->value});
     refuse_both(reading, entries, "z", "to", "two-heights");
     refuse_both(reading, entries, "z", "like", "two-heights");
     refuse_both(reading, entries, "to", "like", "two-heights");

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.h"
@@ -18,6 +19,9 @@ namespace enfilade {
 /// it gets depends on the rest of the file.
 enum class Need : std::uint8_t { optional, written, required };
 
+/// Which files the strings of a key name: none, those below the folder they are looked for in, or any.
+enum class Files : std::uint8_t { none, below_folder, anywhere };
+
 /// A key that a record's table may have.
 template <class Record>
 struct Key {
@@ -28,6 +32,7 @@ struct Key {
     void (*read)(Reading&, const NamedValue&, Range, Record&) = nullptr;
     /// Adds the key unless the field is as in `defaults`; null: written elsewhere, or an alias that is not written.
     void (*write)(TableText&, const Key&, const Record&, const Record& defaults) = nullptr;
+    Files files = Files::none;
 };
 
 /// Where a message lists keys, the record's name comes with its article: "a wall".
@@ -102,14 +107,15 @@ struct KeyInfo {
     bool tutorial;     ///< may stand in a tutorial file
     bool required;
     Range range;
+    Files files;
 };
 
 /// Adds a record's keys, each with the prefix before its name.
 template <class Record>
 void add_key_infos(std::vector<KeyInfo>& all, const std::string& prefix) {
     for (const Key<Record>& key : keys_of<Record>().keys)
-        all.push_back(
-            {prefix + std::string(key.name), key.since == Dialect::tutorial, key.need == Need::required, key.range});
+        all.push_back({prefix + std::string(key.name), key.since == Dialect::tutorial, key.need == Need::required,
+                       key.range, key.files});
 }
 
 /// How many members of an array are tables: room for others would only be taken in vain.
@@ -194,6 +200,11 @@ bool is_as_in(const Field& field, const Field& defaults) {
         return field_text(field, defaults) == "{}";
 }
 
+/// A texture's specification has the name of its picture in it.
+template <class Field>
+inline constexpr bool names_picture =
+    std::is_same_v<Field, TextureSpec> || std::is_same_v<Field, std::optional<TextureSpec>>;
+
 template <class Pointer>
 struct MemberPointer;
 template <class R, class Field>
@@ -204,6 +215,7 @@ struct MemberPointer<Field R::*> {
 template <auto first, auto... rest>
 constexpr auto key(std::string_view name, Dialect since, Need need = Need::optional, Range range = {}) {
     using Record = typename MemberPointer<decltype(first)>::Record;
+    using Field = std::remove_cvref_t<decltype(((std::declval<Record&>().*first).*....*rest))>;
     return Key<Record>{name,
                        since,
                        need,
@@ -216,7 +228,8 @@ constexpr auto key(std::string_view name, Dialect since, Need need = Need::optio
                            const auto& usual = ((defaults.*first).*....*rest);
                            if (k.need != Need::optional || !is_as_in(field, usual))
                                table.add(k.name, field_text(field, usual));
-                       }};
+                       },
+                       names_picture<Field> ? Files::below_folder : Files::none};
 }
 
 /// The same for arrays of tables with headers of their own, which write_map lays out.

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "formats/file_key.h"
 #include "formats/map_keys.h"
 
 namespace enfilade {
@@ -75,23 +76,23 @@ void read_size(Reading& reading, const NamedValue& value, Range range, ScriptFil
 
 /// A file's path, whose place is kept so that a message can point at it.
 template <auto path, auto place>
-constexpr Key<ScriptFile> file_key(std::string_view name, Need need) {
-    Key<ScriptFile> with_place = key<path>(name, kAlways, need);
-    with_place.read = [](Reading& reading, const NamedValue& value, Range range, ScriptFile& script) {
+constexpr Key<ScriptFile> path_key(std::string_view name, Need need) {
+    auto with_place = file_key<path, Files::anywhere>(name, kAlways, need);
+    with_place.read = [](Reading& reading, const NamedValue& value, Range, ScriptFile& script) {
         script.*place = value.node.place();
-        read_value(reading, value, range, script.*path);
+        read_file_name(reading, value, Files::anywhere, script.*path);
     };
     return with_place;
 }
 
 constexpr std::array kScriptKeys{
-    file_key<&ScriptFile::map, &ScriptFile::map_place>("map", Need::required),
+    path_key<&ScriptFile::map, &ScriptFile::map_place>("map", Need::required),
     Key<ScriptFile>{"size", kAlways, Need::optional, {1, 16384}, read_size},
     key<&ScriptFile::rate>("rate", kAlways, Need::optional, {1, 1000}),
     key<&ScriptFile::renderer>("renderer", kAlways),
     key<&ScriptFile::fov_degrees>("fov", kAlways, Need::optional, {1, 179}),
     key<&ScriptFile::accuracy>("accuracy", kAlways),
-    file_key<&ScriptFile::tape, &ScriptFile::tape_place>("tape", Need::optional),
+    path_key<&ScriptFile::tape, &ScriptFile::tape_place>("tape", Need::optional),
     key<&ScriptFile::start>("start", kAlways),
     key<&ScriptFile::legs>("legs", kAlways),
 };

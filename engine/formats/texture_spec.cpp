@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "formats/file_name.h"
 #include "formats/number_text.h"
 #include "formats/quoted.h"
 
@@ -33,22 +34,6 @@ std::string_view take_name(std::string_view& text) {
     const std::string_view word = text.substr(0, length);
     text.remove_prefix(length);
     return word;
-}
-
-bool leaves_its_folder(std::string_view name) {
-    if (name.starts_with('/')) return true;
-    for (std::size_t start = 0; start <= name.size();) {
-        const std::size_t end = std::min(name.find('/', start), name.size());
-        if (name.substr(start, end - start) == "..") return true;
-        start = end + 1;
-    }
-    return false;
-}
-
-bool has_control_character(std::string_view name) {
-    for (char c : name)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) return true;
-    return false;
 }
 
 Error bad_spec(std::string what) { return {"", std::move(what)}; }
@@ -105,8 +90,7 @@ Result<TextureSpec> parse_texture_spec(std::string_view text) {
     TextureSpec spec;
     spec.name = take_name(text);
     if (spec.name.empty()) return bad_spec(std::string(kShape) + ", found an empty string");
-    if (leaves_its_folder(spec.name) || has_control_character(spec.name))
-        return bad_spec("expected a picture's name, found " + quoted(spec.name));
+    if (Status refused = refuse_as_file_name(spec.name)) return *refused;
     if (only_blanks(text)) return spec;
     if (Status wrong = take_tile(text, spec)) return *wrong;
     if (only_blanks(text)) return spec;

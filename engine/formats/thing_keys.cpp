@@ -1,6 +1,7 @@
 // The keys of things and of the pictures they show.
 #include <array>
 
+#include "formats/file_key.h"
 #include "formats/map_keys.h"
 
 namespace enfilade {
@@ -37,7 +38,7 @@ void write_skills(TableText& table, const Key<ThingRecord>& key, const ThingReco
 }
 
 constexpr std::array kFrameKeys{
-    key<&SpriteFrameRecord::texture>("texture", kNew, Need::required),
+    file_key<&SpriteFrameRecord::texture>("texture", kNew, Need::required),
     key<&SpriteFrameRecord::seconds>("seconds", kNew, Need::optional, kFrameSeconds),
     key<&SpriteFrameRecord::origin_tx>("origin", kNew, Need::optional, kOrigins),
 };

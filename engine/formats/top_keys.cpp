@@ -3,6 +3,7 @@
 #include <array>
 
 #include "formats/color_key.h"
+#include "formats/file_key.h"
 #include "formats/map_keys.h"
 
 namespace enfilade {
@@ -55,7 +56,7 @@ void write_format(TableText& table, const Key<MapFile>& key, const MapFile&, con
 constexpr std::array kMapKeys{
     Key<MapFile>{"format", kBoth, Need::optional, {}, read_format, write_format},
     key<&MapFile::name>("name", kBoth),
-    key<&MapFile::textures>("textures", kBoth),
+    file_key<&MapFile::textures, Files::anywhere>("textures", kBoth),
     key<&MapFile::size>("size", kNew, Need::optional, kTexelsPerMetre),
     header_key<&MapFile::render>("render", kNew),
     header_key<&MapFile::player>("player", kBoth),

@@ -90,6 +90,50 @@ TEST(MapSchema, HasTheReadersKeys) {
 
 TEST(MapSchema, DescribesEveryKey) { EXPECT_THAT(SchemaWalk("enfilade.schema.json").without_description(), IsEmpty()); }
 
+/// Strings that name no file, though nothing but this list says so: names of what is in the map, and words for people.
+constexpr std::string_view kOtherStrings[] = {"name",     "sector",     "tags",       "class",      "next",
+                                              "via",      "target",     "key",        "like",       "sound",
+                                              "accuracy", "move_sound", "down_sound", "stop_sound", "gives_key"};
+
+/// What a string must look like to name a file, as schemas say it.
+constexpr std::string_view kNamePattern =
+    R"(^(?!(.*/)?\\.{0,2}(/|$))[^\\u0000-\\u001f\\u007f-\\u009f\\u2028-\\u202e\\u2066-\\u2069]+$)";
+constexpr std::string_view kPathPattern = R"(^[^\\u0000-\\u001f\\u007f-\\u009f\\u2028-\\u202e\\u2066-\\u2069]+$)";
+
+/// A string in a schema, or those of an array; null where it has other values or only words of a list.
+const Json* strings_of(const Json& json) {
+    const Json& strings = json["items"].members.empty() ? json : json["items"];
+    const bool is_string = strings["type"].text == "string" && strings["enum"].items.empty();
+    return is_string ? &strings : nullptr;
+}
+
+/// A key with a string is one that names files, and then the schema has one of these patterns, or it is listed.
+void expect_patterns_of_files(const SchemaWalk& schema, const std::vector<KeyInfo>& keys,
+                              const std::vector<std::string>& below_folder) {
+    for (const KeyInfo& key : keys) {
+        const Json* const strings = strings_of(schema.about(key.path));
+        if (!strings) continue;
+        const std::string name = key.path.substr(key.path.rfind('.') + 1), pattern = (*strings)["pattern"].text;
+        const bool is_other = std::ranges::find(kOtherStrings, name) != std::end(kOtherStrings);
+        EXPECT_NE(key.files != Files::none, is_other) << key.path << ": does it name files?";
+        switch (key.files) {
+            case Files::none: EXPECT_EQ(pattern, "") << key.path; break;
+            case Files::anywhere: EXPECT_EQ(pattern, kPathPattern) << key.path; break;
+            case Files::below_folder: EXPECT_THAT(below_folder, testing::Contains(pattern)) << key.path;
+        }
+    }
+}
+
+TEST(MapSchema, KnowsWhichKeysNameFiles) {
+    const SchemaWalk schema("enfilade.schema.json");
+    const std::string of_textures = schema.about("sectors.floor.texture")["pattern"].text;
+    expect_patterns_of_files(schema, map_keys(), {std::string(kNamePattern), of_textures});
+}
+
+TEST(FlythroughSchema, KnowsWhichKeysNameFiles) {
+    expect_patterns_of_files(SchemaWalk("flythrough.schema.json"), script_keys(), {});
+}
+
 TEST(FlythroughSchema, HasTheReadersKeys) {
     EXPECT_THAT(SchemaWalk("flythrough.schema.json").keys(), UnorderedElementsAreArray(described(script_keys())));
 }

@@ -1,5 +1,6 @@
 // Map records with every field filled at random, sound for the reader though not for geometry.
 #pragma once
+#include <span>
 #include <string>
 
 #include "base/random.h"
@@ -16,7 +17,7 @@ public:
         MapFile map;
         map.format = 1;
         map.name = maybe_text();
-        map.textures = {text(), text()};
+        map.textures = {file_name(), file_name()};
         map.size = maybe(1, 64);
         map.render = {number(0.125, 8),
                       flip() ? LightModel::classic : LightModel::smooth,
@@ -36,10 +37,11 @@ public:
                                   number(0.1, 60),
                                   light_effect(),
                                   {}});
-        for (int i = whole(0, 2); i > 0; --i) map.animations.push_back({{text(), text()}, number(0.1, 9), {}});
-        for (int i = whole(0, 2); i > 0; --i) map.switches.push_back({text(), text(), {}});
         for (int i = whole(0, 2); i > 0; --i)
-            map.sounds.push_back({text(), text(), number(0, 1), number(0.1, 99), flip(), {}});
+            map.animations.push_back({{file_name(), file_name()}, number(0.1, 9), {}});
+        for (int i = whole(0, 2); i > 0; --i) map.switches.push_back({file_name(), file_name(), {}});
+        for (int i = whole(0, 2); i > 0; --i)
+            map.sounds.push_back({text(), file_name(), number(0, 1), number(0.1, 99), flip(), {}});
         return map;
     }
 
@@ -58,10 +60,19 @@ private:
     Vec2 point() { return {number(-32768, 32768), number(-32768, 32768)}; }
 
     std::string text() {
-        static constexpr std::string_view kParts[] = {"a",  "B7",   "\"", "\\", "\t", "é",
-                                                      "漢", "\x01", " ",  "#",  "'",  "]"};
+        static constexpr std::string_view kParts[] = {"a", "B7", "\"", "\\", "é",  "漢",
+                                                      " ", "#",  "'",  "]",  "\t", "\x01"};
+        return text_of(kParts);
+    }
+    /// Of files: without control characters, and in folders.
+    std::string file_name() {
+        static constexpr std::string_view kParts[] = {"a", "B7", "\"", "\\", "é",  "漢",
+                                                      " ", "#",  "'",  "]",  "/n", "..n"};
+        return text_of(kParts);
+    }
+    std::string text_of(std::span<const std::string_view> parts) {
         std::string text = "n";
-        for (int i = whole(0, 5); i > 0; --i) text += kParts[random_.below(std::size(kParts))];
+        for (int i = whole(0, 5); i > 0; --i) text += parts[random_.below(parts.size())];
         return text;
     }
     std::string maybe_text() { return flip() ? text() : ""; }
@@ -93,7 +104,8 @@ private:
         TriggerRecord trigger;
         trigger.on = static_cast<Occasion>(random_.below(5));
         trigger.deed = static_cast<Deed>(random_.below(15));
-        for (int i = whole(0, 2); i > 0; --i) trigger.targets.push_back(text());
+        for (int i = whole(0, 2); i > 0; --i)
+            trigger.targets.push_back(trigger.deed == Deed::exit ? file_name() : text());
         trigger.once = flip();
         trigger.one_way = flip();
         trigger.key = maybe_text();
@@ -109,7 +121,7 @@ private:
         trigger.wait = number(0, 9);
         trigger.step = number(-9, 9);
         trigger.crushes = flip();
-        trigger.texture = maybe_text();
+        trigger.texture = flip() ? file_name() : "";
         trigger.heals = flip();
         if (flip())
             trigger.light = number(0, 1);
@@ -210,7 +222,7 @@ private:
         thing.hanging = flip();
         thing.rotations = flip() ? 8 : 1;
         for (int i = whole(0, 3); i > 0; --i)
-            thing.frames.push_back({text(), number(0, 3), {number(-64, 64), number(-64, 64)}});
+            thing.frames.push_back({file_name(), number(0, 3), {number(-64, 64), number(-64, 64)}});
         thing.size = number(1, 64);
         thing.light = maybe(0, 1);
         thing.triggers = triggers();

@@ -1,0 +1,29 @@
+// Keys for names of files. A key that names a file is one of these, and a test asks so of every key with a string.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "formats/key.h"
+
+namespace enfilade {
+
+/// Whether a string's value may name a file, by the rules of formats/file_name.h; if not, bad-file-name is noted at it.
+/// files : below_folder or anywhere
+bool expect_file_name(Reading& reading, const NamedValue& value, Files files);
+
+/// Reads the name of a file, or notes what is wrong with it and leaves the field as it is.
+void read_file_name(Reading& reading, const NamedValue& value, Files files, std::string& field);
+void read_file_name(Reading& reading, const NamedValue& value, Files files, std::vector<std::string>& field);
+
+/// A key for a field that is the name of a file, or several.
+template <auto member, Files files = Files::below_folder>
+constexpr auto file_key(std::string_view name, Dialect since, Need need = Need::optional) {
+    auto checked = key<member>(name, since, need);
+    checked.files = files;
+    checked.read = [](Reading& reading, const NamedValue& value, Range, auto& record) {
+        read_file_name(reading, value, files, record.*member);
+    };
+    return checked;
+}
+
+}  // namespace enfilade

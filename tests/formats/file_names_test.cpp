@@ -1,0 +1,131 @@
+// Names of files in maps and scripts: one rule, which no key forgets.
+#include "formats/file_name.h"
+
+#include <gmock/gmock.h>
+
+#include "formats/map_keys.h"
+#include "formats/map_toml.h"
+#include "formats/script_toml.h"
+#include "formats/table_text.h"
+
+namespace enfilade {
+namespace {
+
+constexpr std::string_view kGood[] = {"a",     "a b", "a/b", "a/b.c", "..a",  "a..",
+                                      "a/...", "-",   "é漢", "~",     "a\\b", "%2e"};
+
+/// Names that leave their folder, or are not the only one of their file.
+constexpr std::string_view kAstray[] = {"..",   "../a", "a/..", "a/../b", "/",     "/a", "//a",
+                                        "a//b", "a/",   ".",    "./a",    "a/./b", "a/."};
+
+/// Names that must not even be printed.
+constexpr std::string_view kUnprintable[] = {std::string_view("\0", 1),
+                                             std::string_view("a\0b", 3),
+                                             "a\nb",
+                                             "a\tb",
+                                             "\x1B[2J",
+                                             "\x7F",
+                                             "a\u009B",
+                                             "\u202Ea",
+                                             "a\u2067",
+                                             "\u2028"};
+
+TEST(FileName, LeadsBelowItsFolder) {
+    for (std::string_view name : kGood) EXPECT_FALSE(refuse_as_file_name(name)) << name;
+    for (std::string_view name : kAstray) EXPECT_TRUE(refuse_as_file_name(name)) << name;
+    for (std::string_view name : kUnprintable) EXPECT_TRUE(refuse_as_file_name(name)) << name;
+    EXPECT_TRUE(refuse_as_file_name(""));
+}
+
+std::string refusal(std::string_view name) { return refuse_as_file_name(name).value_or(Error{"", "none"}).what; }
+
+TEST(FileName, SaysWhatIsWrong) {
+    EXPECT_EQ(refusal("a/../b"), "expected a file's name, found 'a/../b'; it must not lead out of its folder by '..'");
+    EXPECT_EQ(refusal("/a"), "expected a file's name, found '/a'; it must not start with '/', but below its folder");
+    EXPECT_EQ(refusal("./a"), "expected a file's name, found './a'; leave '.' out of it");
+    EXPECT_EQ(
+        refusal("a//b"),
+        "expected a file's name, found 'a//b'; parts of a name have one '/' between them, and none at either end");
+    EXPECT_EQ(refusal("a\x1B"), "expected a file's name, found 'a?' with characters that are not printed");
+}
+
+TEST(Path, MayLeadAnywhere) {
+    for (std::string_view path : kGood) EXPECT_FALSE(refuse_as_path(path)) << path;
+    for (std::string_view path : kAstray) EXPECT_FALSE(refuse_as_path(path)) << path;
+    for (std::string_view path : kUnprintable) EXPECT_TRUE(refuse_as_path(path)) << path;
+}
+
+/// Keys of tables that stand alone; those of all others stand in arrays.
+bool is_single(std::string_view table) {
+    for (std::string_view single : {"render", "player", "floor", "ceiling", "light_effect", "effect", "doom", "start"})
+        if (table == single) return true;
+    return false;
+}
+
+/// "sectors = [{ floor = { KEY = VALUE } }]" for the path "sectors.floor.KEY". An exit's target is a file, too.
+std::string text_with(std::string_view path, const std::string& value) {
+    const std::size_t dot = path.find('.');
+    const std::string name(path.substr(0, dot));
+    if (dot == std::string_view::npos) return (name == "target" ? "do = \"exit\", " : "") + name + " = " + value;
+    const std::string inner = "{ " + text_with(path.substr(dot + 1), value) + " }";
+    return name + " = " + (is_single(name) ? inner : "[" + inner + "]");
+}
+
+/// What is said where the value stands.
+std::vector<std::string> codes_at(const Findings& findings, std::size_t column) {
+    std::vector<std::string> codes;
+    for (const Finding& finding : findings)
+        if (finding.place.column == column) codes.push_back(finding.code);
+    return codes;
+}
+
+struct FileKey {
+    KeyInfo key;
+    bool in_script;
+};
+
+void PrintTo(const FileKey& file_key, std::ostream* out) { *out << file_key.key.path; }
+
+std::vector<FileKey> file_keys() {
+    std::vector<FileKey> all;
+    for (const bool in_script : {false, true})
+        for (KeyInfo key : in_script ? script_keys() : map_keys()) {
+            if (key.path.ends_with("triggers.target")) key.files = Files::below_folder;
+            if (key.files != Files::none) all.push_back({key, in_script});
+        }
+    return all;
+}
+
+/// What the reader says at a key's value.
+std::vector<std::string> said_at(const FileKey& file_key, std::string_view name) {
+    const bool is_list = file_key.key.path == "textures" || file_key.key.path == "animations.frames";
+    const std::string start = file_key.in_script ? "" : "format = 1\n";
+    const std::string value = string_text(name);
+    const std::string line = text_with(file_key.key.path, is_list ? "[" + value + "]" : value);
+    const std::size_t column = line.find(value) + 1;
+    return codes_at(file_key.in_script ? read_script(start + line).findings : read_map(start + line).findings, column);
+}
+
+class FileKeys : public testing::TestWithParam<FileKey> {};
+
+TEST_P(FileKeys, RefuseNamesThatAreNone) {
+    const bool is_path = GetParam().key.files == Files::anywhere;
+    const auto refuses = testing::Contains(testing::AnyOf("bad-file-name", "bad-texture-spec", "empty-string"));
+    for (std::string_view name : kUnprintable)
+        EXPECT_THAT(said_at(GetParam(), name), refuses) << testing::PrintToString(name);
+    for (std::string_view name : kAstray) {
+        if (is_path)
+            EXPECT_THAT(said_at(GetParam(), name), testing::Not(refuses)) << name;
+        else
+            EXPECT_THAT(said_at(GetParam(), name), refuses) << name;
+    }
+    EXPECT_THAT(said_at(GetParam(), ""), refuses);
+    EXPECT_THAT(said_at(GetParam(), "a/b"), testing::Not(refuses));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FileKeys, testing::ValuesIn(file_keys()));
+
+TEST(FileKeys, AreMany) { EXPECT_GE(file_keys().size(), 25u); }
+
+}  // namespace
+}  // namespace enfilade
