@@ -22,7 +22,13 @@ class Program {
 public:
     /// environment: "NAME=value" words put before the program.
     Ended run(const std::vector<std::string>& arguments, const std::string& environment = "") const {
-        std::string command = "cd '" + dir_.path() + "' && " + environment + " '" ENFILADE_PROGRAM "'";
+        return run_other(ENFILADE_PROGRAM, arguments, environment);
+    }
+
+    /// The same with another program.
+    Ended run_other(const std::string& program, const std::vector<std::string>& arguments,
+                    const std::string& environment = "") const {
+        std::string command = "cd '" + dir_.path() + "' && " + environment + " '" + program + "'";
         for (const std::string& argument : arguments) command += " '" + argument + "'";
         const int status = std::system((command + " >out.txt 2>err.txt </dev/null").c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text("out.txt"), text("err.txt")};
