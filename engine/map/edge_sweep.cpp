@@ -2,93 +2,42 @@
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 
+#include "map/sweep_line.h"
 #include "math/predicates.h"
 
 namespace enfilade {
 namespace {
 
-/// The order in which the sweep meets points.
-bool is_left_of(Vec2 a, Vec2 b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); }
-
-/// An edge as the sweep sees it.
-struct Span {
-    Vec2 left, right;  ///< its ends in the order of the sweep
-    bool forward;      ///< the wall runs from left to right: its sector lies after it
-};
-
-Span span_of(const Wall& w) {
-    const bool forward = is_left_of(w.a, w.b);
-    return forward ? Span{w.a, w.b, true} : Span{w.b, w.a, false};
-}
-
-/// 1 where f, which starts no earlier than e, lies after e (towards +y), -1 where before, 0 where on one line.
-int side_of_later(const Span& e, const Span& f) {
-    const int at_left = corner(e.left, e.right, f.left);
-    return at_left != 0 ? at_left : corner(e.left, e.right, f.right);
-}
-
-/// The order of the edges along the sweep line. Of two on one line, the one whose sector lies before it is first, so
-/// that edges back to back have nothing between them.
-struct Before {
-    const std::vector<Span>* spans;
-
-    bool operator()(std::uint32_t i, std::uint32_t j) const {
-        const Span &e = (*spans)[i], &f = (*spans)[j];
-        const int side = is_left_of(f.left, e.left) ? -side_of_later(f, e) : side_of_later(e, f);
-        if (side != 0) return side > 0;
-        return std::tie(e.forward, i) < std::tie(f.forward, j);
-    }
-};
-
-struct Event {
-    Vec2 point;
-    bool starts;  ///< the edge starts here; ends come first, so that edges in a row never see each other
-    std::uint32_t edge;
-};
-
-std::vector<Event> events_of(std::span<const Wall> edges, const std::vector<Span>& spans) {
-    std::vector<Event> events;
-    events.reserve(2 * edges.size());
-    for (std::uint32_t i = 0; i < edges.size(); ++i) {
-        if (edges[i].a == edges[i].b) continue;
-        events.push_back({spans[i].left, true, i});
-        events.push_back({spans[i].right, false, i});
-    }
-    std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
-        return std::tie(a.point.x, a.point.y, a.starts, a.edge) < std::tie(b.point.x, b.point.y, b.starts, b.edge);
-    });
-    return events;
-}
-
 class Sweep {
 public:
     explicit Sweep(std::span<const Wall> edges)
-        : edges_(edges), line_(Before{&spans_}), places_(edges.size(), line_.end()), is_odd_after_(edges.size()) {
-        spans_.reserve(edges.size());
-        for (const Wall& w : edges) spans_.push_back(span_of(w));
+        : edges_(edges),
+          swept_(swept(edges)),
+          line_(SweepOrder{&swept_}),
+          places_(edges.size(), line_.end()),
+          is_odd_after_(edges.size()) {
         found_.is_paired.resize(edges.size());
     }
 
     SweepFindings run() && {
-        const std::vector<Event> events = events_of(edges_, spans_);
+        const std::vector<SweepEvent> events = sweep_events(swept_);
         for (std::size_t i = 0; i < events.size();) i = pass(events, i);
         if (!found_.clashes.empty()) found_.wrong_sided.clear();
         return std::move(found_);
     }
 
 private:
-    using Line = std::set<std::uint32_t, Before>;
+    using Line = std::set<std::uint32_t, SweepOrder>;
     using Place = Line::iterator;
 
     /// Everything that happens at one point; gives the index of the next event.
-    std::size_t pass(const std::vector<Event>& events, std::size_t i) {
+    std::size_t pass(const std::vector<SweepEvent>& events, std::size_t i) {
         const Vec2 point = events[i].point;
         for (; i < events.size() && events[i].point == point && !events[i].starts; ++i) end(events[i].edge);
         starting_.clear();
         for (; i < events.size() && events[i].point == point; ++i) starting_.push_back(events[i].edge);
-        std::sort(starting_.begin(), starting_.end(), Before{&spans_});
+        std::sort(starting_.begin(), starting_.end(), SweepOrder{&swept_});
         for (std::uint32_t edge : starting_) start(edge);
         for (std::uint32_t edge : starting_) look_at_sides(edge);
         return i;
@@ -148,11 +97,11 @@ private:
         if (place == line_.end() || !found_.clashes.empty()) return;
         const bool is_odd_before = place != line_.begin() && is_odd_after_[*std::prev(place)];
         is_odd_after_[edge] = !is_odd_before;
-        if (spans_[edge].forward == is_odd_before) found_.wrong_sided.push_back(edge);
+        if (swept_[edge].forward == is_odd_before) found_.wrong_sided.push_back(edge);
     }
 
     std::span<const Wall> edges_;
-    std::vector<Span> spans_;
+    std::vector<SweptEdge> swept_;
     Line line_;                  ///< the edges under the sweep line, in its order
     std::vector<Place> places_;  ///< of each edge in line_, or its end
     std::vector<std::uint8_t> is_odd_after_;
@@ -163,7 +112,7 @@ private:
 /// Two edges on one line.
 Meeting meeting_along(const Wall& e, const Wall& f) {
     if (e.a == f.b && e.b == f.a) return Meeting::back_to_back;
-    const Span s = span_of(e), t = span_of(f);
+    const SweptEdge s = swept(e), t = swept(f);
     const bool apart = !is_left_of(s.left, t.right) || !is_left_of(t.left, s.right);
     return apart ? Meeting::none : Meeting::overlapping;
 }
