@@ -60,9 +60,9 @@ TEST(Locate, IsExactAtTheEdgeOfTheWorld) {
     const Mosaic mosaic = lay_mosaic({.columns = 2, .rows = 2, .origin = {32760, -32768}, .labels = 9}, 3);
     const double step = kPointGrid;
     const Vec2 middle{32764, -32764};
-    EXPECT_EQ(locate(mosaic.map, middle), mosaic.cells[3]);
-    EXPECT_EQ(locate(mosaic.map, {middle.x - step, middle.y}), mosaic.cells[2]);
-    EXPECT_EQ(locate(mosaic.map, {middle.x, middle.y - step}), mosaic.cells[1]);
+    EXPECT_EQ(locate(mosaic.map, middle), mosaic.cells[3].sector);
+    EXPECT_EQ(locate(mosaic.map, {middle.x - step, middle.y}), mosaic.cells[2].sector);
+    EXPECT_EQ(locate(mosaic.map, {middle.x, middle.y - step}), mosaic.cells[1].sector);
 }
 
 }  // namespace

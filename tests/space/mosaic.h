@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "map/map.h"
+#include "space/cells.h"
 
 namespace enfilade::test {
 
-/// What is laid into a mosaic.
+/// What a grid is laid of.
 struct MosaicPlan {
     int columns = 8, rows = 8;
     double spacing = 4;  ///< width and height of a cell before the corners are moved [m]
@@ -19,20 +20,19 @@ struct MosaicPlan {
     double solid = 0;  ///< share of cells that are rock [1]
 };
 
-/// Cells with one label are one sector, however they lie; between two labels is a portal, next to rock and around the
-/// whole a wall.
+/// Cells with one label are one sector, however they lie.
 struct Mosaic {
     Map map;
     MosaicPlan plan;
-    std::vector<Vec2> corners;    ///< (columns + 1) * (rows + 1), row by row
-    std::vector<SectorId> cells;  ///< columns * rows, row by row; none: rock
+    std::vector<Vec2> corners;  ///< (columns + 1) * (rows + 1), row by row
+    std::vector<Cell> cells;    ///< columns * rows, row by row
 
     Vec2 corner(int column, int row) const { return corners[std::size_t(row * (plan.columns + 1) + column)]; }
     /// The sector of the cell that p, under the tie rule, lies in: an oracle that only asks about convex cells.
     SectorId sector_at(Vec2 p) const;
 };
 
-/// The mosaic of a plan and a seed.
+/// A grid: between two labels is a portal, next to rock and around the whole a wall. The same seed gives the same map.
 Mosaic lay_mosaic(const MosaicPlan& plan, std::uint64_t seed);
 
 }  // namespace enfilade::test
