@@ -1,193 +1,201 @@
+// A line sweeps over the sector from left to right. Between two neighbouring edges under it that have the sector
+// between them lies ground whose left part is cut off already; a chain of nodes, from the start of the one edge to the
+// start of the other, bounds what is left. Two things hold for every chain, and each point the line meets keeps them
+// up:
+//
+// - It runs to the right as far as its latest node, then to the left.
+// - Nothing can be cut off it: in all its inner nodes the ground has an angle of 180 degrees or more.
+//
+// A point that the line meets between the two edges, or at the right end of one of them, sees the latest node and every
+// node between that and the end of the chain it is put to: so it can be joined to them, and to those beyond as long as
+// the angle between is less than 180 degrees; then nothing can be cut off again. No other vertex lies in the
+// triangles made, because none lies between the chain and the line.
 #include "space/triangulate.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <set>
+#include <span>
 
 #include "base/check.h"
+#include "map/sweep_line.h"
 #include "math/predicates.h"
 
 namespace enfilade {
 namespace {
 
-/// A corner of a ring: the sector lies on the right of the way from one node to the next.
+constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+/// Of a chain. Its neighbours are named as the edges at its ends are: before and after along the sweep line.
 struct Node {
     Vec2 p;
-    WallId wall;
-    std::size_t previous, next;
+    WallId wall;  ///< that starts there and bounds the ground around it
+    std::uint32_t before = kNone, after = kNone;
 };
 
-bool is_before(Vec2 p, Vec2 q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
-
-bool is_between(Vec2 p, Vec2 a, Vec2 b) { return p != a && p != b && corner(a, b, p) == 0 && dot(p - a, p - b) < 0; }
-
-bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    return corner(a, b, c) * corner(a, b, d) < 0 && corner(c, d, a) * corner(c, d, b) < 0;
-}
-
-bool is_in_triangle(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
-    return corner(a, b, p) >= 0 && corner(b, c, p) >= 0 && corner(c, a, p) >= 0;
-}
-
+/// Edges have the numbers of the sector's walls, from 0.
 class Triangulator {
 public:
-    Triangulator(const Map& map, SectorId sector) : map_(map) { make_rings(map[sector]); }
+    Triangulator(const Map& map, const Sector& sector)
+        : first_wall_(sector.first_wall),
+          edges_(swept(std::span(map.walls).subspan(sector.first_wall, sector.wall_count))),
+          line_(SweepOrder{&edges_}),
+          places_(edges_.size(), line_.end()),
+          end_(edges_.size(), kNone),
+          latest_(edges_.size(), kNone) {
+        nodes_.reserve(edges_.size());  // more only where the ground parts or closes around holes
+        triangles_.reserve(edges_.size());
+    }
 
-    std::vector<Triangle> run() {
-        join_holes();
-        for (const std::size_t outline : outlines_) cut_ears(outline);
+    std::vector<Triangle> run() && {
+        const std::vector<SweepEvent> events = sweep_events(edges_);
+        for (std::size_t i = 0; i < events.size();) i = pass(events, i);
         return std::move(triangles_);
     }
 
 private:
-    /// Walls become nodes of the same order; each ring is an outline or a hole, known by its first node from the left.
-    void make_rings(const Sector& sector) {
-        for (std::uint32_t i = 0; i < sector.wall_count; ++i) {
-            const WallId id(sector.first_wall + i);
-            const Wall& wall = map_[id];
-            nodes_.push_back(
-                {wall.a, id, wall.previous.index - sector.first_wall, wall.next.index - sector.first_wall});
+    using Line = std::set<std::uint32_t, SweepOrder>;
+
+    /// Everything that happens at one point; gives the index of the next event.
+    std::size_t pass(const std::vector<SweepEvent>& events, std::size_t i) {
+        point_ = events[i].point;
+        ending_.clear();
+        starting_.clear();
+        for (; i < events.size() && events[i].point == point_; ++i)
+            (events[i].starts ? starting_ : ending_).push_back(events[i].edge);
+        std::sort(ending_.begin(), ending_.end(), SweepOrder{&edges_});
+        std::sort(starting_.begin(), starting_.end(), SweepOrder{&edges_});
+        close_between_ending();
+        const auto [before, after] = exchange();
+        go_on(before, after);
+        open_between_starting();
+        return i;
+    }
+
+    struct Neighbours {
+        std::uint32_t before, after;
+    };
+
+    /// Puts the starting edges in the place of the ending ones. Gives the edges on both sides of that place; kNone
+    /// where there is none.
+    Neighbours exchange() {
+        auto before = line_.end(), after = line_.end();
+        for (const std::uint32_t edge : ending_) after = line_.erase(places_[edge]);
+        before = after;
+        for (const std::uint32_t edge : starting_) places_[edge] = line_.insert(edge).first;
+        if (!starting_.empty()) {
+            before = places_[starting_.front()];
+            after = std::next(places_[starting_.back()]);
         }
-        std::vector<char> seen(nodes_.size(), 0);
-        for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            if (seen[i]) continue;
-            std::size_t first = i;
-            for (std::size_t n = i; !seen[n]; n = nodes_[n].next) {
-                seen[n] = 1;
-                if (is_before(nodes_[n].p, nodes_[first].p)) first = n;
-            }
-            (turn_at(first) > 0 ? outlines_ : holes_).push_back(first);
-        }
+        return {before == line_.begin() ? kNone : *std::prev(before), after == line_.end() ? kNone : *after};
     }
 
-    Vec2 before(std::size_t n) const { return nodes_[nodes_[n].previous].p; }
-    Vec2 after(std::size_t n) const { return nodes_[nodes_[n].next].p; }
-    int turn_at(std::size_t n) const { return corner(before(n), nodes_[n].p, after(n)); }
-
-    /// From the left, so that whatever a hole can see to its left is part of an outline by then.
-    void join_holes() {
-        std::sort(holes_.begin(), holes_.end(),
-                  [&](std::size_t a, std::size_t b) { return is_before(nodes_[a].p, nodes_[b].p); });
-        std::vector<std::size_t> joined;
-        for (const std::size_t outline : outlines_) add_ring(joined, outline);
-        for (const std::size_t hole : holes_) {
-            const std::size_t node = visible_from(hole, joined);
-            add_ring(joined, hole);
-            join(node, hole, joined);
-        }
-    }
-
-    void add_ring(std::vector<std::size_t>& nodes, std::size_t first) const {
-        std::size_t n = first;
-        do nodes.push_back(n);
-        while ((n = nodes_[n].next) != first);
-    }
-
-    /// The nearest of the nodes that the hole's first node sees, or touches, to its left.
-    std::size_t visible_from(std::size_t hole, const std::vector<std::size_t>& joined) const {
-        const Vec2 p = nodes_[hole].p;
-        std::vector<std::size_t> candidates;
-        for (const std::size_t n : joined)
-            if (!is_before(p, nodes_[n].p)) candidates.push_back(n);
-        const auto distance = [&](std::size_t n) { return dot(nodes_[n].p - p, nodes_[n].p - p); };
-        std::stable_sort(candidates.begin(), candidates.end(),
-                         [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
-        const auto sees = [&](std::size_t n) {
-            if (nodes_[n].p == p) return is_inside_corner(n, after(hole));
-            return is_inside_corner(n, p) && is_free(nodes_[n].p, p);
-        };
-        const auto found = std::find_if(candidates.begin(), candidates.end(), sees);
-        ENFILADE_CHECK(found != candidates.end());  // checked on load: a hole is inside an outline
-        return *found;
-    }
-
-    /// Does the way from the node to q begin inside the sector?
-    bool is_inside_corner(std::size_t n, Vec2 q) const {
-        const bool right_of_way_in = corner(before(n), nodes_[n].p, q) > 0;
-        const bool right_of_way_out = corner(nodes_[n].p, after(n), q) > 0;
-        return turn_at(n) > 0 ? right_of_way_in && right_of_way_out : right_of_way_in || right_of_way_out;
-    }
-
-    bool is_free(Vec2 a, Vec2 b) const {
-        return std::none_of(nodes_.begin(), nodes_.end(), [&](const Node& n) {
-            return is_between(n.p, a, b) || cross_properly(a, b, n.p, nodes_[n.next].p);
-        });
-    }
-
-    void link(std::size_t from, std::size_t to) {
-        nodes_[from].next = to;
-        nodes_[to].previous = from;
-    }
-
-    /// Makes one ring of two: node, the hole from its first node around to it again, node again.
-    void join(std::size_t node, std::size_t hole, std::vector<std::size_t>& joined) {
-        const std::size_t after_node = nodes_[node].next;
-        if (nodes_[node].p == nodes_[hole].p) {
-            link(node, nodes_[hole].next);
-            link(hole, after_node);
-            return;
-        }
-        const std::size_t hole_again = nodes_.size(), node_again = hole_again + 1;
-        const std::size_t end_of_hole = nodes_[hole].previous;
-        nodes_.push_back(nodes_[hole]);
-        nodes_.push_back(nodes_[node]);
-        link(node, hole);
-        link(end_of_hole, hole_again);
-        link(hole_again, node_again);
-        link(node_again, after_node);
-        joined.insert(joined.end(), {hole_again, node_again});
-    }
-
-    void cut_ears(std::size_t start) {
-        std::size_t n = start, left = 0, tried = 0;
-        do ++left;
-        while ((n = nodes_[n].next) != start);
-        while (left > 2) {
-            ENFILADE_CHECK(tried <= left);  // a ring that encloses ground has an ear
-            const std::size_t previous = nodes_[n].previous, next = nodes_[n].next;
-            if (nodes_[previous].p == nodes_[next].p) {  // there and back: encloses nothing
-                link(previous, nodes_[next].next);
-                left -= 2;
-                tried = 0;
-                n = previous;
-            } else if (is_ear(n)) {
-                triangles_.push_back({nodes_[previous].wall, nodes_[n].wall, nodes_[next].wall});
-                link(previous, next);
-                --left;
-                tried = 0;
-                n = next;  // going on, not back, keeps the triangles from becoming a fan of slivers
-            } else {
-                ++tried;
-                n = next;
-            }
+    /// The ground between two ending edges ends with them.
+    void close_between_ending() {
+        for (std::size_t i = 0; i + 1 < ending_.size(); ++i) {
+            if (!edges_[ending_[i]].forward) continue;
+            const std::uint32_t last = add_node(ending_[i + 1]);
+            cut_before(end_[ending_[i + 1]], last);
+            ENFILADE_CHECK(nodes_[last].before == end_[ending_[i]]);  // checked on load: no ground without width
         }
     }
 
-    bool is_ear(std::size_t n) const {
-        if (turn_at(n) <= 0) return false;
-        const std::size_t previous = nodes_[n].previous, next = nodes_[n].next;
-        for (std::size_t other = nodes_[next].next; other != previous; other = nodes_[other].next)
-            if (is_in_the_way(other, n)) return false;
-        return true;
+    void open_between_starting() {
+        for (std::size_t i = 0; i + 1 < starting_.size(); ++i)
+            if (edges_[starting_[i]].forward)
+                end_[starting_[i]] = end_[starting_[i + 1]] = latest_[starting_[i]] = add_node(starting_[i]);
     }
 
-    /// A vertex inside the ear, or at its tip with a wall that runs into it. What is at its two other corners is not:
-    /// a wall from there into the ear has its other end in the ear.
-    bool is_in_the_way(std::size_t other, std::size_t n) const {
-        const Vec2 a = before(n), tip = nodes_[n].p, b = after(n), p = nodes_[other].p;
-        if (p == a || p == b) return false;
-        const auto runs_into = [&](Vec2 q) { return corner(a, tip, q) > 0 && corner(tip, b, q) > 0; };
-        if (p == tip) return runs_into(before(other)) || runs_into(after(other));
-        return is_in_triangle(p, a, tip, b);
+    /// The ground before and after all edges of the point, where there is any, goes on beyond it.
+    void go_on(std::uint32_t before, std::uint32_t after) {
+        const std::vector<std::uint32_t>& any = ending_.empty() ? starting_ : ending_;
+        const bool is_ground_before = !edges_[any.front()].forward, is_ground_after = edges_[any.back()].forward;
+        if (ending_.empty() && is_ground_before) {
+            split(before, after);
+        } else if (starting_.empty() && is_ground_before) {
+            merge(before);
+        } else {
+            if (is_ground_before) go_on_before(before);
+            if (is_ground_after) go_on_after();
+        }
     }
 
-    const Map& map_;
+    /// The point lies between two edges: what is between them is two grounds from there on.
+    void split(std::uint32_t before, std::uint32_t after) {
+        const std::uint32_t latest = latest_[before], again = add(Node(nodes_[latest]));
+        const std::uint32_t beyond = nodes_[latest].after;
+        (beyond == kNone ? end_[after] : nodes_[beyond].before) = again;
+        const std::uint32_t low = add_node(starting_.back()), high = add_node(starting_.back());
+        cut_before(latest, low);
+        cut_after(again, high);
+        end_[starting_.front()] = latest_[before] = low;
+        end_[starting_.back()] = latest_[starting_.back()] = high;
+    }
+
+    /// The ground on both sides of the ending edges is one from there on.
+    void merge(std::uint32_t before) {
+        const std::uint32_t node = latest_[before] = add_node(ending_.front());
+        cut_before(end_[ending_.front()], node);
+        cut_after(end_[ending_.back()], node);
+    }
+
+    void go_on_before(std::uint32_t before) {
+        const std::uint32_t node = add_node(ending_.front());
+        cut_before(end_[ending_.front()], node);
+        end_[starting_.front()] = latest_[before] = node;
+    }
+
+    void go_on_after() {
+        const std::uint32_t node = add_node(starting_.back());
+        cut_after(end_[ending_.back()], node);
+        end_[starting_.back()] = latest_[starting_.back()] = node;
+    }
+
+    /// Puts a node of the point after the end of a chain, and cuts off what it sees of it.
+    void cut_before(std::uint32_t end, std::uint32_t node) {
+        for (std::uint32_t next; (next = nodes_[end].before) != kNone && turn(node, end, next) > 0; end = next)
+            cut(node, end, next);
+        nodes_[node].before = end;
+        nodes_[end].after = node;
+    }
+
+    /// The same before the beginning of a chain.
+    void cut_after(std::uint32_t end, std::uint32_t node) {
+        for (std::uint32_t next; (next = nodes_[end].after) != kNone && turn(next, end, node) > 0; end = next)
+            cut(next, end, node);
+        nodes_[node].after = end;
+        nodes_[end].before = node;
+    }
+
+    int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+        return corner(nodes_[a].p, nodes_[b].p, nodes_[c].p);
+    }
+    void cut(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        triangles_.push_back({nodes_[a].wall, nodes_[b].wall, nodes_[c].wall});
+    }
+
+    /// A node at the point, with one of the edges that start there as walls.
+    std::uint32_t add_node(std::uint32_t edge) { return add({point_, WallId(first_wall_ + edge)}); }
+    std::uint32_t add(const Node& node) {
+        nodes_.push_back(node);
+        return static_cast<std::uint32_t>(nodes_.size() - 1);
+    }
+
+    std::uint32_t first_wall_;
+    std::vector<SweptEdge> edges_;
+    Line line_;                                     ///< the edges under the sweep line, in its order
+    std::vector<Line::iterator> places_;            ///< of each edge in line_
+    std::vector<std::uint32_t> end_;                ///< of the chain beside each edge under the line, there
+    std::vector<std::uint32_t> latest_;             ///< node of the chain after each edge with ground after it
+    std::vector<std::uint32_t> ending_, starting_;  ///< at the point, in their order along the line
+    Vec2 point_;                                    ///< where the sweep is
     std::vector<Node> nodes_;
-    std::vector<std::size_t> outlines_, holes_;  ///< first nodes
     std::vector<Triangle> triangles_;
 };
 
 }  // namespace
 
-std::vector<Triangle> triangulate(const Map& map, SectorId sector) { return Triangulator(map, sector).run(); }
+std::vector<Triangle> triangulate(const Map& map, SectorId sector) { return Triangulator(map, map[sector]).run(); }
 
 }  // namespace enfilade
