@@ -1,7 +1,5 @@
 #include "app/open_flight.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 
 #include "app/exit_codes.h"
