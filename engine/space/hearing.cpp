@@ -68,7 +68,7 @@ void Hearing::look_around() {
 }
 
 /// The corner opposite the edge parts what is seen through the two other edges. What the edge's own ends hide is
-/// reached by turning there.
+/// reached by turning there: also where that corner is just on the border of the shadow, and all of this tile is seen.
 void Hearing::go_on(const Glance& glance) {
     const std::uint32_t left_edge = next_edge(glance.edge), right_edge = previous_edge(glance.edge);
     const Vec2 apex = start_of(right_edge);
@@ -76,26 +76,26 @@ void Hearing::go_on(const Glance& glance) {
     const double from_right = exact_cross(glance.root, apex, glance.right);
     if (from_left > 0) look_through(glance, left_edge, glance.left, from_right >= 0 ? apex : glance.right);
     if (from_right > 0) look_through(glance, right_edge, from_left >= 0 ? apex : glance.left, glance.right);
-    if (from_left < 0 && glance.left == end_of(glance.edge)) turn_left(glance);
-    if (from_right < 0 && glance.right == start_of(glance.edge)) turn_right(glance);
+    if (from_left <= 0 && glance.left == end_of(glance.edge)) turn_left(glance);
+    if (from_right <= 0 && glance.right == start_of(glance.edge)) turn_right(glance);
 }
 
 void Hearing::turn_left(const Glance& glance) {
     const std::uint32_t left_edge = next_edge(glance.edge), right_edge = previous_edge(glance.edge);
     const Glance around = bent(glance, left_edge);
     if (!is_corner(around.corner, glance.passage) || !take_corner(around)) return;
-    const Vec2 straight_on = around.root * 2 - glance.root;
+    const Vec2 straight_on = around.root * 2 - glance.root, apex = start_of(right_edge);
     fan_through(around, left_edge, Fan::left, straight_on);
-    look_through(around, right_edge, start_of(right_edge), straight_on);
+    if (exact_cross(around.root, apex, straight_on) > 0) look_through(around, right_edge, apex, straight_on);
 }
 
 void Hearing::turn_right(const Glance& glance) {
     const std::uint32_t left_edge = next_edge(glance.edge), right_edge = previous_edge(glance.edge);
     const Glance around = bent(glance, glance.edge);
     if (!is_corner(around.corner, glance.passage) || !take_corner(around)) return;
-    const Vec2 straight_on = around.root * 2 - glance.root;
+    const Vec2 straight_on = around.root * 2 - glance.root, apex = end_of(left_edge);
     fan_through(around, right_edge, Fan::right, straight_on);
-    look_through(around, left_edge, straight_on, end_of(left_edge));
+    if (exact_cross(around.root, straight_on, apex) > 0) look_through(around, left_edge, straight_on, apex);
 }
 
 void Hearing::fan_out(const Glance& glance) {
