@@ -10,20 +10,13 @@
 namespace enfilade {
 namespace {
 
-/// A directed edge by its ends.
-struct Ends {
-    Vec2 a, b;
-    std::uint32_t number;  ///< of the wall or the edge
-    auto key() const { return std::tuple(a.x, a.y, b.x, b.y); }
+/// An edge that runs through the room, by the corners it runs between: they are the same walls for both its tiles.
+struct InnerEdge {
+    WallId from, to;
+    std::uint32_t number;
 };
 
-bool is_before(const Ends& s, const Ends& t) { return s.key() < t.key(); }
-
-const Ends* find_ends(const std::vector<Ends>& sorted, Vec2 a, Vec2 b) {
-    const Ends wanted{a, b, 0};
-    const auto it = std::lower_bound(sorted.begin(), sorted.end(), wanted, is_before);
-    return it == sorted.end() || it->key() != wanted.key() ? nullptr : &*it;
-}
+bool is_before(const InnerEdge& s, const InnerEdge& t) { return std::tie(s.from, s.to) < std::tie(t.from, t.to); }
 
 }  // namespace
 
@@ -38,27 +31,27 @@ void Tiling::add_sector(const Map& map, SectorId sector) {
         corners_.insert(corners_.end(), triangle.begin(), triangle.end());
     walls_.resize(corners_.size());
     across_.resize(corners_.size(), kNone);
-    join_edges(map, map[sector], begin);
+    join_edges(map, begin);
     first_.push_back(tile_count());
 }
 
-void Tiling::join_edges(const Map& map, const Sector& sector, std::uint32_t begin) {
-    std::vector<Ends> walls, edges;
-    for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w)
-        walls.push_back({map.walls[w].a, map.walls[w].b, w});
-    for (std::uint32_t e = begin; e < corners_.size(); ++e)
-        edges.push_back({map[corners_[e]].a, map[corners_[next_edge(e)]].a, e});
-    std::sort(walls.begin(), walls.end(), is_before);
-    std::sort(edges.begin(), edges.end(), is_before);
-    for (const Ends& edge : edges) {
-        if (const Ends* wall = find_ends(walls, edge.a, edge.b)) {
-            walls_[edge.number] = WallId(wall->number);
-            edge_of_wall_[wall->number] = edge.number;
+void Tiling::join_edges(const Map& map, std::uint32_t begin) {
+    std::vector<InnerEdge> inner;
+    for (std::uint32_t e = begin; e < corners_.size(); ++e) {
+        const WallId from = corners_[e], to = corners_[next_edge(e)];
+        if (map[from].b == map[to].a) {
+            walls_[e] = from;
+            edge_of_wall_[from.index] = e;
         } else {
-            const Ends* other = find_ends(edges, edge.b, edge.a);
-            ENFILADE_CHECK(other != nullptr);  // triangles cover the sector without gaps
-            across_[edge.number] = other->number;
+            inner.push_back({from, to, e});
         }
+    }
+    std::sort(inner.begin(), inner.end(), is_before);
+    for (const InnerEdge& edge : inner) {
+        const InnerEdge reverse{edge.to, edge.from, 0};
+        const auto other = std::lower_bound(inner.begin(), inner.end(), reverse, is_before);
+        ENFILADE_CHECK(other != inner.end() && !is_before(reverse, *other));  // triangles cover without gaps
+        across_[edge.number] = other->number;
     }
 }
 

@@ -18,7 +18,7 @@ public:
     explicit Tiling(const Map& map);
 
     std::uint32_t tile_count() const { return static_cast<std::uint32_t>(corners_.size() / 3); }
-    /// The wall of the tile's sector that begins where the edge does.
+    /// The wall of the tile's sector that begins where the edge does; of several, as in Triangle.
     WallId corner(std::uint32_t edge) const { return corners_[edge]; }
     /// The wall that the edge is, or none: it runs through the room.
     WallId wall(std::uint32_t edge) const { return walls_[edge]; }
@@ -32,7 +32,7 @@ public:
 
 private:
     void add_sector(const Map& map, SectorId sector);
-    void join_edges(const Map& map, const Sector& sector, std::uint32_t begin);
+    void join_edges(const Map& map, std::uint32_t begin);
     void group_walls(const Map& map);
 
     std::vector<WallId> corners_, walls_;        ///< by edge
