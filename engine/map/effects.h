@@ -12,17 +12,22 @@
 
 namespace enfilade {
 
+/// Some of Map::targets: [first, first + count). Triggers with the same targets share them.
+struct TargetRange {
+    std::uint32_t first = 0, count = 0;
+};
+
 /// What happens, to whom, and what sets it off. The fields mean what they mean in TriggerRecord.
 struct Trigger {
     Occasion on = Occasion::use;
     Deed deed = Deed::door;
     bool once = false, one_way = false, crushes = false, heals = false;
-    std::uint32_t key = kNoKey;     ///< index into Map::keys, or kNoKey: works for everybody
-    std::vector<SectorId> targets;  ///< in the order of the file, each once
-    ThingId destination;            ///< teleport: where to
-    std::string leads_to;           ///< exit: the map named, may be empty
-    double after_s = 0;             ///< [s]
-    std::optional<double> z;        ///< [m]
+    std::uint32_t key = kNoKey;  ///< index into Map::keys, or kNoKey: works for everybody
+    TargetRange targets;         ///< in the order of the file, each once
+    ThingId destination;         ///< teleport: where to
+    std::string leads_to;        ///< exit: the map named, may be empty
+    double after_s = 0;          ///< [s]
+    std::optional<double> z;     ///< [m]
     Level to = Level::here;
     SectorId like;      ///< none: `to` counts
     double by = 0;      ///< [m]

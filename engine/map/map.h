@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -189,6 +190,7 @@ struct Map {
     double widest_solid_m = 0;          ///< largest radius among them; 0: there are none
     std::vector<ThingId> touchables;    ///< by sector, each sector's in the order of their numbers
     std::vector<Trigger> triggers;      ///< first those of sectors, then of walls, of panels and of things
+    std::vector<SectorId> targets;      ///< of triggers, list after list
     std::vector<TriggerId> at_start;    ///< those that the start of the map sets off
     std::vector<Sound> sounds;
     std::vector<ThingId> sounding_things;  ///< by sector, each sector's in the order of their numbers
@@ -206,6 +208,10 @@ struct Map {
     const Sprite& operator[](SpriteId id) const { return sprites[id.index]; }
     const Trigger& operator[](TriggerId id) const { return triggers[id.index]; }
     const Sound& operator[](SoundId id) const { return sounds[id.index]; }
+    /// The sectors that the trigger is about.
+    std::span<const SectorId> targets_of(const Trigger& trigger) const {
+        return std::span(targets).subspan(trigger.targets.first, trigger.targets.count);
+    }
     /// The link's transform, or the identity.
     Rigid passage(const Wall& wall) const { return wall.link == Wall::kNoLink ? Rigid{} : links[wall.link]; }
     /// Where a point on the point grid comes to lie behind the portal: on the grid, and carried back exactly by the

@@ -6,10 +6,15 @@
 #include "formats/words.h"
 #include "map/draft.h"
 #include "map/names.h"
-#include "map/target_names.h"
+#include "map/target_lists.h"
+#include "map/things.h"
 
 namespace enfilade {
 namespace {
+
+/// Sectors that may be changed at once: by the triggers of one wall, sector, panel or thing, and by the start of the
+/// map [1]. A game keeps each change as long as it goes on: these take 100 MB.
+constexpr std::size_t kMostSetOff = std::size_t{1} << 20;
 
 /// What has triggers.
 enum class Bearer { sector, wall, portal, panel, barrier, thing };
@@ -46,15 +51,18 @@ NameIndex thing_names(const Map& map) {
 
 class TriggerPlacer {
 public:
-    explicit TriggerPlacer(Draft& draft) : draft_(draft), sectors_(draft.file), things_(thing_names(draft.map)) {}
+    explicit TriggerPlacer(Draft& draft) : draft_(draft), lists_(draft), things_(thing_names(draft.map)) {}
 
     /// `usual`: the sector meant where the record names none, or none.
     TriggerRange place(const std::vector<TriggerRecord>& records, Bearer bearer, SectorId usual) {
         const auto first = static_cast<std::uint32_t>(draft_.map.triggers.size());
+        std::size_t set_off = 0;
         for (const TriggerRecord& record : records) {
             check(record, bearer);
-            if (record.on == Occasion::start) draft_.map.at_start.emplace_back(draft_.map.triggers.size());
+            const bool at_start = record.on == Occasion::start;
+            if (at_start) draft_.map.at_start.emplace_back(draft_.map.triggers.size());
             draft_.map.triggers.push_back(resolved(record, usual));
+            count_targets(record, at_start ? set_off_at_start_ : set_off);
         }
         return {first, static_cast<std::uint32_t>(records.size())};
     }
@@ -76,6 +84,17 @@ public:
     const std::vector<TextPlace>& key_places() const { return key_places_; }
 
 private:
+    /// `set_off`: targets of the triggers that may go off together with the last one.
+    void count_targets(const TriggerRecord& record, std::size_t& set_off) {
+        const bool was_within = set_off <= kMostSetOff;
+        set_off += draft_.map.triggers.back().targets.count;
+        if (was_within && set_off > kMostSetOff)
+            draft_.error(record.place, "too-many-targets",
+                         "expected triggers that change at most " + std::to_string(kMostSetOff) +
+                             " sectors when they go off together, found " + std::to_string(set_off) +
+                             " with this one; give them fewer targets, or leave out triggers that do the same");
+    }
+
     void check(const TriggerRecord& record, Bearer bearer) {
         if (!can_be_set_off(record.on, bearer))
             draft_.error(record.place, "trigger-occasion",
@@ -126,11 +145,8 @@ private:
 
     void find_model(const TriggerRecord& record, Trigger& trigger) {
         if (record.like.empty()) return;
-        std::vector<SectorId> found;
-        if (sectors_.add_sectors(record.like, found))
-            trigger.like = found.front();
-        else
-            unknown(record, "sector", record.like, sectors_.suggestion(record.like));
+        trigger.like = lists_.first_of(record.like);
+        if (!trigger.like) unknown(record, "sector", record.like, lists_.suggestion(record.like));
     }
 
     void find_targets(const TriggerRecord& record, SectorId usual, Trigger& trigger) {
@@ -140,11 +156,11 @@ private:
         } else if (record.deed == Deed::teleport) {
             find_destination(record, trigger);
         } else if (!record.targets.empty()) {
+            trigger.targets = lists_.list_of(record);
             for (const std::string& name : record.targets)
-                if (!sectors_.add_sectors(name, trigger.targets))
-                    unknown(record, "sector", name, sectors_.suggestion(name));
+                if (!lists_.first_of(name)) unknown(record, "sector", name, lists_.suggestion(name));
         } else if (usual) {
-            trigger.targets.push_back(usual);
+            trigger.targets = lists_.list_of(usual);
         } else {
             needs_target(record, "the name or tag of a sector: here is none behind");
         }
@@ -171,8 +187,9 @@ private:
     }
 
     Draft& draft_;
-    TargetNames sectors_;
+    TargetLists lists_;
     NameIndex things_;
+    std::size_t set_off_at_start_ = 0;
     std::vector<TextPlace> key_places_;
 };
 
@@ -188,19 +205,6 @@ bool has_triggers(const MapFile& file) {
     return std::any_of(file.things.begin(), file.things.end(), [](const ThingRecord& thing) {
         return !thing.triggers.empty() || !thing.gives_key.empty() || thing.gives_health > 0;
     });
-}
-
-void list_touchables(Map& map) {
-    for (std::size_t i = 0; i < map.things.size(); ++i)
-        if (map.things[i].is_pickup() || map.things[i].triggers.count > 0) map.touchables.emplace_back(i);
-    std::stable_sort(map.touchables.begin(), map.touchables.end(),
-                     [&](ThingId a, ThingId b) { return map[a].sector < map[b].sector; });
-    for (const ThingId thing : map.touchables) ++map.sectors[map[thing].sector.index].touchable_count;
-    std::uint32_t first = 0;
-    for (Sector& sector : map.sectors) {
-        sector.first_touchable = first;
-        first += sector.touchable_count;
-    }
 }
 
 /// A key that triggers ask for and no thing gives opens nothing.

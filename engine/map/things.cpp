@@ -108,4 +108,17 @@ void list_solid_things(Map& map) {
     }
 }
 
+void list_touchables(Map& map) {
+    for (std::size_t i = 0; i < map.things.size(); ++i)
+        if (map.things[i].is_pickup() || map.things[i].triggers.count > 0) map.touchables.emplace_back(i);
+    std::stable_sort(map.touchables.begin(), map.touchables.end(),
+                     [&](ThingId a, ThingId b) { return map[a].sector < map[b].sector; });
+    for (const ThingId thing : map.touchables) ++map.sectors[map[thing].sector.index].touchable_count;
+    std::uint32_t first = 0;
+    for (Sector& sector : map.sectors) {
+        sector.first_touchable = first;
+        first += sector.touchable_count;
+    }
+}
+
 }  // namespace enfilade

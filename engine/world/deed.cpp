@@ -75,7 +75,7 @@ Course crush_course(const Target& t) {
 
 /// Each stair is one step higher than the one before, whatever it was before.
 Course stair_course(const Target& t) {
-    const double first = heights_of(t.now, t.trigger.targets.front()).floor_z;
+    const double first = heights_of(t.now, t.now.map.targets_of(t.trigger).front()).floor_z;
     return once(t.here.floor_z, t.stop(first + t.trigger.step * static_cast<double>(t.number + 1)));
 }
 
@@ -154,7 +154,7 @@ void stop_what_loops(const Instant& now, History& history, TriggerId cause, Sect
 
 void change_target(const Map& map, History& history, TriggerId id, std::size_t number, std::uint64_t tick) {
     const Trigger& trigger = map[id];
-    const SectorId sector = trigger.targets[number];
+    const SectorId sector = map.targets_of(trigger)[number];
     const Instant now(map, history, static_cast<double>(tick));
     if (trigger.deed == Deed::stop) return stop_what_loops(now, history, id, sector, tick);
     const Target target{now, trigger, sector, number, heights_of(now, sector)};
@@ -176,7 +176,7 @@ void change_target(const Map& map, History& history, TriggerId id, std::size_t n
 }  // namespace
 
 void carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_t tick) {
-    for (std::size_t i = 0; i < map[trigger].targets.size(); ++i) change_target(map, history, trigger, i, tick);
+    for (std::size_t i = 0; i < map[trigger].targets.count; ++i) change_target(map, history, trigger, i, tick);
 }
 
 History begun(const Map& map) {

@@ -37,9 +37,10 @@ void set_moving(Map& map, std::size_t active) {
     Trigger shuttle;
     shuttle.deed = Deed::crush;
     shuttle.speed = 1;
+    shuttle.targets = {static_cast<std::uint32_t>(map.targets.size()), static_cast<std::uint32_t>(active)};
     for (std::size_t i = 0; i < active; ++i) {
-        shuttle.targets.emplace_back(map.sectors.size() - 1 - i);
-        Sector& sector = map.sectors[shuttle.targets.back().index];
+        map.targets.emplace_back(map.sectors.size() - 1 - i);
+        Sector& sector = map.sectors[map.targets.back().index];
         sector.floor.z = 0;
         sector.ceiling.z = kStroke;
     }

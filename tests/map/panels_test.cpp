@@ -106,7 +106,7 @@ TEST(Panels, HaveTriggersAboutTheSectorTheyStandIn) {
     line.triggers.emplace_back();
     const Map map = built(hall_with({panel({6, 6}, {7, 6}), line}));
     ASSERT_EQ(map.panels[1].triggers.count, 1u);
-    EXPECT_EQ(map.triggers[map.panels[1].triggers.first].targets, std::vector{SectorId(0u)});
+    EXPECT_THAT(map.targets_of(map.triggers[map.panels[1].triggers.first]), testing::ElementsAre(SectorId(0u)));
 }
 
 TEST(Panels, ThatBlockCannotBePassed) {

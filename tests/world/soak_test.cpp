@@ -25,15 +25,16 @@ TEST(Soak, StaysInTheWorldOverMosaicsOfSteps) {
 }
 
 /// Any deed on any occasion, to any sectors.
-Trigger random_trigger(const Map& map, Occasion occasion, Random& random) {
+Trigger random_trigger(Map& map, Occasion occasion, Random& random) {
     static constexpr Deed kDeeds[] = {Deed::door,  Deed::open,   Deed::close,   Deed::close_then_open,
                                       Deed::lift,  Deed::floor,  Deed::shuttle, Deed::ceiling,
                                       Deed::crush, Deed::stairs, Deed::stop,    Deed::teleport};
     Trigger trigger;
     trigger.on = occasion;
     trigger.deed = kDeeds[random.below(std::size(kDeeds))];
-    for (std::uint64_t i = 1 + random.below(3); i > 0; --i)
-        trigger.targets.emplace_back(random.below(map.sectors.size()));
+    trigger.targets = {static_cast<std::uint32_t>(map.targets.size()), static_cast<std::uint32_t>(1 + random.below(3))};
+    for (std::uint32_t i = 0; i < trigger.targets.count; ++i)
+        map.targets.emplace_back(random.below(map.sectors.size()));
     if (trigger.deed == Deed::teleport) trigger.destination = ThingId(random.below(map.things.size()));
     trigger.to = static_cast<Level>(random.below(9));
     trigger.by = random.uniform(-1, 1);
