@@ -37,6 +37,7 @@ std::optional<Map> build_map(const MapFile& file, const TextureSet& textures, Fi
     check_textures(draft);
     place_inhabitants(draft);
     place_triggers(draft);
+    place_keys(draft);
     place_sounds(draft);
     note_picture_changes(draft);
     if (has_errors(findings)) return std::nullopt;

@@ -87,6 +87,8 @@ void check_textures(Draft& draft);
 void place_inhabitants(Draft& draft);
 /// Triggers find what they are about (place_triggers.cpp).
 void place_triggers(Draft& draft);
+/// Keys, which triggers ask for and things give (place_keys.cpp).
+void place_keys(Draft& draft);
 /// Things, sectors and triggers find their sounds (place_sounds.cpp).
 void place_sounds(Draft& draft);
 /// Animations and switches (picture_changes.cpp).

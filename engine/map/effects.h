@@ -2,6 +2,7 @@
 // and sounds.
 // Nothing of it moves here; world/ says when and how.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,6 +12,9 @@
 #include "formats/effect_records.h"
 
 namespace enfilade {
+
+/// Keys in one map [1]: who carries which is kept in 64 bits.
+inline constexpr std::size_t kMostKeys = 64;
 
 /// Some of Map::targets: [first, first + count). Triggers with the same targets share them.
 struct TargetRange {

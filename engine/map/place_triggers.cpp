@@ -1,4 +1,4 @@
-// Triggers find their sectors, things, keys and pictures; and what can never go off, or do nothing, is said.
+// Triggers find their sectors, things and pictures; and what can never go off, or do nothing, is said.
 #include <algorithm>
 #include <string>
 
@@ -7,7 +7,6 @@
 #include "map/draft.h"
 #include "map/names.h"
 #include "map/target_lists.h"
-#include "map/things.h"
 
 namespace enfilade {
 namespace {
@@ -67,22 +66,6 @@ public:
         return {first, static_cast<std::uint32_t>(records.size())};
     }
 
-    /// `place`: of who names it.
-    std::uint32_t key_of(const std::string& name, TextPlace place) {
-        if (name.empty()) return Trigger::kNoKey;
-        std::vector<std::string>& keys = draft_.map.keys;
-        const auto found = std::find(keys.begin(), keys.end(), name);
-        const auto index = static_cast<std::uint32_t>(found - keys.begin());
-        if (found == keys.end()) {
-            keys.push_back(name);
-            key_places_.push_back(place);
-        }
-        return index;
-    }
-
-    /// Where each of Map::keys is named first.
-    const std::vector<TextPlace>& key_places() const { return key_places_; }
-
 private:
     /// `set_off`: targets of the triggers that may go off together with the last one.
     void count_targets(const TriggerRecord& record, std::size_t& set_off) {
@@ -126,7 +109,6 @@ private:
         t.one_way = record.one_way;
         t.crushes = record.crushes;
         t.heals = record.heals;
-        t.key = key_of(record.key, record.place);
         t.after_s = record.after;
         t.z = record.z;
         t.to = record.to;
@@ -190,7 +172,6 @@ private:
     TargetLists lists_;
     NameIndex things_;
     std::size_t set_off_at_start_ = 0;
-    std::vector<TextPlace> key_places_;
 };
 
 bool has_triggers(const MapFile& file) {
@@ -202,22 +183,8 @@ bool has_triggers(const MapFile& file) {
         for (const PanelRecord& panel : sector.panels)
             if (!panel.triggers.empty()) return true;
     }
-    return std::any_of(file.things.begin(), file.things.end(), [](const ThingRecord& thing) {
-        return !thing.triggers.empty() || !thing.gives_key.empty() || thing.gives_health > 0;
-    });
-}
-
-/// A key that triggers ask for and no thing gives opens nothing.
-void check_keys(Draft& draft, const std::vector<TextPlace>& places) {
-    const auto given = [&](std::uint32_t key) {
-        return std::any_of(draft.map.things.begin(), draft.map.things.end(),
-                           [&](const Thing& thing) { return thing.gives_key == key; });
-    };
-    for (std::uint32_t key = 0; key < draft.map.keys.size(); ++key)
-        if (!given(key))
-            draft.warning(places[key], "no-such-key",
-                          "this trigger asks for the key " + quoted(draft.map.keys[key]) +
-                              ", but no thing gives it; give a thing gives_key = " + quoted(draft.map.keys[key]));
+    return std::any_of(file.things.begin(), file.things.end(),
+                       [](const ThingRecord& thing) { return !thing.triggers.empty(); });
 }
 
 }  // namespace
@@ -242,10 +209,7 @@ void place_triggers(Draft& draft) {
     for (std::size_t i = 0; i < draft.map.things.size(); ++i) {
         Thing& thing = draft.map.things[i];
         thing.triggers = placer.place(draft.things[i]->triggers, Bearer::thing, thing.sector);
-        thing.gives_key = placer.key_of(draft.things[i]->gives_key, draft.things[i]->place);
     }
-    list_touchables(draft.map);
-    check_keys(draft, placer.key_places());
 }
 
 }  // namespace enfilade

@@ -31,7 +31,7 @@ void add_thing(Draft& draft, const ThingRecord& record, SectorId sector, SpriteS
 /// Sorts the solid things by sector.
 void list_solid_things(Map& map);
 
-/// Sorts the things that do something when touched by sector; their triggers are known.
+/// Sorts the things that do something when touched by sector; their triggers and keys are known.
 void list_touchables(Map& map);
 
 }  // namespace enfilade

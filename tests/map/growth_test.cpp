@@ -277,5 +277,17 @@ TEST(TargetLists, AreRefusedWhereTheStartWouldChangeTooMuchAtOnce) {
     EXPECT_EQ(errors_of(findings_of(file), "too-many-targets"), 1u);
 }
 
+TEST(Keys, MayBeAsManyAsTheBitsThatSayWhoHasThem) {
+    MapFile file = hall_and_closets(70);
+    each_wall(file, [](WallRecord& wall, std::size_t i) {
+        wall.triggers = {trigger_about({"hall"})};
+        wall.triggers[0].key = numbered("key", i % 64);
+    });
+    EXPECT_EQ(built(file).keys.size(), 64u);
+    file.sectors[0].loops[0].walls[64].triggers[0].key = "one more";
+    file.sectors[0].loops[0].walls[65].triggers[0].key = "another";
+    EXPECT_EQ(errors_of(findings_of(file), "too-many-keys"), 1u);
+}
+
 }  // namespace
 }  // namespace enfilade
