@@ -24,7 +24,21 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-/// Every name the file uses, in lower case, with the place of its first use in the text and as it was written there.
+/// The name without the "." and the empty parts that change nothing: "./a//b" is the same file as "a/b".
+std::string without_detours(std::string_view name) {
+    std::string path;
+    for (auto slash = name.find('/'); slash != std::string_view::npos; slash = name.find('/')) {
+        const std::string_view part = name.substr(0, slash);
+        if (!part.empty() && part != ".") path.append(part) += '/';
+        name.remove_prefix(slash + 1);
+    }
+    return path.append(name);
+}
+
+/// One name for each picture, however it is written.
+std::string canonical(std::string_view name) { return lower_case(without_detours(name)); }
+
+/// Every canonical name the file uses, with the place of its first use in the text and as it was written there.
 struct FirstUse {
     TextPlace place;
     std::string written;
@@ -33,7 +47,7 @@ using Names = std::map<std::string, FirstUse>;
 
 void note(Names& names, const TextureSpec& spec) {
     if (spec.name.empty() || spec.name == "-") return;
-    const auto [it, is_new] = names.try_emplace(lower_case(spec.name), FirstUse{spec.place, spec.name});
+    const auto [it, is_new] = names.try_emplace(canonical(spec.name), FirstUse{spec.place, spec.name});
     if (!is_new && spec.place < it->second.place) it->second = {spec.place, spec.name};
 }
 
@@ -102,7 +116,7 @@ Texture by_columns(const Image& image) {
 Result<Bytes> read_from_folders(const std::string& written, const std::vector<std::string>& folders,
                                 const FileReader& read, std::string& path) {
     for (const std::string& folder : folders)
-        for (const std::string& name : {written, lower_case(written)}) {
+        for (const std::string& name : {without_detours(written), canonical(written)}) {
             path = folder + "/" + name + std::string(kEnding);
             if (Result<Bytes> bytes = read(path)) return bytes;
         }
@@ -117,10 +131,10 @@ std::string sprite_picture_name(const ThingRecord& thing, const SpriteFrameRecor
 }
 
 TextureId TextureSet::find(std::string_view name) const {
-    const std::string lower = lower_case(name);
-    const auto it = std::lower_bound(textures.begin(), textures.end(), lower,
+    const std::string wanted = canonical(name);
+    const auto it = std::lower_bound(textures.begin(), textures.end(), wanted,
                                      [](const Texture& t, const std::string& n) { return t.name < n; });
-    if (it == textures.end() || it->name != lower) return {};
+    if (it == textures.end() || it->name != wanted) return {};
     return TextureId(static_cast<std::size_t>(it - textures.begin()));
 }
 
@@ -144,9 +158,18 @@ TextureLoader::TextureLoader(const MapFile& file, const std::vector<std::string>
         picture.place = use.place;
         if (Result<Bytes> bytes = read_from_folders(use.written, folders, read, picture.path))
             picture.bytes = std::move(bytes).value();
+        if (picture.bytes) make_room_for(picture);
     }
     const auto is_missing = [](const Picture& picture) { return !picture.bytes; };
     if (list && std::any_of(pictures_.begin(), pictures_.end(), is_missing)) suggest_names(folders, list);
+}
+
+void TextureLoader::make_room_for(Picture& picture) {
+    const auto size = png_size(*picture.bytes);
+    const std::uint64_t unpacked = size ? std::uint64_t{size->width} * size->height * sizeof(std::uint32_t) : 0;
+    bytes_needed_ += picture.bytes->size() + unpacked;
+    picture.is_over = bytes_needed_ > kMostTextureBytes;
+    if (picture.is_over) picture.bytes = Bytes();
 }
 
 void TextureLoader::suggest_names(const std::vector<std::string>& folders, const FolderLister& list) {
@@ -177,13 +200,14 @@ TextureSet TextureLoader::sizes() const {
 void TextureLoader::unpack(std::size_t i) {
     Picture& picture = pictures_[i];
     picture.texture = make_placeholder();
-    if (picture.bytes) {
+    if (picture.bytes && !picture.is_over) {
         const Result<Image> image = read_png(*picture.bytes);
         if (image)
             picture.texture = by_columns(image.value());
         else
             picture.fault = image.error().what;
         picture.texture.fingerprint = hash_of_text(as_text(*picture.bytes));
+        picture.bytes = Bytes();
     }
     picture.texture.missing = !picture.bytes;
     picture.texture.name = picture.name;
@@ -198,8 +222,20 @@ void TextureLoader::report(const Picture& picture, Findings& findings) {
         findings.push_back({picture.place, Severity::error, "bad-texture", picture.path + ": " + picture.fault});
 }
 
+void TextureLoader::report_shortage(Findings& findings) const {
+    const auto over = std::ranges::find(pictures_, true, &Picture::is_over);
+    if (over == pictures_.end()) return;
+    const auto megabytes = [](std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; };
+    findings.push_back({over->place, Severity::error, "too-many-pictures",
+                        "expected pictures that take at most " + megabytes(kMostTextureBytes) +
+                            " of memory together, found " + megabytes(bytes_needed_) + ", and " +
+                            quoted(over->written) + " (" + quoted(over->path) +
+                            ") is the first that is over; make pictures smaller, or use fewer"});
+}
+
 TextureSet TextureLoader::take(Findings& findings) {
     TextureSet set;
+    report_shortage(findings);
     set.placeholder = make_placeholder();
     for (Picture& picture : pictures_) {
         report(picture, findings);

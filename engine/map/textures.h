@@ -16,7 +16,7 @@ namespace enfilade {
 /// A picture of any size. Pixels are 0xAABBGGRR (bytes R, G, B, A), by column: pixel (x, y) is
 /// pixels[x * height + y], y down, because walls are drawn by column.
 struct Texture {
-    std::string name;          ///< lower case
+    std::string name;          ///< lower case, without parts that change nothing, such as "./"
     std::uint32_t width = 1;   ///< >= 1 [px]
     std::uint32_t height = 1;  ///< >= 1 [px]
     std::vector<std::uint32_t> pixels;
@@ -33,7 +33,7 @@ struct TextureSet {
     Texture placeholder;  ///< stands in for "no texture" where something must be drawn
 
     const Texture& operator[](TextureId id) const { return id ? textures[id.index] : placeholder; }
-    /// none where there is no such name; upper and lower case are the same.
+    /// none where there is no such name; upper and lower case are the same, and so are "a/b" and "./a//b".
     TextureId find(std::string_view name) const;
 };
 
@@ -43,7 +43,14 @@ std::string sprite_picture_name(const ThingRecord& thing, const SpriteFrameRecor
 /// The picture that nobody can overlook: magenta and black.
 Texture make_placeholder();
 
-/// Loads every picture the file names ("-" is none) as FOLDER/NAME.png, the first folder that has it winning.
+/// Memory that all pictures of a map may take together, files and pixels [bytes]: nine times what every picture of a
+/// whole Doom game takes (the 1548 of FreeDoom II: 58 MiB), or four of the largest that are read.
+inline constexpr std::uint64_t kMostTextureBytes = std::uint64_t{512} << 20;
+
+/// Loads every picture the file names ("-" is none) as FOLDER/NAME.png, the first folder that has it winning. One file
+/// is one picture, however its name is written.
+/// Where all pictures would take more than kMostTextureBytes, an error says so, and those that are over, in the order
+/// of their names, are not kept; until all are unpacked, twice as much is taken.
 /// What no folder has becomes the placeholder and a warning at its first use; what is not an image is an error.
 /// Unpacking takes longer than anything else in starting a map, so it is a step of its own, to be done on several cores
 /// beside other work.
@@ -66,18 +73,23 @@ public:
 
 private:
     struct Picture {
-        std::string name, written;   ///< in lower case, and as in the file
+        std::string name, written;   ///< canonical, and as in the file
         TextPlace place;             ///< of its first use
         std::string path;            ///< where it was found
-        std::optional<Bytes> bytes;  ///< none: in no folder
+        std::optional<Bytes> bytes;  ///< of its file; none: in no folder
+        bool is_over = false;        ///< there is no room for it; bytes are empty
         Texture texture;
         std::string fault;  ///< why it is not an image; empty: it is one
         std::string near;   ///< "; did you mean 'X'?" where it is missing and another one is called nearly so
     };
     void suggest_names(const std::vector<std::string>& folders, const FolderLister& list);
+    /// Counts what it takes, and drops its bytes where that is too much.
+    void make_room_for(Picture& picture);
     static void report(const Picture& picture, Findings& findings);
+    void report_shortage(Findings& findings) const;
 
-    std::vector<Picture> pictures_;  ///< sorted by name
+    std::uint64_t bytes_needed_ = 0;  ///< by all pictures
+    std::vector<Picture> pictures_;   ///< sorted by name
 };
 
 /// All of it, on all cores.

@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadMap, testing::ValuesIn(files_in(kSource + "/tes
 /// Codes no small file can show: each has a test of its own.
 const std::set<std::string> kShownElsewhere{"too-large",         "too-many-findings", "too-many-errors",
                                             "too-many-warnings", "too-many-panels",   "too-many-lights",
-                                            "too-many-targets",  "too-many-keys"};
+                                            "too-many-targets",  "too-many-keys",     "too-many-pictures"};
 
 /// Files in engine/formats that read something else than maps, by the start of their names.
 constexpr std::string_view kOtherReaders[] = {"script", "tape", "views", "frame_hashes"};
