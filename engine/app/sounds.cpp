@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "formats/number_text.h"
 #include "formats/quoted.h"
 #include "platform/wav.h"
 
@@ -16,14 +17,29 @@ Result<Samples> load_sound(const std::string& path, const FileReader& read) {
     return samples;
 }
 
+/// Where a sound would take more than what is left, that is the fault.
+Result<Samples> keep_within(std::size_t& room, Result<Samples> samples, const std::string& path) {
+    if (!samples.ok()) return samples;
+    const std::size_t length = samples.value().size();
+    if (length > room)
+        return Error{path, "expected sounds that play for at most " + number_text(kMostSound) +
+                               " s together, found no room for this one of " +
+                               number_text(static_cast<double>(length) / kMixRate) +
+                               " s; make sounds shorter, or use fewer"};
+    room -= length;
+    return samples;
+}
+
 }  // namespace
 
 LoadedSounds load_sounds(const Map& map, const std::string& map_path, const FileReader& read) {
     LoadedSounds loaded;
     const std::filesystem::path folder = std::filesystem::path(map_path).parent_path();
+    auto room = static_cast<std::size_t>(kMostSound * kMixRate);
     for (std::size_t i = 0; i < map.sounds.size(); ++i) {
         const Sound& sound = map.sounds[i];
-        auto samples = load_sound((folder / sound.file).string(), read);
+        const std::string path = (folder / sound.file).string();
+        auto samples = keep_within(room, load_sound(path, read), path);
         if (!samples.ok())
             loaded.faults.push_back(
                 {SoundId(i), "sound " + enfilade::quoted(sound.name) + " is silent: " + samples.error().text()});

@@ -19,7 +19,12 @@ struct LoadedSounds {
     std::vector<SoundFault> faults;  ///< one for each of those
 };
 
-/// Files are seen from the map's folder.
+/// How long all sounds of a map may play together, one after the other [s]: half an hour, fifteen of the longest
+/// that are read, 330 MiB of samples. Those of FreeDoom II's doors and lifts play for ten seconds.
+inline constexpr double kMostSound = 1800;
+
+/// Files are seen from the map's folder. A sound for which there is no room, counted in the order of their ids, is
+/// silent, with a fault that says so; memory is never taken for more than kMostSound and one sound.
 LoadedSounds load_sounds(const Map& map, const std::string& map_path, const FileReader& read);
 
 }  // namespace enfilade

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "platform/wav.h"
 #include "support/map_builder.h"
 #include "support/wav.h"
 
@@ -47,6 +48,19 @@ TEST(LoadedSounds, AreSilentWhereTheFileIsNoSound) {
     const LoadedSounds loaded = load_sounds(map_with("bad.wav"), "maps/hall.toml", read_sound);
     EXPECT_THAT(loaded.samples[0], testing::IsEmpty());
     EXPECT_THAT(loaded.faults, faults_say("maps/bad.wav"));
+}
+
+TEST(LoadedSounds, TogetherPlayNoLongerThanTheirBudget) {
+    const Bytes longest = wav_of(std::vector<double>(static_cast<std::size_t>(kLongestSound) * kMixRate));
+    MapFile file = map_of({box_room("hall", 0, 0, 4, 4)});
+    for (int i = 0; i < 17; ++i) file.sounds.push_back({"hum" + std::to_string(i), "hum.wav", 1, 10, false, {}});
+    const LoadedSounds loaded = load_sounds(built(file), "hall.toml", [&](const std::string&) { return longest; });
+    std::vector<std::size_t> silent;
+    for (const SoundFault& fault : loaded.faults) silent.push_back(fault.sound.index);
+    ASSERT_THAT(silent, testing::ElementsAre(15u, 16u));
+    EXPECT_TRUE(loaded.samples[15].empty() && !loaded.samples[14].empty());
+    EXPECT_THAT(loaded.faults[0].sentence,
+                testing::HasSubstr("at most 1800 s together, found no room for this one of 120 s"));
 }
 
 }  // namespace
