@@ -124,6 +124,10 @@ std::size_t tables_in(TomlNode array);
 /// Fewer tables than this are not worth a thread of their own.
 inline constexpr std::size_t kLeastTablesPerThread = 1024;
 
+/// Parts in which tables are read: enough for any machine, and few enough that what each finds, up to kMaxFindings,
+/// takes no memory to speak of.
+inline constexpr std::size_t kMostParts = 64;
+
 template <class Field>
 void read_field(Reading& reading, const NamedValue& value, Range range, Field& field);
 
@@ -131,7 +135,8 @@ void read_field(Reading& reading, const NamedValue& value, Range range, Field& f
 /// of the text, as if one had read them all.
 template <class Record>
 void read_tables(Reading& reading, const NamedValue& value, Range range, std::vector<Record>& records) {
-    const std::size_t count = value.node.size(), parts = count / kLeastTablesPerThread + 1;
+    const std::size_t count = value.node.size();
+    const std::size_t parts = std::min(count / kLeastTablesPerThread + 1, kMostParts);
     std::vector<Findings> found(parts);
     records.resize(count);
     parallel_for(parts, hardware_threads(), [&](std::size_t part, std::size_t) {

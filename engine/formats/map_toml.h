@@ -27,12 +27,13 @@ MapReading read_map(std::string_view text);
 /// Whether a text is meant to be a map: one that has sectors, as no script has.
 bool is_map(std::string_view text);
 
-/// Largest map text that is read [bytes]. Memory needed is about 20 times the text (toml++'s tree).
+/// Largest map text that is read [bytes].
 inline constexpr std::size_t kMaxMapBytes = std::size_t{40} << 20;
 
-/// Most values (numbers, strings, arrays, tables) in one map, where a table in braces counts as eight. A sector with
-/// ten walls has about 150. What a hostile map can make us take is about a gigabyte.
-inline constexpr std::size_t kMaxMapValues = std::size_t{8} << 20;
+/// Most values in one map, counted as formats/toml.h says: a sector with ten walls has about 250, the largest level of
+/// FreeDoom II 540 000. What a hostile map can make us take is kBytesPerValue for each and five times its text:
+/// 1.4 gigabytes.
+inline constexpr std::size_t kMaxMapValues = 9'000'000;
 
 /// The map as text in the enfilade dialect: the same records give the same bytes, and read_map gives the same
 /// records back (places aside). Numbers are written with the fewest digits that read back exactly.

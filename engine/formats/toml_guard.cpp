@@ -42,6 +42,7 @@ private:
         if (c == '[' && starts_line && open_count_ == 0) {
             header_ = true;
             base_ = 0;
+            return count_value(kTableWeight);
         }
         if (header_) return header_part(c);
         switch (c) {
@@ -50,7 +51,7 @@ private:
             case ']':
             case '}': return close();
             case ',': return next_member();
-            case '=': in_value_ = true; return count_value();
+            case '=': in_value_ = true; return count_value(kKeyWeight);
             case '.': return dot();
             default: return;
         }
@@ -66,13 +67,14 @@ private:
     void dot() {
         if (in_value_) return;
         deepen(++key_dots_);
+        count_value(kTableWeight);
         if (++dotted_keys_ > kMaxDottedKeys)
             too_many("keys with a dot (write tables, as in 'floor = { z = 0 }')", kMaxDottedKeys);
     }
 
     void open(bool array) {
         deepen(key_dots_ + 1);
-        count_value(array ? 1 : kBraceWeight);
+        count_value(array ? 1 : kTableWeight);
         if (problem_) return;
         open_[static_cast<std::size_t>(open_count_++)] = {base_, array};
         base_ += key_dots_ + 1;
@@ -119,6 +121,7 @@ private:
 
     void skip_string(char quote) {
         line_is_empty_ = false;
+        count_value(kStringWeight);
         const std::string_view rest = text_.substr(at_);
         const bool long_string = rest.size() >= 3 && rest[1] == quote && rest[2] == quote;
         at_ += long_string ? 3 : 1;

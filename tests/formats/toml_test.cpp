@@ -195,12 +195,20 @@ TEST(Toml, DoesNotTakeDecimalPointsForNesting) {
 TEST(Toml, RefusesMoreBytesThanAllowed) { EXPECT_THAT(complaints("a = 1", {4, 100}), ElementsAre("too-large 0:0")); }
 
 TEST(Toml, RefusesMoreValuesThanAllowed) {
-    EXPECT_THAT(complaints("a = [1, 2, 3]", {100, 3}), ElementsAre("too-large 1:10"));
+    EXPECT_THAT(complaints("a = [1, 2, 3]", {100, kKeyWeight + 3}), IsEmpty());
+    EXPECT_THAT(complaints("a = [1, 2, 3]", {100, kKeyWeight + 2}), ElementsAre("too-large 1:10"));
 }
 
-TEST(Toml, CountsATableInBracesAsEightValues) {
-    EXPECT_THAT(complaints("a = {}", {100, kBraceWeight + 1}), IsEmpty());
-    EXPECT_THAT(complaints("a = {}", {100, kBraceWeight}), ElementsAre("too-large 1:5"));
+TEST(Toml, CountsWhatTakesMoreMemoryAsMoreValues) {
+    const auto expect_count = [](std::string_view text, std::size_t count, const char* last) {
+        EXPECT_THAT(complaints(text, {100, count}), IsEmpty()) << text;
+        EXPECT_THAT(complaints(text, {100, count - 1}), ElementsAre(last)) << text;
+    };
+    expect_count("a = {}", kKeyWeight + kTableWeight, "too-large 1:5");
+    expect_count("a = 'b'", kKeyWeight + kStringWeight, "too-large 1:5");
+    expect_count("a.b = 1", kTableWeight + kKeyWeight, "too-large 1:5");
+    expect_count("[a]", kTableWeight, "too-large 1:1");
+    expect_count("[[a]]", kTableWeight + 1, "too-large 1:2");
 }
 
 TEST(Toml, RefusesDottedKeysThatWouldTakeQuadraticTime) {
