@@ -24,21 +24,7 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-/// The name without the "." and the empty parts that change nothing: "./a//b" is the same file as "a/b".
-std::string without_detours(std::string_view name) {
-    std::string path;
-    for (auto slash = name.find('/'); slash != std::string_view::npos; slash = name.find('/')) {
-        const std::string_view part = name.substr(0, slash);
-        if (!part.empty() && part != ".") path.append(part) += '/';
-        name.remove_prefix(slash + 1);
-    }
-    return path.append(name);
-}
-
-/// One name for each picture, however it is written.
-std::string canonical(std::string_view name) { return lower_case(without_detours(name)); }
-
-/// Every canonical name the file uses, with the place of its first use in the text and as it was written there.
+/// Every name the file uses, in lower case, with the place of its first use in the text and as it was written there.
 struct FirstUse {
     TextPlace place;
     std::string written;
@@ -47,7 +33,7 @@ using Names = std::map<std::string, FirstUse>;
 
 void note(Names& names, const TextureSpec& spec) {
     if (spec.name.empty() || spec.name == "-") return;
-    const auto [it, is_new] = names.try_emplace(canonical(spec.name), FirstUse{spec.place, spec.name});
+    const auto [it, is_new] = names.try_emplace(lower_case(spec.name), FirstUse{spec.place, spec.name});
     if (!is_new && spec.place < it->second.place) it->second = {spec.place, spec.name};
 }
 
@@ -116,7 +102,7 @@ Texture by_columns(const Image& image) {
 Result<Bytes> read_from_folders(const std::string& written, const std::vector<std::string>& folders,
                                 const FileReader& read, std::string& path) {
     for (const std::string& folder : folders)
-        for (const std::string& name : {without_detours(written), canonical(written)}) {
+        for (const std::string& name : {written, lower_case(written)}) {
             path = folder + "/" + name + std::string(kEnding);
             if (Result<Bytes> bytes = read(path)) return bytes;
         }
@@ -131,7 +117,7 @@ std::string sprite_picture_name(const ThingRecord& thing, const SpriteFrameRecor
 }
 
 TextureId TextureSet::find(std::string_view name) const {
-    const std::string wanted = canonical(name);
+    const std::string wanted = lower_case(name);
     const auto it = std::lower_bound(textures.begin(), textures.end(), wanted,
                                      [](const Texture& t, const std::string& n) { return t.name < n; });
     if (it == textures.end() || it->name != wanted) return {};

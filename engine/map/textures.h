@@ -16,7 +16,7 @@ namespace enfilade {
 /// A picture of any size. Pixels are 0xAABBGGRR (bytes R, G, B, A), by column: pixel (x, y) is
 /// pixels[x * height + y], y down, because walls are drawn by column.
 struct Texture {
-    std::string name;          ///< lower case, without parts that change nothing, such as "./"
+    std::string name;          ///< lower case
     std::uint32_t width = 1;   ///< >= 1 [px]
     std::uint32_t height = 1;  ///< >= 1 [px]
     std::vector<std::uint32_t> pixels;
@@ -33,7 +33,7 @@ struct TextureSet {
     Texture placeholder;  ///< stands in for "no texture" where something must be drawn
 
     const Texture& operator[](TextureId id) const { return id ? textures[id.index] : placeholder; }
-    /// none where there is no such name; upper and lower case are the same, and so are "a/b" and "./a//b".
+    /// none where there is no such name; upper and lower case are the same.
     TextureId find(std::string_view name) const;
 };
 
@@ -48,7 +48,7 @@ Texture make_placeholder();
 inline constexpr std::uint64_t kMostTextureBytes = std::uint64_t{512} << 20;
 
 /// Loads every picture the file names ("-" is none) as FOLDER/NAME.png, the first folder that has it winning. One file
-/// is one picture, however its name is written.
+/// is one picture: formats/file_name.h has one spelling for each.
 /// Where all pictures would take more than kMostTextureBytes, an error says so, and those that are over, in the order
 /// of their names, are not kept; until all are unpacked, twice as much is taken.
 /// What no folder has becomes the placeholder and a warning at its first use; what is not an image is an error.
@@ -73,7 +73,7 @@ public:
 
 private:
     struct Picture {
-        std::string name, written;   ///< canonical, and as in the file
+        std::string name, written;   ///< in lower case, and as in the file
         TextPlace place;             ///< of its first use
         std::string path;            ///< where it was found
         std::optional<Bytes> bytes;  ///< of its file; none: in no folder
