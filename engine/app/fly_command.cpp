@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/cut_short.h"
 #include "app/exit_codes.h"
 #include "app/film.h"
 #include "app/open_flight.h"
@@ -100,9 +101,11 @@ Result<DrawPlan> plan_of(const FlyChoices& choices, const OpenFlight& open) {
 
 Status draw_pictures_into(const std::string& folder, const FlightScene& scene, const DrawPlan& plan) {
     if (Status failed = make_folder(folder)) return failed;
+    CutShortNote note(folder);
     Progress progress(std::size_t(plan.last - plan.first + 1), "frames");
     const Status failed = draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
         progress.step(worker);
+        note.look_at(frame);
         return write_numbered_picture(folder, std::size_t(number), image_of(frame));
     });
     return failed ? failed : flush_folder(folder);
@@ -111,9 +114,11 @@ Status draw_pictures_into(const std::string& folder, const FlightScene& scene, c
 Status draw_film(const std::string& path, const FlightScene& scene, const DrawPlan& plan, int rate) {
     auto film = start_film(path, {plan.width, plan.height, rate});
     if (!film.ok()) return film.error();
+    CutShortNote note(path);
     Progress progress(std::size_t(plan.last - plan.first + 1), "frames");
     const Status failed = draw_frames_in_order(scene, plan, [&](int, const Frame& frame, std::size_t worker) {
         progress.step(worker);
+        note.look_at(frame);
         return film.value()->add(frame);
     });
     return failed ? failed : film.value()->finish();

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <memory>
 
+#include "app/cut_short.h"
 #include "app/film.h"
 #include "app/pictures.h"
 #include "app/progress.h"
@@ -42,6 +43,7 @@ public:
         if (Status failed = furnish_desks()) return failed;
         if (!job_.timing.empty())  // grows the renderer's memory, so that no view pays for it
             if (Status failed = draw(desks_[0], 0)) return failed;
+        CutShortNote note(job_.out);
         Progress progress(job_.views.size(), "pictures");
         parallel_for(job_.views.size(), desks_.size(), [&](std::size_t i, std::size_t worker) {
             if (stop_) return;
@@ -49,6 +51,7 @@ public:
             desk.failed = draw(desk, i);
             if (!desk.failed) desk.failed = write(desk, i);
             if (desk.failed) stop_ = true;
+            note.look_at(desk.frame);
             progress.step(worker);
         });
         const auto failed = std::ranges::find_if(desks_, [](const Desk& desk) { return desk.failed.has_value(); });

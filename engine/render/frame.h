@@ -27,6 +27,7 @@ struct Frame {
     int width = 0;
     int height = 0;
     std::vector<std::uint32_t> pixels;
+    bool is_cut_short = false;  ///< somewhere a look ended because its budget was spent (render/look_budget.h)
 
     /// Sets the size and makes room. Pixels keep whatever they were: every renderer writes every one.
     void resize(int new_width, int new_height);

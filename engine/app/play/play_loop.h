@@ -92,6 +92,7 @@ private:
     PlayerInput input_;
     Menu menu_;
     Notices notices_;
+    bool was_cut_short_ = false;  ///< the last picture was
     Soundscape sounds_;
     FrameTimes times_;
     std::int64_t started_ns_ = 0, passed_until_ns_ = 0, ticked_until_ns_ = 0, looked_ns_ = 0, remembered_ns_ = 0;

@@ -1,4 +1,5 @@
 // What is shown while one plays: the view, and over it the map, notices and the menu.
+#include "app/cut_short.h"
 #include "app/play/play_loop.h"
 #include "app/play/screenshot.h"
 #include "base/attempt.h"
@@ -58,6 +59,8 @@ Status PlayLoop::show(std::int64_t now) {
     if (Status failed = draw_view(part)) return failed;
     const std::int64_t drawn = now_ns();
     remember_seen(now);
+    if (frame_.is_cut_short && !was_cut_short_) tell(std::string("Here ") + kCutShort);
+    was_cut_short_ = frame_.is_cut_short;
     draw_over(view_now(part));
     Status failed = window_.present(frame_);
     times_.add(drawn - began, now_ns());

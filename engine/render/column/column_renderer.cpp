@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "render/built_in.h"
 #include "render/column/viewport_drawer.h"
+#include "render/look_budget.h"
 
 namespace enfilade {
 
@@ -26,7 +27,7 @@ struct ColumnRenderer::Scratch {
 
 namespace {
 
-void start_frame(FrameState& state, const View& view, ColumnRange columns, int height) {
+void start_frame(FrameState& state, const Map& map, const View& view, ColumnRange columns, int height) {
     state.pool.take_all_back();
     state.stack.clear();
     state.projections.start_frame();
@@ -34,11 +35,13 @@ void start_frame(FrameState& state, const View& view, ColumnRange columns, int h
     state.poses.assign(1, pose_of(view));
     state.deepest = 0;
     state.cut = 0;
+    state.is_cut_short = false;
     Viewport& first = state.pool.take(columns.begin, columns.end);
     first.sector = view.sector;
     first.entry = {};
     first.pose = 0;
     first.depth = 0;
+    first.spent = cost_of_look_into(map[view.sector]);
     for (int x = columns.begin; x < columns.end; ++x) {
         first.rows_at(x) = {0, height};
         first.boundary_at(x) = std::numeric_limits<double>::infinity();
@@ -57,6 +60,7 @@ ColumnRenderer& ColumnRenderer::operator=(ColumnRenderer&&) noexcept = default;
 void ColumnRenderer::render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
                             const Snapshot& snapshot, const View& view) {
     render_columns(frame, facts, map, textures, snapshot, view, {0, frame.width});
+    frame.is_cut_short = scratch_->state.is_cut_short;
 }
 
 void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
@@ -69,7 +73,7 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& 
     s.canvas.set(columns.begin, columns.end, frame.height);
     LightGrids* lights = built_in::kPointLights && s.lights.start(map) ? &s.lights : nullptr;
     const Scene scene{map, textures, snapshot, s.screen, s.canvas, facts, lights, s.glow};
-    start_frame(s.state, view, columns, frame.height);
+    start_frame(s.state, map, view, columns, frame.height);
     while (!s.state.stack.empty()) {
         Viewport& next = *s.state.stack.back();
         s.state.stack.pop_back();
@@ -80,7 +84,8 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& 
 }
 
 ColumnCounts ColumnRenderer::counts() const {
-    return {scratch_->state.pool.used(), scratch_->state.deepest, scratch_->state.cut};
+    const FrameState& state = scratch_->state;
+    return {state.pool.used(), state.deepest, state.cut, state.is_cut_short};
 }
 
 std::vector<ViewportOutline> ColumnRenderer::viewports() const {

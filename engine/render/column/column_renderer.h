@@ -39,6 +39,7 @@ struct ColumnCounts {
     std::size_t viewports = 0;  ///< drawn
     int deepest = 0;            ///< portals looked through in the longest chain
     std::size_t cut = 0;        ///< viewports not drawn because a limit was reached
+    bool is_cut_short = false;  ///< that was kLookBudget for at least one of them (render/look_budget.h)
 };
 
 /// Draws pictures of a map. Keeps its scratch memory from frame to frame: once the hardest view has been drawn, drawing
@@ -62,7 +63,8 @@ public:
     void render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
                 const View& view);
 
-    /// The same for some columns only; they are bit-equal to those of the whole picture.
+    /// The same for some columns only; they are bit-equal to those of the whole picture. Frame::is_cut_short is not
+    /// set, for that is about all columns.
     void render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
                         const Snapshot& snapshot, const View& view, ColumnRange columns);
 

@@ -3,9 +3,16 @@
 #include <utility>
 
 namespace enfilade::column {
+namespace {
+
+/// What is kept of one frame: 120 MB of walls, and as many sectors as the largest views look into a hundred times.
+constexpr std::size_t kMostWalls = std::size_t{1} << 20, kMostProjections = std::size_t{1} << 16;
+
+}  // namespace
 
 void ProjectionCache::start_frame() {
     used_ = 0;
+    walls_ = 0;
     if (++frame_ == 0) {  // after 2^32 frames old marks would look new
         slots_.assign(slots_.size(), {});
         frame_ = 1;
@@ -17,6 +24,10 @@ const std::vector<ProjectedWall>& ProjectionCache::get(const Map& map, SectorId 
     const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(pose_index)} << 32 | sector.index;
     Slot* slot = &find(key);
     if (slot->frame == frame_) return projections_[slot->projection];
+    if (walls_ > kMostWalls || used_ > kMostProjections) {
+        start_frame();
+        slot = &find(key);
+    }
     if (2 * (used_ + 1) > slots_.size()) {
         grow();
         slot = &find(key);
@@ -24,6 +35,7 @@ const std::vector<ProjectedWall>& ProjectionCache::get(const Map& map, SectorId 
     if (used_ == projections_.size()) projections_.emplace_back();
     *slot = {key, frame_, used_};
     project(map, sector, pose, screen, projections_[used_]);
+    walls_ += projections_[used_].size();
     return projections_[used_++];
 }
 

@@ -14,7 +14,8 @@ class ProjectionCache {
 public:
     void start_frame();
 
-    /// Where the sector's walls stand; projected now if nobody asked before. Valid until start_frame().
+    /// Where the sector's walls stand; projected now if nobody asked before, or what was known had to make room. Valid
+    /// until the next call.
     const std::vector<ProjectedWall>& get(const Map& map, SectorId sector, int pose_index, const Pose& pose,
                                           const Screen& screen);
 
@@ -32,6 +33,7 @@ private:
     std::vector<Slot> slots_{std::vector<Slot>(256)};  ///< a power of two, at most half full
     std::deque<std::vector<ProjectedWall>> projections_;
     std::uint32_t used_ = 0;
+    std::size_t walls_ = 0;  ///< of all that are used
     std::uint32_t frame_ = 1;
 };
 

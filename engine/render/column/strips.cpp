@@ -19,6 +19,8 @@ void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Map& map, const
                                   static_cast<int>(width * (strip + 1) / strips)};
         renderers_[strip].render_columns(frame, facts, map, textures, snapshot, view, columns);
     });
+    frame.is_cut_short = std::any_of(renderers_.begin(), renderers_.begin() + static_cast<std::ptrdiff_t>(strips),
+                                     [](const ColumnRenderer& strip) { return strip.counts().is_cut_short; });
 }
 
 }  // namespace enfilade

@@ -1,6 +1,7 @@
 // What is seen through one chain of portals, and the pool and stack that viewports live in.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Viewport {
     WallId entry;                  ///< the wall of `sector` the look comes in through; none for the eye's own sector
     int pose = 0;                  ///< index of the eye in the frame's list of poses
     int depth = 0;                 ///< portals looked through so far
+    std::uint32_t spent = 0;       ///< on the looks into this sector and those before it (render/look_budget.h)
     int begin = 0, end = 0;        ///< columns
     std::vector<OpenRows> rows;    ///< occlusion bounds [end - begin]
     std::vector<double> boundary;  ///< 1 / depth of the portal looked through [end - begin]; what is drawn lies beyond.

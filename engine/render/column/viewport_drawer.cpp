@@ -3,15 +3,12 @@
 #include <algorithm>
 
 #include "render/built_in.h"
+#include "render/look_budget.h"
 #include "render/open_steps.h"
 #include "render/picture_now.h"
 
 namespace enfilade::column {
 namespace {
-
-/// Viewports of one frame. A view into FreeDoom's largest maps takes a few hundred; this many have more columns than
-/// the largest picture has pixels, so it is only met by chains of links that lead on for ever.
-constexpr std::size_t kMostViewports = 1u << 16;
 
 constexpr double kBrightestDepth = 0;
 
@@ -145,8 +142,10 @@ void ViewportDrawer::open_behind(const Scene& scene, FrameState& state, int x, c
 Viewport* ViewportDrawer::child_of(const Scene& scene, FrameState& state, const Wall& wall,
                                    const ProjectedWall& projected) {
     const bool is_link = built_in::kLinks && wall.link != Wall::kNoLink;
-    if (state.pool.used() >= kMostViewports || (is_link && pose_.links >= scene.map.render.max_depth)) {
+    const bool is_spent = viewport_->spent >= kLookBudget;
+    if (is_spent || (is_link && pose_.links >= scene.map.render.max_depth)) {
         ++state.cut;
+        state.is_cut_short |= is_spent;
         return nullptr;
     }
     Viewport& child =
@@ -154,6 +153,7 @@ Viewport* ViewportDrawer::child_of(const Scene& scene, FrameState& state, const 
     child.sector = wall.behind;
     child.entry = wall.exit;
     child.depth = viewport_->depth + 1;
+    child.spent = viewport_->spent + cost_of_look_into(scene.map[wall.behind]);
     child.pose = viewport_->pose;
     if (is_link) {
         child.pose = static_cast<int>(state.poses.size());

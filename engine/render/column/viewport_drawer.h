@@ -22,6 +22,7 @@ struct FrameState {
     MaskedColumns masked;
     int deepest = 0;
     std::size_t cut = 0;
+    bool is_cut_short = false;
 };
 
 /// Holds the scratch memory for one viewport at a time.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/look_budget.h"
 #include "render/open_steps.h"
 #include "render/picture_now.h"
 #include "render/reference/pane.h"
@@ -149,13 +150,16 @@ Seen through_panes(const std::vector<Pane>& panes, Seen seen) {
     return seen;
 }
 
+bool is_spent(const Arrival& at) { return at.hit.spent >= kLookBudget; }
+
 Seen end_of_chain(const Arrival& at) {
     return {
-        kRecursionEnd, at.hit.depth * at.course.depth_scale, {}, pixel_of(at.scene.map.render.recursion_color), false};
+        kRecursionEnd, at.hit.depth * at.course.depth_scale, {}, pixel_of(at.scene.map.render.recursion_color), false,
+        is_spent(at)};
 }
 
 /// Where the ray ends if it ends at this wall: on the flats before it, on the wall, on a step, or because it has
-/// followed as many links as it may.
+/// followed as many links as it may, or spent its budget.
 std::optional<Seen> end_of_ray(const Arrival& at) {
     const SectorId sector = at.hit.sector;
     LightGrids* lights = at.scene.lights;
@@ -172,7 +176,8 @@ std::optional<Seen> end_of_ray(const Arrival& at) {
         if (below && has_lower_step(at.wall)) return wall(at, at.wall.lower, WallPart::lower);
     }
     const bool is_linked = at.wall.link != Wall::kNoLink;
-    if (is_linked && at.hit.space.links >= at.scene.map.render.max_depth) return end_of_chain(at);
+    const bool is_too_deep = is_linked && at.hit.space.links >= at.scene.map.render.max_depth;
+    if (is_too_deep || is_spent(at)) return end_of_chain(at);
     return std::nullopt;
 }
 

@@ -26,6 +26,7 @@ struct Seen {
     TexelPosition texel;      ///< 0, 0 at the end of a chain of links
     std::uint32_t color = 0;  ///< 0xAABBGGRR, shaded
     bool ambiguous = false;   ///< a decision on the way was closer than kAmbiguous
+    bool cut_short = false;   ///< it ended because its budget was spent (render/look_budget.h)
 };
 
 /// Follows the ray with this path in the plane. path, course.quarters and course.slope belong together.

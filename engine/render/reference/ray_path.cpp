@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/check.h"
+#include "render/look_budget.h"
 
 namespace enfilade {
 namespace {
@@ -49,6 +50,7 @@ void RayPath::add_next() {
     if (hits_.empty()) {
         start_step(first_space_);
         hits_.push_back(next_hit(first_space_, first_sector_));
+        hits_.back().spent = cost_of_look_into(map_[first_sector_]);
         return;
     }
     // A straight line crosses a wall at most once, so between two links no wall is met twice.
@@ -63,6 +65,7 @@ void RayPath::add_next() {
     const EyeSpace space = is_linked ? through(map_.passage(wall), last.space) : last.space;
     if (is_linked) start_step(space);
     hits_.push_back(next_hit(space, is_mirror ? last.sector : wall.behind));
+    hits_.back().spent = last.spent + cost_of_look_into(map_[hits_.back().sector]);
 }
 
 void RayPath::start_step(const EyeSpace& space) {
@@ -140,7 +143,7 @@ WallId RayPath::least_missed(const EyeSpace& space, SectorId sector) const {
 }
 
 RayHit RayPath::next_hit(const EyeSpace& space, SectorId sector) const {
-    RayHit hit{space, sector, nearest_covering(space, sector), 0, 0, false, {}};
+    RayHit hit{space, sector, nearest_covering(space, sector), 0, 0, 0, false, {}};
     const bool is_lost = hit.wall.is_none();
     if (is_lost) hit.wall = least_missed(space, sector);
     const Wall& wall = map_[hit.wall];

@@ -1,5 +1,6 @@
 #include "render/reference/reference_renderer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -54,22 +55,31 @@ public:
     }
 
     Seen look(int y) {
-        const RayCourse course = ray_course(projection_.ray(x_, y));
+        const Seen seen = follow(ray_course(projection_.ray(x_, y)));
+        is_cut_short_ |= seen.cut_short;
+        return seen;
+    }
+
+    /// Whether one of them ended because its budget was spent.
+    bool is_cut_short() const { return is_cut_short_; }
+
+private:
+    Seen follow(const RayCourse& course) {
         if (!view_.tilt) return enfilade::look(scene_, *path_, course);
         RayPath path(scene_.map, turned(view_, course.quarters), course.slope);
         return enfilade::look(scene_, path, course);
     }
 
-private:
     const Scene& scene_;
     const View& view_;
     const Projection& projection_;
     int x_;
     std::optional<RayPath> path_;
+    bool is_cut_short_ = false;
 };
 
-/// One ray a pixel: the centre's.
-void render_column(Frame& frame, FrameFacts* facts, const Scene& scene, const View& view, const Projection& projection,
+/// One ray a pixel: the centre's. True where one of them was cut short.
+bool render_column(Frame& frame, FrameFacts* facts, const Scene& scene, const View& view, const Projection& projection,
                    int x) {
     ColumnOfRays rays(scene, view, projection, x);
     for (int y = 0; y < frame.height; ++y) {
@@ -84,23 +94,27 @@ void render_column(Frame& frame, FrameFacts* facts, const Scene& scene, const Vi
         facts->writes[i] = 1;
         facts->ambiguous[i] = seen.ambiguous;
     }
+    return rays.is_cut_short();
 }
 
 /// Replaces the colours of a column by means of samples x samples rays a pixel. `fine` is the projection of a
-/// picture that many times larger, whose pixel centres are the samples.
-void supersample_column(Frame& frame, const Scene& scene, const View& view, const Projection& fine, int samples,
+/// picture that many times larger, whose pixel centres are the samples. True where a ray was cut short.
+bool supersample_column(Frame& frame, const Scene& scene, const View& view, const Projection& fine, int samples,
                         int x) {
     static const std::array<double, 256> linear = linear_light_table();
     std::vector<LightMean> means(static_cast<std::size_t>(frame.height));
+    bool is_cut_short = false;
     for (int sub_x = x * samples; sub_x < (x + 1) * samples; ++sub_x) {
         ColumnOfRays rays(scene, view, fine, sub_x);
         for (int sub_y = 0; sub_y < frame.height * samples; ++sub_y)
             means[static_cast<std::size_t>(sub_y / samples)].add(linear, rays.look(sub_y).color);
+        is_cut_short |= rays.is_cut_short();
     }
     for (int y = 0; y < frame.height; ++y)
         frame
             .pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x)] =
             means[static_cast<std::size_t>(y)].color(samples * samples);
+    return is_cut_short;
 }
 
 }  // namespace
@@ -114,12 +128,14 @@ void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const Tex
     const Scene scene{map, textures, snapshot, lights.start(map) ? &lights : nullptr};
     frame.resize(frame.width, frame.height);
     if (facts) reset(*facts, frame.width, frame.height);
+    std::vector<char> cut_short(static_cast<std::size_t>(frame.width));
     const auto column = [&](std::size_t index, std::size_t) {
         const int x = static_cast<int>(index);
-        if (facts || options.samples == 1) render_column(frame, facts, scene, view, projection, x);
-        if (options.samples > 1) supersample_column(frame, scene, view, fine, options.samples, x);
+        if (facts || options.samples == 1) cut_short[index] |= render_column(frame, facts, scene, view, projection, x);
+        if (options.samples > 1) cut_short[index] |= supersample_column(frame, scene, view, fine, options.samples, x);
     };
     parallel_for(static_cast<std::size_t>(frame.width), static_cast<std::size_t>(options.workers), column);
+    frame.is_cut_short = std::ranges::count(cut_short, 0) != frame.width;
 }
 
 }  // namespace enfilade

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/look_budget.h"
 #include "render/stencil/panorama.h"
 #include "render/stencil/room_look.h"
 #include "render/stencil/room_panes.h"
@@ -11,8 +12,8 @@
 namespace enfilade::stencil {
 namespace {
 
-/// Sectors looked into for one frame. A view into a large map takes a few hundred; only links that lead on for ever
-/// meet this.
+/// Sectors looked into for one frame, whatever the looks' own budgets (render/look_budget.h). A view into a large map
+/// takes a few hundred; only links that lead on for ever meet this.
 constexpr std::size_t kMostVisits = 1u << 16;
 
 /// Layers of one frame: each is drawn and masked on its own.
@@ -21,6 +22,7 @@ constexpr std::size_t kMostLayers = 1u << 13;
 /// A doorway that leads out of the layer being filled, and what is open behind it.
 struct OpenExit {
     Exit exit;
+    bool is_spent;              ///< all looks that led here have spent their budget
     std::vector<Visit> visits;  ///< the looks through it, one for each face
 };
 
@@ -46,12 +48,13 @@ private:
         first.pose = pose_of(view);
         first.box = {0, rays_.width, 0, rays_.height};
         std::vector<Visit>& visits = first_visits_.emplace_back();
+        const std::uint32_t spent = cost_of_look_into(map()[view.sector]);
         if (rays_.is_tilted) {
             for (std::size_t face = 0; face < kFaces; ++face)
-                visits.push_back({view.sector, {}, {}, panorama_window(screen_, rays_, face), face, 0});
+                visits.push_back({view.sector, {}, {}, panorama_window(screen_, rays_, face), face, 0, spent});
         } else {
             const std::vector<OpenRows> rows(static_cast<std::size_t>(screen_.width), OpenRows{0, screen_.height});
-            visits.push_back({view.sector, {}, {}, {0, rows}, 0, 0});
+            visits.push_back({view.sector, {}, {}, {0, rows}, 0, 0, spent});
         }
     }
 
@@ -97,11 +100,22 @@ private:
         if (beyond.is_empty()) return;
         if (portal.middle.texture && !rays_.is_tilted) note_hanging(layer, wall, beyond);
         const Visit& here = room_.visit();
-        Visit visit{portal.behind, portal.exit, wall, std::move(beyond), here.face, here.depth + 1};
-        if (leads_out(portal))
-            note_exit(wall.wall, nearest, std::move(visit));
-        else if (plan_.rooms.size() + visits_.size() < kMostVisits)
+        Visit visit{portal.behind,
+                    portal.exit,
+                    wall,
+                    std::move(beyond),
+                    here.face,
+                    here.depth + 1,
+                    here.spent + cost_of_look_into(map()[portal.behind])};
+        if (leads_out(portal) || is_spent(here))
+            note_exit(wall.wall, nearest, is_spent(here), std::move(visit));
+        else
             visits_.push_back(std::move(visit));
+    }
+
+    /// Whether a look that got here goes no further.
+    bool is_spent(const Visit& here) const {
+        return here.spent >= kLookBudget || plan_.rooms.size() + visits_.size() >= kMostVisits;
     }
 
     /// The picture that hangs in a portal, in every run of columns in which one looks through.
@@ -126,13 +140,14 @@ private:
     }
 
     /// One portal may be seen through several chains of doorways: they all show parts of the same picture.
-    void note_exit(WallId wall, double nearest, Visit visit) {
+    void note_exit(WallId wall, double nearest, bool is_spent, Visit visit) {
         const auto is_it = [&](const OpenExit& seen) { return seen.exit.wall == wall; };
         const auto found = std::find_if(exits_.begin(), exits_.end(), is_it);
         if (found == exits_.end()) {
-            exits_.push_back({{wall, nearest, Exit::kCut}, {std::move(visit)}});
+            exits_.push_back({{wall, nearest, Exit::kCut}, is_spent, {std::move(visit)}});
             return;
         }
+        found->is_spent &= is_spent;
         found->exit.nearest = std::max(found->exit.nearest, nearest);
         const auto is_face = [&](const Visit& other) { return other.face == visit.face; };
         const auto same = std::find_if(found->visits.begin(), found->visits.end(), is_face);
@@ -148,21 +163,22 @@ private:
         for (OpenExit& seen : exits_) {
             Layer child = layer_behind(plan_.layers[layer], seen);
             if (child.box.is_empty()) continue;
-            if (may_follow(plan_.layers[layer], map()[seen.exit.wall])) {
+            const bool is_spent = seen.is_spent || plan_.layers.size() >= kMostLayers;
+            if (!is_spent && may_follow(plan_.layers[layer], map()[seen.exit.wall])) {
                 seen.exit.layer = plan_.layers.size();
                 plan_.deepest = std::max(plan_.deepest, child.level);
                 plan_.layers.push_back(std::move(child));
                 first_visits_.push_back(std::move(seen.visits));
             } else {
                 ++plan_.cut;
+                plan_.is_cut_short |= is_spent;
             }
             plan_.layers[layer].exits.push_back(seen.exit);
         }
     }
 
     bool may_follow(const Layer& layer, const Wall& portal) const {
-        if (layer.level >= kDeepestLevel || plan_.layers.size() >= kMostLayers || plan_.rooms.size() >= kMostVisits)
-            return false;
+        if (layer.level >= kDeepestLevel) return false;
         return portal.link == Wall::kNoLink || layer.pose.links < map().render.max_depth;
     }
 

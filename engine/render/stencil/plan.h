@@ -59,6 +59,7 @@ struct Plan {
     std::vector<Layer> layers;
     std::vector<SeenRoom> rooms;  ///< looked into, chains counted one by one
     std::size_t cut = 0;          ///< exits that were not followed because a limit was reached
+    bool is_cut_short = false;    ///< that was a limit on the work of a frame for at least one of them
     int deepest = 0;              ///< level of the deepest layer
 };
 

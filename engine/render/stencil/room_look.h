@@ -15,8 +15,9 @@ struct Visit {
     WallId entry;          ///< none for the eye's own sector
     WallOnScreen doorway;  ///< the portal looked through, from its other side; where there is an entry
     Window window;
-    std::size_t face = 0;  ///< of the panorama
-    int depth = 0;         ///< portals looked through
+    std::size_t face = 0;     ///< of the panorama
+    int depth = 0;            ///< portals looked through
+    std::uint32_t spent = 0;  ///< on the looks into this sector and those before it (render/look_budget.h)
 };
 
 /// Holds the scratch memory for one visit at a time.

@@ -88,6 +88,7 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
     objects->painter.paint(objects->target, scene, plan, mesh, ranges, with_facts);
     objects->target.read(frame);
     if (with_facts) objects->target.read(*frame_facts);
+    frame.is_cut_short = plan.is_cut_short;
     counts = {plan.layers.size(),     0,           plan.rooms.size(), plan.cut, objects->painter.draws(),
               mesh.index_count() / 3, plan.deepest};
     for (const Layer& layer : plan.layers) counts.sectors += layer.sectors.size();

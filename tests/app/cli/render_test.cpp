@@ -192,5 +192,34 @@ TEST_F(Render, SaysWhenAPictureCannotBeWritten) {
     EXPECT_THAT(ended.err, HasSubstr("no/such/a.png"));
 }
 
+/// A hall 125 m long of whose north walls, 500 of them, each leads in again by the south wall opposite.
+std::string hall_of_links() {
+    std::string north, south, vertices;
+    for (int i = 0; i < 500; ++i) {
+        const std::string n = std::to_string(i), s = std::to_string(499 - i);
+        north += "{ name = \"n" + n + "\", next = \"hall\", via = \"s" + n + "\" }, ";
+        south += "{ name = \"s" + s + "\", next = \"hall\", via = \"n" + s + "\" }, ";
+        vertices += std::to_string(i / 4.0) + ", 0, ";
+    }
+    vertices += "125, 0, ";
+    for (int i = 500; i > 0; --i) vertices += std::to_string(i / 4.0) + ", 4, ";
+    return "format = 1\nrender = { max_depth = 1024 }\nplayer = { sector = \"hall\", x = 62, y = 2, z = 0, yaw = -90 "
+           "}\n"
+           "[[sectors]]\nname = \"hall\"\nfloor = { z = -500, texture = \"-\" }\n"
+           "ceiling = { z = 500, texture = \"-\" }\n[[sectors.loops]]\nv = [" +
+           vertices + "0, 4]\nwalls = [" + north + "{ texture = \"-\" }, " + south + "{ texture = \"-\" }]\n";
+}
+
+TEST_F(Render, SaysWhereLooksGoTooFar) {
+    program_.write("links.toml", hall_of_links());
+    for (const char* renderer : {"column", "stencil", "reference"}) {
+        const Ended ended =
+            program_.run({"render", "links.toml", "--size", "64x40", "--renderer", renderer, "--out", "a.png"});
+        EXPECT_EQ(ended.exit_code, 0) << ended.err;
+        EXPECT_THAT(ended.err, HasSubstr("a.png: note: in 1 picture looks through doorways went too far")) << renderer;
+    }
+    EXPECT_THAT(render({"--out", "a.png"}).err, Not(HasSubstr("went too far")));
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -8,6 +8,8 @@
 
 #include "base/random.h"
 #include "math/predicates.h"
+#include "render/column/projection_cache.h"
+#include "support/count_allocations.h"
 
 namespace enfilade::column {
 namespace {
@@ -154,6 +156,23 @@ TEST(IsBeyond, LeavesTheEntrysOwnPlaneToTheRoomBefore) {
     EXPECT_TRUE(is_beyond(beyond, entry));
     EXPECT_FALSE(is_beyond(coplanar, entry));
     EXPECT_FALSE(is_beyond(before, entry));
+}
+
+TEST(ProjectionCache, ForgetsWhatTakesTooMuchMemory) {
+    std::vector<Vec2> outline;
+    for (int i = 0; i <= 1000; ++i) outline.push_back({i * 0.25, 0});
+    for (const Vec2 far : {Vec2{250, 400}, Vec2{0, 400}}) outline.push_back(far);
+    const Map map = room(outline);
+    const Screen screen = screen_of(640);
+    const Pose pose = pose_at({125.0625, 200}, Angle::from_degrees(-90));
+    ProjectionCache cache;
+    const std::size_t first = cache.get(map, SectorId(0u), 0, pose, screen).size();
+    const std::size_t before = test::restart_peak();
+    constexpr int kPoses = 12'000;
+    for (int i = 1; i < kPoses; ++i) ASSERT_EQ(cache.get(map, SectorId(0u), i, pose, screen).size(), first);
+    EXPECT_GT(first * sizeof(ProjectedWall) * kPoses, std::size_t{300} << 20);  // there is something to forget
+    EXPECT_LT(test::peak_bytes() - before, std::size_t{300} << 20);
+    EXPECT_EQ(cache.get(map, SectorId(0u), 0, pose, screen).size(), first);
 }
 
 }  // namespace
