@@ -48,6 +48,11 @@ std::optional<Cone> cone_of(const Face& wall, Vec2 p, const std::optional<Cone>&
     return seen;
 }
 
+bool is_within(const Cone& cone, const Cone& wide, Vec2 p) {
+    return (cone.left == wide.left || is_left_of(wide.left, cone.left, p)) &&
+           (cone.right == wide.right || is_left_of(cone.right, wide.right, p));
+}
+
 Stretch stretch_in(const Face& wall, Vec2 p, const Cone& cone) {
     return {cone.left == wall.a ? wall.a : seen_past(wall, p, cone.left, wall.a),
             cone.right == wall.b ? wall.b : seen_past(wall, p, cone.right, wall.b)};

@@ -24,6 +24,9 @@ struct Face {
 /// p: where the eye is, on the point grid.
 std::optional<Cone> cone_of(const Face& wall, Vec2 p, const std::optional<Cone>& window);
 
+/// True where every direction of the cone is in `wide`, too. Both are parts of what is seen of one wall from p.
+bool is_within(const Cone& cone, const Cone& wide, Vec2 p);
+
 /// A stretch of a wall; neither end needs to be on a grid, unless it is an end of the wall.
 struct Stretch {
     Vec2 a, b;

@@ -31,6 +31,7 @@ public:
             const Room room = rooms_[i];
             found_.sectors.push_back({room.sector, room.passage});
             const Sector& sector = map_[room.sector];
+            found_.walls_looked_at += sector.wall_count;
             for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w)
                 look_at(room, WallId(w));
             if (sector.active_panels > 0) look_at_panels(room, sector);
@@ -78,14 +79,26 @@ private:
 
     enum class End : std::uint8_t { a, b };
 
+    /// The end of a portal that was gone around, in the space that its room was entered in.
+    struct Corner {
+        WallId portal;
+        End end;
+        Rigid passage;
+        bool operator==(const Corner&) const = default;
+    };
+
     /// Goes from room to room around the end of an open portal. A wall that ends there blocks with that end, also where
     /// the rooms together make more than a full turn, so that no straight look shows the wall.
     void look_around_corner(const Room& room, WallId portal, End end) {
         const Vec2 corner = end == End::a ? map_[portal].a : map_[portal].b;
         if (!segment_is_nearer(corner, corner, room.centre, radius_)) return;
+        const Corner here{portal, end, room.passage};
+        if (std::ranges::find(corners_, here) != corners_.end()) return;
+        corners_.push_back(here);
         Rigid passage = room.passage;
         WallId at = portal;
         for (int i = 0; i < kMaxRoomsAroundCorner; ++i) {
+            ++found_.walls_looked_at;
             passage = then(passage, map_.passage(map_[at]));
             const Wall& exit = map_[map_[at].exit];
             at = end == End::a ? exit.next : exit.previous;
@@ -128,11 +141,19 @@ private:
     bool pass(const Room& room, WallId id, const Cone& cone) {
         const Wall& wall = map_[id];
         if (rooms_.size() >= kMaxReachedSectors || !is_open(id, room.passage)) return false;
-        if (wall.link == Wall::kNoLink) {
-            rooms_.push_back({wall.behind, room.passage, room.centre, cone, wall.exit});
-            return true;
-        }
-        return pass_link(room, wall, cone);
+        if (wall.link != Wall::kNoLink) return pass_link(room, wall, cone);
+        enter({wall.behind, room.passage, room.centre, cone, wall.exit});
+        return true;
+    }
+
+    /// A look that has been taken shows nothing new. Without this a fan of rooms that each consist of many parts would
+    /// be gone through by every part of every room before: portals behind other walls are passed, too.
+    void enter(const Room& room) {
+        const auto shows_as_much = [&](const Room& other) {
+            return other.entrance == room.entrance && other.passage == room.passage && other.centre == room.centre &&
+                   is_within(*room.window, *other.window, room.centre);
+        };
+        if (std::none_of(rooms_.begin() + 1, rooms_.end(), shows_as_much)) rooms_.push_back(room);
     }
 
     bool pass_link(const Room& room, const Wall& wall, const Cone& cone) {
@@ -143,7 +164,7 @@ private:
         const auto carried = [&](Vec2 v) {
             return v == wall.a ? exit.b : v == wall.b ? exit.a : snap_to_point_grid(link.apply(v));
         };
-        rooms_.push_back(
+        enter(
             {wall.behind, then(room.passage, link), *centre, Cone{carried(cone.left), carried(cone.right)}, wall.exit});
         return true;
     }
@@ -153,6 +174,7 @@ private:
     double radius_;
     const MayPass& may_pass_;
     ShortList<Room, 16> rooms_;
+    ShortList<Corner, 16> corners_;
     Reach found_;
 };
 

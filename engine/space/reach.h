@@ -33,6 +33,7 @@ struct ReachedSector {
 struct Reach {
     ShortList<ReachedWall, 16> walls;      ///< and panels
     ShortList<ReachedSector, 16> sectors;  ///< the place's own first; one that is overlapped in two ways is there twice
+    std::size_t walls_looked_at = 0;       ///< what it cost: those of sectors, and those at the ends of portals
 };
 
 /// Everything nearer to the place than `radius`; touching at exactly that distance does not count. Exact where a wall
@@ -40,8 +41,9 @@ struct Reach {
 ///
 /// radius   : on the point grid [m]; 0 reaches the place's own sector only
 /// may_pass : asked for each portal the disc touches; empty: every portal may be passed
-/// Cost: the walls of the sectors overlapped, and their panels where some block; takes no memory where they are few.
-/// Beyond kMaxReachedSectors, portals count as walls.
+/// Cost: the walls of the sectors overlapped, and their panels where some block, once for each look into one that shows
+/// more than those before; and once around each end of a portal that is touched, at most 256 rooms. Reach says how many
+/// walls that were. Takes no memory where they are few. Beyond kMaxReachedSectors looks, portals count as walls.
 Reach reach(const Map& map, const Place& place, double radius, const MayPass& may_pass = {});
 
 /// A disc as large as a body overlaps a dozen sectors on a fine stair. Around a point where links meet at a small

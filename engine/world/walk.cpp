@@ -17,6 +17,8 @@ constexpr std::array<double, 4> kStepsOff{0, 1, 2, 4};
 /// Parts of the way that are tried where the whole does not fit [1].
 constexpr std::array<double, 6> kPartsOfWay{0x1p-1, 0x1p-2, 0x1p-3, 0x1p-4, 0x1p-6, 0x1p-8};
 
+static_assert(kMostQueries == kMaxTouches * (1 + (1 + kPartsOfWay.size()) * kStepsOff.size()));
+
 double round_towards(double x, double sign) {
     const double nearest = snap_to_point_grid(x);
     if (sign > 0 && nearest < x) return nearest + kPointGrid;
@@ -80,7 +82,7 @@ public:
         for (int touches = 0; touches < kMaxTouches && move_ != Vec2{}; ++touches)
             if (!go_to_next_touch()) break;
         velocity_ = normals_.left_of(velocity_, kPointGrid / seconds);
-        return {body_.place, passage_, velocity_, std::move(crossings_)};
+        return {body_.place, passage_, velocity_, std::move(crossings_), queries_, walls_looked_at_};
     }
 
 private:
@@ -109,9 +111,15 @@ private:
     }
 
     /// What the disc might touch on a way of this length.
-    Reach within(double way) const {
+    Reach within(double way) {
         const double radius = snap_to_point_grid(body_.radius + way) + kPointGrid;
-        return reach(map_, body_.place, radius, [this](WallId p, const Rigid& r) { return may_pass(p, r); });
+        return counted(reach(map_, body_.place, radius, [this](WallId p, const Rigid& r) { return may_pass(p, r); }));
+    }
+
+    Reach counted(Reach found) {
+        ++queries_;
+        walls_looked_at_ += found.walls_looked_at;
+        return found;
     }
 
     static std::optional<Contact> nearer_of(const std::optional<Contact>& a, const std::optional<Contact>& b) {
@@ -161,7 +169,7 @@ private:
                 bodies_may_cross(map_));
             if (way.is_stopped()) return false;
             const Body there = carried(way);
-            const Reach found = around(now_, there);
+            const Reach found = counted(around(now_, there));
             Obstacles things = obstacles_beside(there, 0);
             things.erase_if([&](const Obstacle& obstacle) { return !overlaps(map_, obstacle); });
             if (things.empty() && fits(now_, there, found)) {
@@ -219,6 +227,8 @@ private:
     Rigid passage_;
     Crossings crossings_;
     Normals normals_;
+    int queries_ = 0;
+    std::size_t walls_looked_at_ = 0;
 
     /// A thing that the body was in when the walk began, and how far from its middle.
     struct Overlapped {

@@ -9,8 +9,9 @@
 
 #include "base/random.h"
 #include "math/grid.h"
+#include "space/locate.h"
 #include "space/mosaic.h"
-#include "support/map_builder.h"
+#include "support/generate_map.h"
 
 namespace enfilade {
 namespace {
@@ -304,6 +305,36 @@ TEST(Reach, LooksAcrossACornerItStandsOn) {
     const Reach found = reach(built(file), {SectorId(3u), {2, 2}}, 1);
     EXPECT_THAT(found.walls, IsEmpty());
     for (std::uint32_t s = 0; s < 4; ++s) EXPECT_TRUE(overlaps(found, SectorId(s))) << s;
+}
+
+/// The most that a disc of this radius costs anywhere near the middle of a fan.
+struct Cost {
+    std::size_t rooms = 0, walls = 0;
+};
+
+Cost cost_near_the_middle(const Map& map, double radius, double spread) {
+    Random random(1);
+    Cost most;
+    for (int i = 0; i < 300; ++i) {
+        const Vec2 p = snap_to_point_grid(Vec2{random.uniform(-spread, spread), random.uniform(-spread, spread)});
+        const Reach found = reach(map, {locate(map, p), p}, radius);
+        most.rooms = std::max(most.rooms, found.sectors.size());
+        most.walls = std::max(most.walls, found.walls_looked_at);
+    }
+    return most;
+}
+
+// Portals of parts that a look does not lead to are passed, too, so each part may be entered from many others. All the
+// way round one gets back into the part that one stands in.
+TEST(ReachCost, InAFanOfScatteredSectorsGrowsWithItsParts) {
+    for (const std::size_t sectors : {2u, 4u, 5u, 8u})
+        for (const std::size_t parts : {40u, 80u, 120u}) {
+            const Map map = built(fan_of_scattered_sectors(parts, sectors));
+            const Cost most = cost_near_the_middle(map, 0.35, 0.4);
+            const std::size_t walls_each = 3 * parts / sectors, around_corners = parts * parts;
+            EXPECT_LE(most.rooms, parts + 1) << sectors << " sectors of " << parts << " parts";
+            EXPECT_LE(most.walls, (parts + 1) * walls_each + around_corners);
+        }
 }
 
 }  // namespace

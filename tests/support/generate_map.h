@@ -137,6 +137,24 @@ inline MapFile fan_of_sectors(std::size_t count) {
     return file;
 }
 
+/// The same fan, each sector made of every `sectors`-th of the parts; parts is a multiple of sectors, sectors >= 2.
+inline MapFile fan_of_scattered_sectors(std::size_t parts, std::size_t sectors) {
+    const auto label = [&](const std::string& name) {
+        return "s" + std::to_string(std::stoul(name.substr(1)) % sectors);
+    };
+    MapFile fan = fan_of_sectors(parts), file = map_of({});
+    for (std::size_t i = 0; i < parts; ++i) {
+        LoopRecord& part = fan.sectors[i].loops.front();
+        for (WallRecord& wall : part.walls)
+            if (!wall.next.empty()) wall.next = label(wall.next);
+        if (i < sectors)
+            file.sectors.push_back(std::move(fan.sectors[i]));
+        else
+            file.sectors[i % sectors].loops.push_back(std::move(part));
+    }
+    return file;
+}
+
 /// One sector whose outline is a comb of thin teeth: 4 walls a tooth, every tooth as long as the comb.
 inline MapFile comb(std::size_t teeth) {
     std::vector<Vec2> outline;

@@ -6,6 +6,8 @@
 
 #include "base/random.h"
 #include "math/predicates.h"
+#include "space/locate.h"
+#include "support/generate_map.h"
 #include "world/door_and_link.h"
 #include "world/game.h"
 #include "world/walk.h"
@@ -297,6 +299,39 @@ TEST(Walk, GoesAnyDistanceInOneTickWithoutPassingAWall) {
         const Walk gone = walk(game.map, body, velocity, kTickSeconds);
         body.place = gone.end;
         EXPECT_TRUE(fits(game.map, body, around(game.map, body)));
+    }
+}
+
+/// The dearest of many walks near the middle of a fan.
+struct Dearest {
+    int queries = 0;
+    std::size_t walls_a_query = 0;
+};
+
+Dearest dearest_walk(const Map& map, double speed) {
+    Random random(1);
+    const History nothing;
+    Dearest most;
+    for (int i = 0; i < 500; ++i) {
+        const Vec2 p = snap_to_point_grid(Vec2{random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)});
+        const Instant now(map, nothing, 0.0);
+        const Body body = body_of(now, player_at(map, {locate(map, p), p, kEyeOnFloor, {}}));
+        const Vec2 velocity{random.uniform(-speed, speed), random.uniform(-speed, speed)};
+        const Walk walked = walk(now, body, velocity, kTickSeconds);
+        most.queries = std::max(most.queries, walked.queries);
+        most.walls_a_query =
+            std::max(most.walls_a_query, walked.walls_looked_at / static_cast<std::size_t>(walked.queries));
+    }
+    return most;
+}
+
+TEST(WalkCost, WhereManyRoomsMeetFollowsTheRoomsOnceEach) {
+    constexpr std::size_t kParts = 120, kSectors = 4;
+    const Map map = built(fan_of_scattered_sectors(kParts, kSectors));
+    for (const double speed : {4.0, 40.0, 2000.0}) {
+        const Dearest most = dearest_walk(map, speed);
+        EXPECT_LE(most.walls_a_query, (kParts + 1) * (3 * kParts / kSectors) + kParts * kParts) << speed;
+        EXPECT_LE(most.queries, 2) << speed << ": nothing is in the way";
     }
 }
 
