@@ -21,9 +21,11 @@ struct PngHolder {
     ~PngHolder() { png_image_free(&image); }
 };
 
-/// libpng gets memory by itself, and says so in the same way as everything else.
+/// libpng gets memory by itself, and where there is none says so as it says everything else: "Out of memory",
+/// "png_image_read: out of memory", "insufficient memory".
 void heed_shortage(const png_image& image) {
-    if (std::strstr(image.message, "memory")) out_of_memory();
+    for (const char* shortage : {"ut of memory", "nsufficient memory"})
+        if (std::strstr(image.message, shortage)) out_of_memory();
 }
 
 Error not_an_image(const png_image& image) {

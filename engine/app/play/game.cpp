@@ -116,7 +116,7 @@ Status Game::save(const std::string& path) const {
     const auto text = read_file(path_);
     if (!text.ok() || hash_of_text(as_text(text.value())) != map_hash_)
         return Error{path,
-                     "not saved: " + path_ +
+                     "the game is not saved: " + path_ +
                          " is no longer the map that is played, so the game could not be loaded again; put it back "
                          "as it was, or mend it"};
     std::error_code failed;

@@ -32,13 +32,14 @@ void Notices::say(std::string text, double now_s, double seconds) {
 void Notices::draw(Overlay& overlay, double now_s) {
     std::erase_if(notices_, [&](const Notice& notice) { return notice.until_s <= now_s; });
     const int margin = overlay.line_height() / 2;
-    int y = margin;
-    for (const Notice& notice : notices_) {
-        overlay.rimmed_text(margin, y, notice.text, kInk);
-        y += overlay.line_height();
-    }
-    if (pinned_.empty()) return;
     const auto most = std::size_t(std::max(8, (overlay.width() - 4 * margin) / (Font::kWidth * overlay.scale())));
+    int y = margin;
+    for (const Notice& notice : notices_)
+        for (const std::string& piece : wrapped(notice.text, most)) {
+            overlay.rimmed_text(margin, y, piece, kInk);
+            y += overlay.line_height();
+        }
+    if (pinned_.empty()) return;
     std::vector<std::string> lines;
     for (const std::string& line : pinned_)
         for (std::string& piece : wrapped(line, most)) lines.push_back(std::move(piece));

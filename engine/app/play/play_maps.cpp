@@ -88,7 +88,7 @@ void PlayLoop::leave_map() {
 
 void PlayLoop::save_game() {
     const Status failed = game_.save(options_.save);
-    tell(failed ? failed->text() : "Saved. F9 comes back here; the two games before are kept beside it.");
+    tell(failed ? failed->what : "Saved. F9 comes back here; the two games before are kept beside it.");
 }
 
 void PlayLoop::load_game() {

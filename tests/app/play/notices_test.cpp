@@ -34,6 +34,21 @@ TEST_F(NoticesOnBlack, VanishAfterTheirTime) {
     EXPECT_FALSE(shown(13));
 }
 
+TEST_F(NoticesOnBlack, GoOnInTheNextLineWhereTheyAreLong) {
+    notices_.say("saved", 0);
+    shown(1);
+    const Frame one_line = frame_;
+    notices_ = {};
+    notices_.say("this has more letters than the picture has room for in one line", 0);
+    shown(1);
+    const auto lit_below = [](const Frame& frame) {
+        const auto below = frame.pixels.begin() + 3 * Font::kHeight / 2 * frame.width;
+        return std::any_of(below, frame.pixels.end(), [](Color color) { return color != kBlack; });
+    };
+    EXPECT_FALSE(lit_below(one_line));
+    EXPECT_TRUE(lit_below(frame_));
+}
+
 TEST_F(NoticesOnBlack, StayWhilePinned) {
     notices_.pin({"map.toml:3:1: error: something"});
     EXPECT_TRUE(shown(1e6));
