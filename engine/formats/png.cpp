@@ -24,7 +24,7 @@ struct PngHolder {
 /// libpng gets memory by itself, and where there is none says so as it says everything else: "Out of memory",
 /// "png_image_read: out of memory", "insufficient memory".
 void heed_shortage(const png_image& image) {
-    for (const char* shortage : {"ut of memory", "nsufficient memory"})
+    for (const char* shortage : {"ut of memory", "ut of Memory", "nsufficient memory"})
         if (std::strstr(image.message, shortage)) out_of_memory();
 }
 
