@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "base/terminal.h"
 #include "formats/number_text.h"
 
 namespace enfilade {
 
 CutShortNote::~CutShortNote() {
-    if (count_ > 0) fmt::print(stderr, "{}: note: in {} {}\n", out_, counted(count_, "picture"), kCutShort);
+    if (count_ == 0) return;
+    print_text(stderr, fmt::format("{}: note: in {} {}\n", out_, counted(count_, "picture"), kCutShort));
 }
 
 }  // namespace enfilade
