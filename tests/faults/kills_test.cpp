@@ -1,7 +1,10 @@
 // Processes that are killed at random moments: every file is the old one or the new one, whole.
 #include <gmock/gmock.h>
 
+#include <unistd.h>
+
 #include <chrono>
+#include <filesystem>
 
 #include "app/play/game.h"
 #include "base/random.h"
@@ -33,7 +36,7 @@ TEST_F(Killed, AtARandomMomentLeavesWholeFiles) {
         std::size_t killed = 0, changed = 0;
         for (std::size_t trial = 0; trial < trials(20, 200); ++trial) {
             const auto after_us = static_cast<unsigned>(random_.below(duration + duration / 4));
-            killed += shop_.run_and_kill(work, after_us).status == 128 + 9 ? 1 : 0;
+            killed += shop_.run_and_kill(work, [&] { usleep(after_us); }).status == 128 + 9 ? 1 : 0;
             EXPECT_THAT(shop_.broken_files(work, false), IsEmpty()) << work.name << " after " << after_us << " us";
             changed += shop_.broken_files(work, true).size() < work.files.size() ? 1 : 0;
             shop_.clean_up();
@@ -54,9 +57,16 @@ TEST_F(Killed, WhileRecordingLeavesATapeThatCanBePlayed) {
                                 },
                                 {}};
     auto game = Game::start(shop_.path("map.toml"), {}).value();
+    const std::string tape = shop_.path("walk.tape");
     for (std::size_t trial = 0; trial < trials(20, 200); ++trial) {
-        shop_.run_and_kill(record, static_cast<unsigned>(20'000 + random_.below(30'000)));
-        const Status refused = game->load_saved(shop_.path("walk.tape"));
+        std::filesystem::remove(tape);
+        shop_.run_and_kill(record, [&] {
+            constexpr std::size_t kSomeTicks = 1000;  // [bytes]
+            std::error_code missing;
+            while (std::filesystem::file_size(tape, missing) < kSomeTicks || missing) usleep(1000);
+            usleep(static_cast<unsigned>(random_.below(20'000)));
+        });
+        const Status refused = game->load_saved(tape);
         EXPECT_FALSE(refused) << refused->text();
         EXPECT_GT(game->world().tick, 0u);
     }

@@ -72,7 +72,7 @@ TEST_F(Shortage, OfMemoryForGoodEndsInASentence) {
 TEST_F(Shortage, OfDiskEndsInASentence) {
     for (const Call call : {Call::open, Call::write, Call::flush, Call::rename})
         for (const Workshop::Work& work : shop_.works())
-            for (const bool all_after : {false, true}) fail_each(work, call, ~std::size_t{0}, 1, all_after);
+            for (const bool all_after : {false, true}) fail_each(work, call, trials(8, ~std::size_t{0}), 7, all_after);
 }
 
 }  // namespace

@@ -161,10 +161,10 @@ Outcome Workshop::run(const Work& work, const std::function<void()>& prepare) co
     return outcome_of(start(work, prepare));
 }
 
-Outcome Workshop::run_and_kill(const Work& work, unsigned after_us) const {
+Outcome Workshop::run_and_kill(const Work& work, const std::function<void()>& wait) const {
     put_old_files(work);
     const int process = start(work, [] {});
-    usleep(after_us);
+    wait();
     kill(process, SIGKILL);
     return outcome_of(process);
 }

@@ -33,9 +33,9 @@ public:
     /// Does the work in a process of its own, after `prepare` there; the files are the old ones when it begins.
     Outcome run(const Work& work, const std::function<void()>& prepare) const;
 
-    /// The same, killed (SIGKILL) after so many microseconds; the status is that of a killed process, or of one that
-    /// was faster.
-    Outcome run_and_kill(const Work& work, unsigned after_us) const;
+    /// The same, killed (SIGKILL) when `wait` has returned; the status is that of a killed process, or of one that was
+    /// faster.
+    Outcome run_and_kill(const Work& work, const std::function<void()>& wait) const;
 
     /// The names of those of the work's files that are neither as they were nor as they should become; with
     /// `must_be_new`, that are not as they should become.
