@@ -12,16 +12,6 @@ void tell(World& world, NewsKind kind, std::uint32_t number = 0) { world.news = 
 
 bool has_key(const World& world, std::uint32_t key) { return key == Trigger::kNoKey || (world.keys >> key & 1); }
 
-/// Stands the player where the thing is; nothing is drawn of the way there.
-void teleport(const Map& map, World& world, ThingId destination) {
-    const Thing& there = map[destination];
-    const Heights room = heights_of(now(map, world), there.sector);
-    const double eye_z = room.floor_z + eye_height(kStandingHeight);
-    const Player arrived = player_at(now(map, world), {there.sector, there.position, eye_z, there.yaw});
-    world.player = world.before = arrived;
-    world.passage = {};
-}
-
 /// Calls visit(id) for each trigger of a range that the occasion is right for.
 template <class Visit>
 void each_on(const Map& map, TriggerRange range, Occasion on, Visit visit) {
@@ -107,6 +97,19 @@ ShortList<ThingId, 16> things_touched(const Map& map, const World& world) {
     std::sort(found.begin(), found.end());
     found.erase_from(std::unique(found.begin(), found.end()));
     return found;
+}
+
+/// Stands the player where the thing is; nothing is drawn of the way there. What it arrives in counts as touched, so
+/// that two things which teleport to each other do not throw it to and fro.
+void teleport(const Map& map, World& world, ThingId destination) {
+    const Thing& there = map[destination];
+    const Heights room = heights_of(now(map, world), there.sector);
+    const double eye_z = room.floor_z + eye_height(kStandingHeight);
+    const Player arrived = player_at(now(map, world), {there.sector, there.position, eye_z, there.yaw});
+    world.player = world.before = arrived;
+    world.passage = {};
+    const ShortList<ThingId, 16> touched = things_touched(map, world);
+    world.touched.assign(touched.begin(), touched.end());
 }
 
 /// Who is well leaves what heals.

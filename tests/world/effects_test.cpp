@@ -291,6 +291,30 @@ TEST(Teleport, StandsThePlayerWhereTheThingIs) {
     EXPECT_EQ(game.player().velocity, (Vec2{}));
 }
 
+/// A disc on the floor that teleports whoever touches it to another thing.
+ThingRecord disc(std::string name, Vec2 position, std::string to) {
+    ThingRecord thing;
+    thing.name = std::move(name);
+    thing.position = position;
+    thing.triggers = {trigger_on(Occasion::touch, Deed::teleport, {std::move(to)})};
+    return thing;
+}
+
+TEST(Teleport, BetweenTwoDiscsThrowsOncePerTouch) {
+    MapFile file = map_of({box_room("hall", 0, 0, 12, 4)});
+    file.things = {disc("west", {4, 2}, "east"), disc("east", {8, 2}, "west")};
+    place_player(file, "hall", {2, 2}, kEyeOnFloor);
+    Game game(file);
+    while (game.point().x < 5) game.hold(kForward);
+    EXPECT_EQ(game.point(), (Vec2{8, 2}));
+    game.hold(kNoKeys, 120);
+    EXPECT_EQ(game.point(), (Vec2{8, 2})) << "what one arrives in counts as touched";
+    game.hold(kForward, 60);
+    EXPECT_GT(game.point().x, 9) << "one walks out of it";
+    while (game.point().x > 5) game.hold(kBack);
+    EXPECT_EQ(game.point(), (Vec2{4, 2})) << "and who comes back is thrown again";
+}
+
 TEST(Exit, IsNoted) {
     MapFile file = hall_passage_room(0, 3);
     sector(file, "room").triggers = {trigger_on(Occasion::enter, Deed::exit, {"next.toml"})};
