@@ -77,7 +77,7 @@ void check_loops(Draft& draft);
 void place_panels(Draft& draft);
 /// Which sector each portal leads into and which wall it comes out of (resolve_portals.cpp).
 void resolve_portals(Draft& draft);
-/// What linked portals and mirrors do to whatever passes (links.cpp).
+/// What linked portals and mirrors do to whatever passes, and which walls are exits of one-way portals (links.cpp).
 void link_walls(Draft& draft);
 /// How pictures lie on walls and flats (surfaces.cpp).
 void lay_surfaces(Draft& draft);

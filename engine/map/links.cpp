@@ -123,6 +123,19 @@ void link_portal(Draft& draft, WallId id) {
     wall.link = add(draft.map, m, GridMap(m, middle(wall), middle(exit)));
 }
 
+/// Who comes out of a wall that does not lead back is in it for a while (world/one_way.h).
+void mark_one_way_exit(Map& map, WallId id) {
+    const Wall& wall = map[id];
+    if (wall.kind != WallKind::portal || wall.blocks || !wall.exit) return;
+    if (map[wall.exit].exit != id) map.walls[wall.exit.index].one_way_exit = true;
+}
+
+void mark_screens(Map& map) {
+    for (std::size_t i = 0; i < map.walls.size(); ++i) mark_one_way_exit(map, WallId(i));
+    for (const Wall& wall : map.walls)
+        if (wall.is_screen()) map.sectors[wall.sector.index].has_screens = true;
+}
+
 }  // namespace
 
 void link_walls(Draft& draft) {
@@ -132,6 +145,7 @@ void link_walls(Draft& draft) {
         if (wall.kind == WallKind::portal && wall.exit && !draft.walls[i].record->via.empty())
             link_portal(draft, WallId(i));
     }
+    mark_screens(draft.map);
 }
 
 }  // namespace enfilade

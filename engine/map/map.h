@@ -46,6 +46,7 @@ struct Wall {
     SectorId behind;               ///< portal: the sector it leads into; else none
     WallId exit;                   ///< portal: the wall of `behind` one comes out of; equals -edge for plain adjacency
     bool blocks = false;           ///< portal: looks pass, bodies do not
+    bool one_way_exit = false;     ///< bodies come out of it by a portal to which it does not lead back
     std::uint32_t link = kNoLink;  ///< index into Map::links, or kNoLink where nothing is transformed
     /// Light by direction, so that corners can be seen. Smooth light: a factor, from 0.8 along x to 1 along y. Classic
     /// light: 0.8 exactly along x (one step darker), 1.2 exactly along y (one step brighter), else 1.
@@ -55,6 +56,10 @@ struct Wall {
     Vec2 scroll;                   ///< how fast its pictures move along it and up [m/s]
     TriggerRange triggers;         ///< use, cross and start
     static constexpr std::uint32_t kNoLink = 0xFFFFFFFFu;
+
+    /// Whether it stands, for who is before it, in front of what the same room has behind it: what is there is another
+    /// place than what one gets to, or comes from, through the wall.
+    bool is_screen() const { return one_way_exit || (kind == WallKind::portal && link != kNoLink); }
 };
 
 /// A wall without thickness that stands free inside a sector and is seen from both sides; from b's side as from a's, so
@@ -96,7 +101,8 @@ struct Sector {
     std::string name;
     std::uint32_t first_wall = 0;  ///< its walls are [first_wall, first_wall + wall_count) of Map::walls
     std::uint32_t wall_count = 0;
-    double light = 1;  ///< at rest, 0..1
+    bool has_screens = false;  ///< one of them is_screen()
+    double light = 1;          ///< at rest, 0..1
     Flat floor, ceiling;
     Vec2 min, max;                  ///< bounding box
     std::uint32_t first_solid = 0;  ///< its solid things are [first_solid, first_solid + solid_count) of

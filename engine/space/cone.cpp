@@ -53,6 +53,15 @@ bool is_within(const Cone& cone, const Cone& wide, Vec2 p) {
            (cone.right == wide.right || is_left_of(cone.right, wide.right, p));
 }
 
+ShortList<Cone, 2> without(const Cone& cone, const Cone& other, Vec2 p) {
+    ShortList<Cone, 2> left;
+    const bool starts_before = !is_in(other, cone.left, p);
+    if (starts_before) left.push_back({cone.left, is_in(cone, other.left, p) ? other.left : cone.right});
+    const bool ends_after = other.right != cone.left && is_in(cone, other.right, p);
+    if (ends_after) left.push_back({other.right, cone.right});
+    return left;
+}
+
 Stretch stretch_in(const Face& wall, Vec2 p, const Cone& cone) {
     return {cone.left == wall.a ? wall.a : seen_past(wall, p, cone.left, wall.a),
             cone.right == wall.b ? wall.b : seen_past(wall, p, cone.right, wall.b)};

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "base/short_list.h"
 #include "map/map.h"
 
 namespace enfilade {
@@ -26,6 +27,9 @@ std::optional<Cone> cone_of(const Face& wall, Vec2 p, const std::optional<Cone>&
 
 /// True where every direction of the cone is in `wide`, too. Both are parts of what is seen of one wall from p.
 bool is_within(const Cone& cone, const Cone& wide, Vec2 p);
+
+/// What is left of a cone without another one, from left to right. Exact, as the cones are.
+ShortList<Cone, 2> without(const Cone& cone, const Cone& other, Vec2 p);
 
 /// A stretch of a wall; neither end needs to be on a grid, unless it is an end of the wall.
 struct Stretch {

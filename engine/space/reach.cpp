@@ -20,6 +20,9 @@ struct Room {
     WallId entrance;  ///< wall of the sector that the window is in; none: the middle is inside
 };
 
+/// The parts in which a wall is seen past the screens before it; more are as good, but take memory.
+using Cones = ShortList<Cone, 4>;
+
 class Search {
 public:
     Search(const Map& map, const Place& place, double radius, const MayPass& may_pass)
@@ -43,17 +46,52 @@ private:
     void look_at(const Room& room, WallId id) {
         const Wall& wall = map_[id];
         if (!box_is_near(wall, room.centre) || !segment_is_nearer(wall.a, wall.b, room.centre, radius_)) return;
-        const auto cone = cone_of(wall, room.centre, room.window);
-        if (!cone || (room.entrance && !is_beyond(wall, map_[room.entrance], room.centre, *cone))) return;
-        const Stretch stretch = stretch_in(wall, room.centre, *cone);
-        const bool is_cut = cone->left != wall.a || cone->right != wall.b;
+        each_cone(room, wall, [&](const Cone& cone) { look_at_part(room, id, cone); });
+    }
+
+    void look_at_part(const Room& room, WallId id, const Cone& cone) {
+        const Wall& wall = map_[id];
+        const Stretch stretch = stretch_in(wall, room.centre, cone);
+        const bool is_cut = cone.left != wall.a || cone.right != wall.b;
         if (is_cut && !is_near(stretch, room.centre)) return;
-        if (!pass(room, id, *cone)) {
+        if (!pass(room, id, cone)) {
             found_.walls.push_back({id, {}, wall.a, wall.b, room.passage, room.centre, stretch, is_cut});
+            if (wall.one_way_exit) look_around_exit(room, id, cone);
             return;
         }
-        if (cone->left == wall.a) look_around_corner(room, id, End::a);
-        if (cone->right == wall.b) look_around_corner(room, id, End::b);
+        look_around_portal(room, id, cone);
+    }
+
+    /// Calls visit(cone) for each in which a wall or panel of the room is seen through its window, past all screens.
+    template <class Visit>
+    void each_cone(const Room& room, const Face& face, Visit visit) const {
+        const auto whole = cone_of(face, room.centre, room.window);
+        if (!whole || (room.entrance && !is_beyond(face, map_[room.entrance], room.centre, *whole))) return;
+        if (!map_[room.sector].has_screens) return visit(*whole);
+        for (const Cone& cone : seen_past_screens(room, face, *whole)) visit(cone);
+    }
+
+    Cones seen_past_screens(const Room& room, const Face& face, const Cone& whole) const {
+        const Sector& sector = map_[room.sector];
+        Cones cones;
+        cones.push_back(whole);
+        for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w)
+            if (map_.walls[w].is_screen()) hide_behind(room, map_.walls[w], face, cones);
+        return cones;
+    }
+
+    /// Takes what is hidden by a screen out of the cones in which a face is seen.
+    void hide_behind(const Room& room, const Face& screen, const Face& face, Cones& cones) const {
+        const bool is_itself = screen.a == face.a && screen.b == face.b;
+        if (is_itself || !segment_is_nearer(screen.a, screen.b, room.centre, radius_)) return;
+        const auto shade = cone_of(screen, room.centre, room.window);
+        if (!shade || (room.entrance && !is_beyond(screen, map_[room.entrance], room.centre, *shade))) return;
+        const auto hidden = cone_of(face, room.centre, shade);
+        const Face from_behind{screen.b, screen.a};
+        if (!hidden || !is_beyond(face, from_behind, room.centre, *hidden)) return;
+        Cones seen;
+        for (const Cone& cone : cones) seen.append(without(cone, *shade, room.centre));
+        cones = std::move(seen);
     }
 
     void look_at_panels(const Room& room, const Sector& sector) {
@@ -64,12 +102,12 @@ private:
     void look_at_panel(const Room& room, PanelId id) {
         const Face face = facing(map_[id], room.centre);
         if (!box_is_near(face, room.centre) || !segment_is_nearer(face.a, face.b, room.centre, radius_)) return;
-        const auto cone = cone_of(face, room.centre, room.window);
-        if (!cone || (room.entrance && !is_beyond(face, map_[room.entrance], room.centre, *cone))) return;
-        const Stretch stretch = stretch_in(face, room.centre, *cone);
-        const bool is_cut = cone->left != face.a || cone->right != face.b;
-        if (is_cut && !is_near(stretch, room.centre)) return;
-        found_.walls.push_back({{}, id, face.a, face.b, room.passage, room.centre, stretch, is_cut});
+        each_cone(room, face, [&](const Cone& cone) {
+            const Stretch stretch = stretch_in(face, room.centre, cone);
+            const bool is_cut = cone.left != face.a || cone.right != face.b;
+            if (is_cut && !is_near(stretch, room.centre)) return;
+            found_.walls.push_back({{}, id, face.a, face.b, room.passage, room.centre, stretch, is_cut});
+        });
     }
 
     static Face facing(const Panel& panel, Vec2 p) {
@@ -79,37 +117,58 @@ private:
 
     enum class End : std::uint8_t { a, b };
 
-    /// The end of a portal that was gone around, in the space that its room was entered in.
+    /// Looks around the ends of an open portal that are in sight.
+    void look_around_portal(const Room& room, WallId id, const Cone& cone) {
+        const Wall& wall = map_[id];
+        const Rigid passage = then(room.passage, map_.passage(wall));
+        if (cone.left == wall.a) look_around_corner(room, wall.a, {wall.exit, End::b, id}, passage);
+        if (cone.right == wall.b) look_around_corner(room, wall.b, {wall.exit, End::a, id}, passage);
+    }
+
+    /// The same for the exit of a one-way portal: who is still in it has its jambs to both sides.
+    void look_around_exit(const Room& room, WallId id, const Cone& cone) {
+        const Wall& wall = map_[id];
+        if (cone.left == wall.a) look_around_corner(room, wall.a, {id, End::a, {}}, room.passage);
+        if (cone.right == wall.b) look_around_corner(room, wall.b, {id, End::b, {}}, room.passage);
+    }
+
+    /// A way around a corner, from room to room.
+    struct Round {
+        WallId exit;  ///< the wall it comes out of first
+        End end;      ///< which end of that is the corner
+        WallId last;  ///< where it has gone all around; none: at `exit` again
+    };
+
+    /// A corner that was gone around: the wall that the way came out of first, in what space.
     struct Corner {
-        WallId portal;
+        WallId exit;
         End end;
         Rigid passage;
         bool operator==(const Corner&) const = default;
     };
 
-    /// Goes from room to room around the end of an open portal. A wall that ends there blocks with that end, also where
-    /// the rooms together make more than a full turn, so that no straight look shows the wall.
-    void look_around_corner(const Room& room, WallId portal, End end) {
-        const Vec2 corner = end == End::a ? map_[portal].a : map_[portal].b;
+    /// A wall that ends in the corner blocks with that end, also where the rooms together make more than a full turn,
+    /// so that no straight look shows the wall.
+    void look_around_corner(const Room& room, Vec2 corner, const Round& round, Rigid passage) {
         if (!segment_is_nearer(corner, corner, room.centre, radius_)) return;
-        const Corner here{portal, end, room.passage};
+        const Corner here{round.exit, round.end, passage};
         if (std::ranges::find(corners_, here) != corners_.end()) return;
         corners_.push_back(here);
-        Rigid passage = room.passage;
-        WallId at = portal;
+        WallId exit = round.exit;
         for (int i = 0; i < kMaxRoomsAroundCorner; ++i) {
             ++found_.walls_looked_at;
-            passage = then(passage, map_.passage(map_[at]));
-            const Wall& exit = map_[map_[at].exit];
-            at = end == End::a ? exit.next : exit.previous;
-            if (at == portal) return;
-            const Vec2 there = end == End::a ? map_[at].a : map_[at].b;
+            const WallId at = round.end == End::b ? map_[exit].next : map_[exit].previous;
+            if (at == round.last) return;
+            const Vec2 there = round.end == End::b ? map_[at].a : map_[at].b;
             const Vec2 centre = snap_to_point_grid(passage.apply(place_.point));
             if (map_[map_[at].sector].active_panels > 0) touch_panels_at(there, map_[map_[at].sector], passage, centre);
             if (!is_open(at, passage)) {
                 found_.walls.push_back({at, {}, map_[at].a, map_[at].b, passage, centre, {there, there}, true});
                 return;
             }
+            passage = then(passage, map_.passage(map_[at]));
+            exit = map_[at].exit;
+            if (exit == round.exit) return;
         }
     }
 

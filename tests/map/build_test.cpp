@@ -52,6 +52,7 @@ TEST(BuildMap, LetsNeighboursOpenIntoEachOther) {
     EXPECT_EQ(map[there].behind, SectorId(1u));
     EXPECT_EQ(map[there].exit, back);
     EXPECT_EQ(map[back].exit, there);
+    EXPECT_FALSE(map[there].one_way_exit || map[back].one_way_exit);
     EXPECT_TRUE(map.passage(map[there]).is_identity());
 }
 
@@ -61,6 +62,7 @@ TEST(BuildMap, AllowsAPortalWhoseOtherSideIsSolid) {
     const Map map = built(file);
     const WallId there = wall_at(map, {4, 0}, {4, 4});
     EXPECT_EQ(map[map[there].exit].kind, WallKind::solid);
+    EXPECT_TRUE(map[map[there].exit].one_way_exit);
 }
 
 TEST(BuildMap, WarnsOfARoomThatOpensOntoASolidWall) {

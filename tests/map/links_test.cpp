@@ -1,6 +1,8 @@
 // What links and mirrors do to points: exactly what the author drew, and back again.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "math/predicates.h"
 #include "support/map_builder.h"
 
@@ -113,6 +115,29 @@ TEST(Link, MayHaveSeveralWaysInAndOneBack) {
     const Map map = l.built();
     EXPECT_EQ(map.links.size(), 3u);
     EXPECT_EQ(l.back(map), inverse(l.there(map)));
+}
+
+TEST(Link, MarksAWallThatItComesOutOfAndThatDoesNotLeadBack) {
+    Linked l = linked_to(turned_square(0, {50, 0}));
+    const Map both = l.built();
+    EXPECT_TRUE(std::none_of(both.walls.begin(), both.walls.end(), [](const Wall& w) { return w.one_way_exit; }));
+    WallRecord& other = wall(l.file, "far", l.far_a, l.far_b);
+    other.next.clear();
+    other.via.clear();
+    const Map one_way = l.built();
+    for (const Wall& w : one_way.walls) EXPECT_EQ(w.one_way_exit, w.a == l.far_a && w.b == l.far_b);
+    wall(l.file, "hall", l.a, l.b).blocks = true;
+    const Map blocked = l.built();
+    EXPECT_TRUE(std::none_of(blocked.walls.begin(), blocked.walls.end(), [](const Wall& w) { return w.one_way_exit; }));
+}
+
+TEST(Link, MarksAnExitWithAWayBackThatOthersComeOutOfToo) {
+    Linked l = linked_to(turned_square(0, {50, 0}));
+    WallRecord& second = wall(l.file, "hall", {4, 4}, {0, 4});
+    second.next = "far";
+    second.via = wall(l.file, "far", l.far_a, l.far_b).name;
+    const Map map = l.built();
+    EXPECT_TRUE(map[Linked::at(map, l.far_a, l.far_b)].one_way_exit);
 }
 
 TEST(Link, ToItselfIsAHalfTurnAboutItsMiddle) {

@@ -271,6 +271,18 @@ TEST(Walk, IsNotStoppedByARoomThatMerelyOverlaps) {
     EXPECT_EQ(game.point().x, 10 - kBodyRadius);
 }
 
+TEST(Walk, IsNotStoppedByAWallBehindALink) {
+    // A slab with a link on its face, too near to the yard's wall for anybody to get between the two.
+    SectorRecord yard = box_room("yard", 3.75, 0, 12, 12);
+    cut_pillar(yard, 3.875, 5, 4, 7);
+    MapFile file = map_of({std::move(yard), box_room("hall", 80, 5, 90, 7)});
+    link(file, "yard", {4, 7}, {4, 5}, "hall", {90, 5}, {90, 7});
+    place_player(file, "yard", {8, 6}, kEyeOnFloor, 180);
+    Game game(file);
+    game.hold(kForward, 120);
+    EXPECT_EQ(game.room(), "hall");
+}
+
 TEST(Walk, LeavesAStartThatIsTooNearToAWall) {
     for (const Vec2 start : {Vec2{0.01, 5}, Vec2{0, 0}, Vec2{9.99, 9.99}, Vec2{5, 0}}) {
         Game game(box_with_player(start.x, start.y, 0));
