@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "world/obstacle.h"
+#include "world/one_way.h"
 
 namespace enfilade {
 namespace {
@@ -68,7 +69,7 @@ Body squeezed(const Instant& now, Body body) {
     body.height = std::clamp(here.ceiling_z - body.feet_z, 0.0, body.height);
     Reach found = around(now, body);
     for (const ReachedWall& wall : found.walls)
-        body.radius = std::min(body.radius, grid_length_below(distance_to(wall)));
+        if (!is_one_way_exit(now.map, wall)) body.radius = std::min(body.radius, grid_length_below(distance_to(wall)));
     if (!found.walls.empty()) found = around(now, body);
     body.ceiling_z = clearance(now, body, found.sectors).ceiling_z;
     body.height = std::clamp(body.ceiling_z - body.feet_z, 0.0, body.height);

@@ -49,7 +49,8 @@ MayCross bodies_may_cross(const Map& map);
 bool fits(const Instant& now, const Body& body, const Reach& around);
 
 /// The body where it is, made as wide, and at most as high, as there is room: a body that was put closer to a wall
-/// than its radius can still walk, and gets its width back as it leaves. Sets its ceiling.
+/// than its radius can still walk, and gets its width back as it leaves. In the exit of a one-way portal it keeps its
+/// width (world/one_way.h). Sets its ceiling.
 Body squeezed(const Instant& now, Body body);
 
 /// reach() of the body's disc through the portals it can pass.

@@ -5,6 +5,7 @@
 
 #include "math/grid.h"
 #include "math/predicates.h"
+#include "world/one_way.h"
 
 namespace enfilade {
 namespace {
@@ -49,11 +50,13 @@ void keep_first(std::optional<Contact>& first, const std::optional<Contact>& nex
 
 }  // namespace
 
-std::optional<Contact> first_contact(const Reach& around, Vec2 target, double radius) {
+std::optional<Contact> first_contact(const Map& map, const Reach& around, Vec2 target, double radius) {
     std::optional<Contact> first;
     for (const ReachedWall& wall : around.walls) {
         const Vec2 to = snap_to_point_grid(wall.passage.apply(target));
-        const Way way{wall.centre, to - wall.centre, radius};
+        const auto kept = distance_kept(map, wall, wall.centre, radius);
+        if (!kept) continue;
+        const Way way{wall.centre, to - wall.centre, *kept};
         keep_first(first, contact_with_face(wall, way), wall.passage);
         if (wall.stretch.a == wall.a) keep_first(first, contact_with_end(wall.a, way), wall.passage);
         if (wall.stretch.b == wall.b) keep_first(first, contact_with_end(wall.b, way), wall.passage);

@@ -17,10 +17,12 @@ struct Contact {
 /// of equals the first. None where it gets there free. A touch that would go less than a grid step deep is none: who
 /// places the disc there sees to the last step (world/walk.cpp).
 ///
+/// An exit of a one-way portal that holds the disc less or not at all (world/one_way.h) is met accordingly.
+///
 /// around : reach() of the place with at least the radius plus the length of the way
 /// target : on the point grid, in the space of the place
 /// radius : of the disc [m]
-std::optional<Contact> first_contact(const Reach& around, Vec2 target, double radius);
+std::optional<Contact> first_contact(const Map& map, const Reach& around, Vec2 target, double radius);
 
 /// The same for solid things; each may be approached up to its limit, and one that is nearer already may not be
 /// approached at all.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "world/contact.h"
+#include "world/one_way.h"
 
 namespace enfilade {
 namespace {
@@ -94,7 +95,7 @@ private:
         const Vec2 target = from + round_outward(move_, normals_.sum());
         if (target == from) return false;
         const double way = length(target - from);
-        const auto touch = nearer_of(first_contact(within(way), target, body_.radius),
+        const auto touch = nearer_of(first_contact(map_, within(way), target, body_.radius),
                                      first_contact(map_, obstacles_beside(body_, way), target));
         if (!touch) return advance_part(target);
         const Vec2 spent = move_ * touch->fraction;
@@ -169,7 +170,8 @@ private:
                 bodies_may_cross(map_));
             if (way.is_stopped()) return false;
             const Body there = carried(way);
-            const Reach found = counted(around(now_, there));
+            Reach found = counted(around(now_, there));
+            drop_exits_left(map_, body_.place.point, way.passage, body_.radius, found);
             Obstacles things = obstacles_beside(there, 0);
             things.erase_if([&](const Obstacle& obstacle) { return !overlaps(map_, obstacle); });
             if (things.empty() && fits(now_, there, found)) {

@@ -28,7 +28,7 @@ inline constexpr int kMostQueries = 5 * (1 + (1 + 6) * 4);
 /// Moves a body that fits for some time. Its feet stay at their height: steps are taken afterwards.
 /// Pushing straight at a wall moves it by nothing, however often it is repeated.
 ///
-/// body     : fits (world/body.h: squeezed)
+/// body     : fits (world/body.h: squeezed), but for the exits of one-way portals that it is still in
 /// velocity : [m/s]; |velocity| * seconds may be longer than the body is wide
 /// Cost: Walk::queries of what the body touches (space/reach.h), where nothing is in the way two; some of them of all
 /// it might touch on its whole way. As many traces (space/trace.h) of that way: they look at the walls of each sector
