@@ -1,5 +1,8 @@
 // The shading rules shared by all renderers: how bright a surface is, which texel it shows, what a sky looks like.
 #pragma once
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 
@@ -68,14 +71,48 @@ inline constexpr std::uint32_t kSolidAlpha = 128;
 /// The part of a tile coordinate after the point, in [0, 1).
 double fraction(double tiles);
 
-/// The texel that a position within the tile, in [0, 1), falls on. Nearest, as painted: no filter.
-constexpr std::uint32_t texel_index(double tile_fraction, std::uint32_t size_px) {
-    const auto i = static_cast<std::uint32_t>(tile_fraction * size_px);
-    return i < size_px ? i : size_px - 1;
+/// Where on its tile a surface is looked at: the part of a tile coordinate after the point [2^-32 of a tile].
+///
+/// The tie rule for texels: before a texel is read its position is rounded to the nearest such step. Round coordinates
+/// and looks along an axis put whole rows of pixels on the very edge between two texels, where renderers that compute
+/// the same position in different ways would fall to either side of it. All round off by less than a hundredth of a
+/// step, so that they then stand on the same one.
+using TilePlace = std::uint32_t;
+
+/// Up to here numbers have all their steps, and adding kStepShift, whose last bit is one step, rounds to them [tiles].
+inline constexpr double kNearTiles = 0x1p19;
+inline constexpr double kStepShift = 0x1.8p20;
+
+/// The nearest whole number of steps, half to even. |tiles| <= kNearTiles.
+constexpr std::int64_t nearest_steps(double tiles) {
+    return std::bit_cast<std::int64_t>(tiles + kStepShift) - std::bit_cast<std::int64_t>(kStepShift);
 }
 
-/// Where on the sky picture a ray looks. turns: turn_of(direction in the plane). elevation: tangent of the angle
-/// above the horizon. The picture's foot is at the horizon; below it and above its top its last row goes on.
+/// A surface that repeats its picture. |tiles| <= kNearTiles: an addition.
+constexpr TilePlace place_on_near_tile(double tiles) { return static_cast<TilePlace>(nearest_steps(tiles)); }
+
+/// The same for any finite number; what is far away is brought near by whole tiles, exactly.
+inline TilePlace place_on_tile(double tiles) {
+    const bool is_near = tiles >= -kNearTiles && tiles <= kNearTiles;
+    return place_on_near_tile(is_near ? tiles : tiles - std::floor(tiles / kNearTiles) * kNearTiles);
+}
+
+/// A picture that is shown once: its end is its last texel's. part: where on it, 0..1.
+constexpr TilePlace place_on_picture(double part) {
+    return static_cast<TilePlace>(std::clamp<std::int64_t>(nearest_steps(part), 0, 0xFFFFFFFF));
+}
+
+/// Its last place: half a step on, and the picture would begin again [1].
+inline constexpr double kLastPlace = 1 - 0x1p-32;
+
+/// The texel there, below size_px. Nearest, as painted: no filter.
+constexpr std::uint32_t texel_of(TilePlace place, std::uint32_t size_px) {
+    return static_cast<std::uint32_t>(std::uint64_t{place} * size_px >> 32);
+}
+
+/// Where on the sky picture a ray looks, around which it is repeated. turns: turn_of(direction in the plane).
+/// elevation: tangent of the angle above the horizon. The picture's foot is at the horizon; below it and above its top
+/// its last row goes on.
 struct SkyTexel {
     double u;  ///< [0, 1)
     double v;  ///< [0, 1]

@@ -80,6 +80,12 @@ private:
     std::optional<Tilt> tilt_;
 };
 
+/// The tie rule for rows: which heights a ray passes is asked of one that climbs this much more per metre. Round
+/// coordinates put the very edge of a surface on the middle of a row, where renderers that compute the same height in
+/// different ways would fall to either side of it; all round off by far less, and nobody sees a millionth of a
+/// millimetre in a kilometre.
+inline constexpr double kTieClimb = 0x1p-40;
+
 /// Largest width and height of a picture [px].
 inline constexpr int kMaxPictureSide = 16384;
 

@@ -9,15 +9,7 @@ namespace {
 
 constexpr std::uint32_t kHasHoles = 1, kIsLit = 2, kIsInFog = 4, kIsSky = 8, kScrolls = 16;
 
-constexpr double kMostTiles = 0x1p29;  ///< as in render/column/kernels.cpp
-
-std::uint32_t texel_of(std::uint32_t fraction, std::uint32_t size) {
-    return static_cast<std::uint32_t>(std::uint64_t{fraction} * size >> 32);
-}
-
-std::uint32_t fraction_bits(double tiles) {
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(tiles * 0x1p32));
-}
+constexpr TileSteps kHalfPlace = TileSteps{1} << 31;  ///< as in render/column/kernels.cpp
 
 /// What every surface has, used or not.
 struct Look {
@@ -46,7 +38,7 @@ std::uint32_t row_of(TileSteps v, std::uint32_t height, const Look& look) {
 }
 
 void fill(const Run& run, const WallRun& wall, const Look& look) {
-    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
+    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row) + kHalfPlace;
     for (int i = 0; i < run.count; ++i, v += wall.v_per_row)
         put(run.pixels[i], wall.texels[row_of(v, wall.height, look)], look);
 }
@@ -58,7 +50,7 @@ Look look_of(const WallRun& wall) {
 
 /// The two texel coordinates of a floor.
 std::size_t texel_index_of(const Texture& texture, double u, double v, const Look& look) {
-    auto across = fraction_bits(u), down = fraction_bits(v);
+    auto across = place_on_near_tile(u), down = place_on_near_tile(v);
     if (look.flags & kScrolls) across += static_cast<std::uint32_t>(look.scrolled_by);
     if (look.flags & kIsSky) down = std::min(down, 0xFFFFFFFEu);
     return std::size_t{texel_of(across, texture.width)} * texture.height + texel_of(down, texture.height);
@@ -79,7 +71,7 @@ void lay_wall(const Run& run, const WallRun& wall) {
 void fill_flat(const Run& run, const FlatRun& flat) {
     const double most =
         std::max(flat.step_u < 0 ? -flat.step_u : flat.step_u, flat.step_v < 0 ? -flat.step_v : flat.step_v);
-    const double farthest = std::min(flat.farthest, kMostTiles / most);
+    const double farthest = std::min(flat.farthest, (kNearTiles - 1) / most);
     Look look{kIsLit | (flat.row_mists ? kIsInFog : 0u), 0, 0, flat.fog, 0};
     for (int i = 0; i < run.count; ++i) {
         const int row = run.first_row + i;
@@ -95,7 +87,7 @@ void fill_flat(const Run& run, const FlatRun& flat) {
 void fill_sky(const Run& run, const SkyRun& sky) {
     for (int i = 0; i < run.count; ++i) {
         const double v = std::clamp(sky.v_at_horizon + sky.row_rises[run.first_row + i] * sky.v_per_rise, 0.0, 1.0);
-        run.pixels[i] = sky.texels[texel_index(v, sky.height)] | 0xFF000000u;
+        run.pixels[i] = sky.texels[texel_of(place_on_picture(v), sky.height)] | 0xFF000000u;
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.h"
 #include "render/picture_now.h"
 
 namespace enfilade {
@@ -123,16 +124,47 @@ TEST(Fraction, IsBelowOneForTheSmallestStepBelowZero) {
     EXPECT_EQ(fraction(-1e-300), 0);  // 1 - 1e-300 rounds to 1, which is the next tile's 0
 }
 
-TEST(TexelIndex, IsInTheTextureForAnySizeAndPosition) {
-    for (std::uint32_t size : {1u, 3u, 5u, 128u, 65535u})
-        for (double f : {0.0, 0.1, 0.5, 0.999999, std::nextafter(1.0, 0.0), 1.0})
-            EXPECT_LT(texel_index(f, size), size) << f;
+TEST(PlaceOnTile, IsTheNearestStep) {
+    for (const TilePlace step : {0u, 1u, 12345u, 0x7FFFFFFFu, 0x80000000u, 0xFFFFFFFFu})
+        for (const double off : {-0.49, -1e-9, 0.0, 1e-9, 0.49})
+            EXPECT_EQ(place_on_tile((step + off) * 0x1p-32), step) << off;
 }
 
-TEST(TexelIndex, CutsTheTileIntoEqualParts) {
-    EXPECT_EQ(texel_index(0.24, 4), 0u);
-    EXPECT_EQ(texel_index(0.25, 4), 1u);
-    EXPECT_EQ(texel_index(0.75, 4), 3u);
+TEST(PlaceOnTile, IsTheSameOnEveryTile) {
+    for (const double tile : {-0x1p19, -77777.0, -1.0, 0.0, 3.0, 0x1p18, 0x1p19, 0x1p30, -0x1p40})
+        for (const double part : {0.0, 0.25, 0.625}) EXPECT_EQ(place_on_tile(tile + part), part * 0x1p32) << tile;
+}
+
+TEST(PlaceOnTile, BeginsAgainWhereATileEnds) {
+    EXPECT_EQ(place_on_tile(std::nextafter(1.0, 0.0)), 0u);
+    EXPECT_EQ(place_on_tile(-1e-300), 0u);
+    EXPECT_EQ(place_on_tile(1 - 0x1p-32), 0xFFFFFFFFu);
+}
+
+TEST(PlaceOnTile, IsThatOfTheCheaperFunctionNearby) {
+    Random random(5);
+    for (int i = 0; i < 100000; ++i) {
+        const double tiles = random.uniform(-kNearTiles, kNearTiles);
+        ASSERT_EQ(place_on_tile(tiles), place_on_near_tile(tiles)) << tiles;
+    }
+}
+
+TEST(PlaceOnPicture, EndsWithTheLastStep) {
+    EXPECT_EQ(place_on_picture(1), 0xFFFFFFFFu);
+    EXPECT_EQ(place_on_picture(std::nextafter(1.0, 0.0)), 0xFFFFFFFFu);
+    EXPECT_EQ(place_on_picture(0.5), 0x80000000u);
+    EXPECT_EQ(place_on_picture(-1e-12), 0u);
+}
+
+TEST(TexelOf, IsInTheTextureForAnySizeAndPlace) {
+    for (std::uint32_t size : {1u, 3u, 5u, 128u, 65535u})
+        for (TilePlace place : {0u, 1u, 0x80000000u, 0xFFFFFFFFu}) EXPECT_LT(texel_of(place, size), size) << place;
+}
+
+TEST(TexelOf, CutsTheTileIntoEqualParts) {
+    EXPECT_EQ(texel_of(place_on_tile(0.24), 4), 0u);
+    EXPECT_EQ(texel_of(place_on_tile(0.25), 4), 1u);
+    EXPECT_EQ(texel_of(place_on_tile(0.75), 4), 3u);
 }
 
 TEST(SkyTexel, WrapsAroundAsOftenAsTheTileSays) {

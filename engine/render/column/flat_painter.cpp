@@ -96,7 +96,7 @@ void FlatPainter::paint_sky(const Scene& scene, int x, int top, int bottom) {
 SkyRun FlatPainter::sky_run(const Scene& scene, const Surface& surface, Vec2 ray) const {
     const Texture& texture = scene.textures[surface.texture];
     const SkyTexel horizon = sky_texel(surface.tile_m, surface.offset_tiles, turn_of(ray), 0);
-    const std::uint32_t column = texel_index(horizon.u, texture.width);
+    const std::uint32_t column = texel_of(place_on_tile(horizon.u), texture.width);
     return {&texture.pixels[std::size_t{column} * texture.height], texture.height, 1 - surface.offset_tiles.y,
             -rise_per_row(scene, ray) / surface.tile_m.y, scene.screen.row_rises.data()};
 }

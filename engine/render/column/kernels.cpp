@@ -9,33 +9,31 @@ namespace {
 
 constexpr Shade kFullBright = 256;
 
-/// 0 <= i < size for any fraction of 2^32: size need not be a power of two.
-std::uint32_t texel_of(std::uint32_t fraction, std::uint32_t size) {
-    return static_cast<std::uint32_t>(std::uint64_t{fraction} * size >> 32);
+/// Half a step of TilePlace: added once, it makes the upper half of all steps down a column the nearest place.
+constexpr TileSteps kHalfPlace = TileSteps{1} << 31;
+
+TileSteps first_of(const Run& run, const WallRun& wall) {
+    return wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row) + kHalfPlace;
 }
 
-/// The part after the point as a fraction of 2^32, also for negative numbers. |tiles| < 2^30.
-std::uint32_t fraction_bits(double tiles) {
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(tiles * 0x1p32));
+std::uint32_t texel_at(const WallRun& wall, TileSteps v) {
+    return wall.texels[texel_of(static_cast<TilePlace>(v >> 32), wall.height)];
 }
-
-/// Beyond this many tiles fraction_bits would leave its range; the horizon blurs long before.
-constexpr double kMostTiles = 0x1p29;
 
 template <bool kLit>
 void fill_wall_as(const Run& run, const WallRun& wall) {
-    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
+    TileSteps v = first_of(run, wall);
     for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
-        const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
+        const std::uint32_t texel = texel_at(wall, v);
         run.pixels[i] = kLit ? shaded(texel, wall.shade) : texel | 0xFF000000u;
     }
 }
 
 // What few surfaces need is kept out of line, so that the others do not save registers for it.
 [[gnu::noinline]] void fill_wall_in_fog(const Run& run, const WallRun& wall) {
-    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
+    TileSteps v = first_of(run, wall);
     for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
-        const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
+        const std::uint32_t texel = texel_at(wall, v);
         run.pixels[i] = misted(shaded(texel, wall.shade), wall.fog, wall.mist);
     }
 }
@@ -54,10 +52,10 @@ bool is_dark(const WallGlow& glow) {
 
 template <bool kHasFog, bool kIsOver>
 void paint_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
-    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
+    TileSteps v = first_of(run, wall);
     std::uint64_t position = glow.at_row_0 + glow.per_row * static_cast<std::uint64_t>(run.first_row);
     for (int i = 0; i < run.count; ++i, v += wall.v_per_row, position += glow.per_row) {
-        const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
+        const std::uint32_t texel = texel_at(wall, v);
         if (kIsOver && texel >> 24 == 0) continue;
         std::uint32_t color = lit(texel, wall.shade, glow_at(glow, position));
         if (kHasFog) color = misted(color, wall.fog, wall.mist);
@@ -67,9 +65,9 @@ void paint_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
 
 template <bool kHasFog>
 void lay_wall_as(const Run& run, const WallRun& wall) {
-    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row);
+    TileSteps v = first_of(run, wall);
     for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
-        const std::uint32_t texel = wall.texels[texel_of(static_cast<std::uint32_t>(v >> 32), wall.height)];
+        const std::uint32_t texel = texel_at(wall, v);
         const std::uint32_t alpha = texel & 0xFF000000u;
         if (alpha == 0) continue;
         const std::uint32_t clear = shaded(texel, wall.shade);
@@ -78,27 +76,41 @@ void lay_wall_as(const Run& run, const WallRun& wall) {
     }
 }
 
-/// Beyond this depth positions are not counted.
-double farthest_of(const FlatRun& flat) {
+/// Whether no position on the flat is farther away than kNearTiles.
+bool is_near(const FlatRun& flat) {
     const double most =
         std::max(flat.step_u < 0 ? -flat.step_u : flat.step_u, flat.step_v < 0 ? -flat.step_v : flat.step_v);
-    return std::min(flat.farthest, kMostTiles / most);
+    return 1 + flat.farthest * most <= kNearTiles;
 }
 
 /// color_at(texel, row, depth): what a pixel shows, without fog.
-template <bool kHasFog, class ColorAt>
-void fill_flat_with(const Run& run, const FlatRun& flat, ColorAt color_at) {
+template <bool kHasFog, bool kIsNear, class ColorAt>
+void fill_flat_by(const Run& run, const FlatRun& flat, ColorAt color_at) {
     const Texture& texture = *flat.texture;
     const std::uint32_t* texels = texture.pixels.data();
-    const double farthest = farthest_of(flat);
+    const auto place = [](double tiles) { return kIsNear ? place_on_near_tile(tiles) : place_on_tile(tiles); };
     for (int i = 0; i < run.count; ++i) {
         const int row = run.first_row + i;
-        const double depth = std::min(flat.row_depths[row], farthest);
-        const std::uint32_t u = texel_of(fraction_bits(flat.base_u + depth * flat.step_u), texture.width);
-        const std::uint32_t v = texel_of(fraction_bits(flat.base_v + depth * flat.step_v), texture.height);
+        const double depth = std::min(flat.row_depths[row], flat.farthest);
+        const std::uint32_t u = texel_of(place(flat.base_u + depth * flat.step_u), texture.width);
+        const std::uint32_t v = texel_of(place(flat.base_v + depth * flat.step_v), texture.height);
         const std::uint32_t color = color_at(texels[std::size_t{u} * texture.height + v], row, depth);
         run.pixels[i] = kHasFog ? misted(color, flat.fog, flat.row_mists[row]) : color;
     }
+}
+
+// Tiles of a hand's breadth that reach to the end of the world: so few that they are kept out of line.
+template <bool kHasFog, class ColorAt>
+[[gnu::noinline]] void fill_far_flat(const Run& run, const FlatRun& flat, ColorAt color_at) {
+    fill_flat_by<kHasFog, false>(run, flat, color_at);
+}
+
+template <bool kHasFog, class ColorAt>
+void fill_flat_with(const Run& run, const FlatRun& flat, ColorAt color_at) {
+    if (is_near(flat))
+        fill_flat_by<kHasFog, true>(run, flat, color_at);
+    else
+        fill_far_flat<kHasFog>(run, flat, color_at);
 }
 
 template <bool kHasFog>
@@ -122,9 +134,8 @@ struct LitPart {
     int first, end;
 };
 LitPart lit_part(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
-    const double farthest = farthest_of(flat);
     const auto is_dark = [&](int i) {
-        const double depth = std::min(flat.row_depths[run.first_row + i], farthest);
+        const double depth = std::min(flat.row_depths[run.first_row + i], flat.farthest);
         return is_beyond_light(*glow.grid, glow.base_u + depth * glow.step_u, glow.base_v + depth * glow.step_v);
     };
     LitPart part{0, run.count};
@@ -193,7 +204,7 @@ void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
 void fill_sky(const Run& run, const SkyRun& sky) {
     for (int i = 0; i < run.count; ++i) {
         const double v = std::clamp(sky.v_at_horizon + sky.row_rises[run.first_row + i] * sky.v_per_rise, 0.0, 1.0);
-        run.pixels[i] = sky.texels[texel_index(v, sky.height)] | 0xFF000000u;
+        run.pixels[i] = sky.texels[texel_of(place_on_picture(v), sky.height)] | 0xFF000000u;
     }
 }
 
@@ -201,7 +212,7 @@ void lay_sky(const Run& run, const SkyRun& layer) {
     for (int i = 0; i < run.count; ++i) {
         const double v =
             std::clamp(layer.v_at_horizon + layer.row_rises[run.first_row + i] * layer.v_per_rise, 0.0, 1.0);
-        const std::uint32_t texel = layer.texels[texel_index(v, layer.height)];
+        const std::uint32_t texel = layer.texels[texel_of(place_on_picture(v), layer.height)];
         if (texel >> 24 != 0) run.pixels[i] = laid_over(run.pixels[i], texel);
     }
 }

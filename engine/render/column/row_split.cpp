@@ -16,7 +16,7 @@ constexpr double kAnInstant = 0x1p-1000;
 int first_row_below(const Screen& screen, double height, double depth, int top, int bottom) {
     const double height_px = height * screen.focal_y;
     const double met = std::max(depth, kAnInstant);
-    const auto is_below = [&](int y) { return screen.row_rises[y] * met < height_px; };
+    const auto is_below = [&](int y) { return screen.tied_rises[y] * met < height_px; };
     const double guess = std::ceil(screen.horizon - 0.5 - height_px / met);
     int y = !(guess > top) ? top : guess >= bottom ? bottom : static_cast<int>(guess);
     while (y > top && is_below(y - 1)) --y;

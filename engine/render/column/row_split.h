@@ -20,7 +20,7 @@ struct RowSplit {
 };
 
 /// The first of the rows [top, bottom) in which a surface at `depth` is lower than `height` above the eye; bottom if
-/// none is. Row y is not lower where row_rises[y] * depth >= height * focal_y: a product; the division only guesses.
+/// none is. Row y is not lower where tied_rises[y] * depth >= height * focal_y: a product; the division only guesses.
 /// Depth 0 (the eye in the wall's plane) is an instant more than nothing, so that an eye exactly at `height` has the
 /// rows under its horizon below it.
 int first_row_below(const Screen& screen, double height, double depth, int top, int bottom);

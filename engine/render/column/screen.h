@@ -15,6 +15,7 @@ struct Screen {
     double column_scale = 1;         ///< columns per unit of slope
     std::vector<double> slopes;      ///< [width] tangent right of the middle
     std::vector<double> row_rises;   ///< [height] rows above the horizon [px]
+    std::vector<double> tied_rises;  ///< [height] the same by the tie rule: of these is asked what a row passes
     std::vector<double> row_depths;  ///< [height] depth at which a ray has climbed 1 m; infinite on the horizon [m/m]
 
     void set(const Projection& projection);

@@ -3,13 +3,6 @@
 #include <algorithm>
 
 namespace enfilade::column {
-namespace {
-
-/// A position on a picture ends before its right edge, where its left edge would begin again.
-constexpr double kBelowOne = 1 - 0x1p-53;
-
-}  // namespace
-
 bool ThingColumns::is_nearer(const Board& a, const Board& b) {
     const std::int64_t a_steps = depth_steps(a.depth), b_steps = depth_steps(b.depth);
     return a_steps != b_steps ? a_steps < b_steps : a.painter < b.painter;
@@ -55,7 +48,7 @@ void ThingColumns::note(const RoomView& view, std::size_t i, int x, MaskedColumn
     const double entry = 1 / view.viewport.boundary_at(x), exit = 1 / view.nearest.inverse_depth_at(x);
     if (!is_met_between(board.depth, entry, exit)) return;
     const double from_left = (view.scene.screen.slopes[x] * board.depth - board.left_v) / board.width;
-    const WallHit hit{board.depth, std::clamp(board.mirrored ? 1 - from_left : from_left, 0.0, kBelowOne)};
+    const WallHit hit{board.depth, std::clamp(board.mirrored ? 1 - from_left : from_left, 0.0, kLastPlace)};
     const RowSplit rows = split_rows(view.scene.screen, open, board.depth, board.rows, nullptr);
     masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, hit);
 }

@@ -108,6 +108,7 @@ void ViewportDrawer::start_masked(const Scene& scene, FrameState& state, WallId 
     painter.start(scene, wall, surface, top, light_now(scene.snapshot, wall.sector),
                   wall_id(scene.map, id, WallPart::middle));
     painter.light_up(glow_, wall.length, pose_.eye_z);
+    if (wall.scroll.y == 0) painter.show_once();
     masked_ = state.masked.add(painter);
 }
 

@@ -5,7 +5,6 @@
 #include "render/column/fog.h"
 
 namespace enfilade::column {
-
 void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& surface, double peg, double light,
                         SurfaceId id) {
     hang(scene, surface, wall.length, peg);
@@ -23,6 +22,7 @@ void WallPainter::start_panel(const Scene& scene, const Panel& panel, double top
 void WallPainter::hang(const Scene& scene, const Surface& surface, double length, double peg) {
     texture_ = &scene.textures[surface.texture];
     light_grid_ = nullptr;
+    is_once_ = false;
     u_per_along_ = length / surface.tile_m.x;
     u_offset_ = surface.offset_tiles.x;
     v_per_m_ = 1 / surface.tile_m.y;
@@ -33,6 +33,7 @@ void WallPainter::start_picture(const Scene& scene, const Texture& texture, doub
                                 SurfaceId id) {
     texture_ = &texture;
     light_grid_ = nullptr;
+    is_once_ = true;
     id_ = id;
     shade_by(scene.map, light, 1);
     u_per_along_ = 1;
@@ -78,7 +79,7 @@ WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallH
 
 // Inlined by order: whether it is must not depend on what else is in it.
 [[gnu::always_inline]] inline WallRun WallPainter::run_of(const ColumnTexels& at, const WallHit& hit) const {
-    const std::uint32_t column = texel_index(fraction(at.u), texture_->width);
+    const std::uint32_t column = texel_of(place_on_tile(at.u), texture_->width);
     WallRun run{&texture_->pixels[std::size_t{column} * texture_->height], texture_->height, tile_steps(at.v_at_row_0),
                 tile_steps(at.v_per_row), shade_at(model_, light_, contrast_, hit.depth)};
     if (is_there(fog_)) {
@@ -109,15 +110,29 @@ void WallPainter::paint(const Scene& scene, int x, int top, int bottom, const Wa
 void WallPainter::lay_over(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
     if (top >= bottom) return;
     const ColumnTexels at = texels_at(scene, hit);
+    const int end = is_once_ ? end_of_picture(at, top, bottom) : bottom;
+    lay_rows(scene, x, {top, end}, at, hit);
+    lay_rows(scene, x, {end, bottom}, {at.u, kLastPlace, 0}, hit);
+}
+
+/// The first row that is rounded to the picture's very end, where it would begin again; `bottom` if there is none.
+int WallPainter::end_of_picture(const ColumnTexels& at, int top, int bottom) const {
+    int end = bottom;
+    while (end > top && nearest_steps(at.v_at_row_0 + (end - 1) * at.v_per_row) >= nearest_steps(1)) --end;
+    return end;
+}
+
+void WallPainter::lay_rows(const Scene& scene, int x, OpenRows rows, const ColumnTexels& at, const WallHit& hit) const {
+    if (rows.is_closed()) return;
     const WallRun run = run_of(at, hit);
     if (built_in::kPointLights && light_grid_)
-        lay_lit_wall(scene.canvas.run(x, top, bottom), run, glow_at(scene, top, bottom, hit));
+        lay_lit_wall(scene.canvas.run(x, rows.top, rows.bottom), run, glow_at(scene, rows.top, rows.bottom, hit));
     else
-        lay_wall(scene.canvas.run(x, top, bottom), run);
+        lay_wall(scene.canvas.run(x, rows.top, rows.bottom), run);
     if (scene.facts == nullptr) return;
-    for (int y = top; y < bottom; ++y) {
+    for (int y = rows.top; y < rows.bottom; ++y) {
         const double v = at.v_at_row_0 + y * at.v_per_row;
-        const std::uint32_t texel = run.texels[texel_index(fraction(v), run.height)];
+        const std::uint32_t texel = run.texels[texel_of(place_on_tile(v), run.height)];
         if (texel >> 24 >= kSolidAlpha) note_over(scene, x, y, id_, hit.depth, at.u, v);
     }
 }

@@ -27,6 +27,9 @@ public:
     void start_picture(const Scene& scene, const Texture& texture, double top, double height, double light,
                        SurfaceId id);
 
+    /// Shows its picture once from top to bottom, as start_picture() does, instead of over and over.
+    void show_once() { is_once_ = true; }
+
     /// Rows [top, bottom) of column x, where the look meets the wall at `hit`.
     void paint(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
 
@@ -40,6 +43,8 @@ private:
     };
     WallGlow glow_at(const Scene& scene, int top, int bottom, const WallHit& hit) const;
     void hang(const Scene& scene, const Surface& surface, double length, double peg);
+    int end_of_picture(const ColumnTexels& at, int top, int bottom) const;
+    void lay_rows(const Scene& scene, int x, OpenRows rows, const ColumnTexels& at, const WallHit& hit) const;
     ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
     void fill_lit(const Scene& scene, const Run& run, const ColumnTexels& at, const WallHit& hit) const;
     WallRun run_of(const ColumnTexels& at, const WallHit& hit) const;
@@ -52,6 +57,7 @@ private:
     Fog fog_;
     double u_per_along_ = 1, u_offset_ = 0;  ///< [tiles]
     double v_at_peg_ = 0, v_per_m_ = 1;      ///< v at the eye's height, and tiles per metre downwards
+    bool is_once_ = false;
     const LightGrid* light_grid_ = nullptr;  ///< of point lights
     double length_ = 0, eye_z_ = 0;          ///< [m]; where there is a grid
 };

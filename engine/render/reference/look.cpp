@@ -41,7 +41,7 @@ Opening opening_of(const Scene& scene, SectorId sector, double eye_z) {
 /// an instant after the start, so that an eye at the very height of a ceiling still sees only its upper half covered.
 bool reaches(const Arrival& at, double height) {
     if (at.hit.depth == 0 && height == 0) return at.course.climb >= 0;
-    return at.course.climb * at.hit.depth >= height;
+    return (at.course.climb + kTieClimb) * at.hit.depth >= height;
 }
 
 /// A level ray, or a wall through the eye, is compared with a height without any rounding.
@@ -52,13 +52,19 @@ bool is_close_to(const Arrival& at, double height) {
 
 constexpr std::uint32_t kAlpha = 0xFF000000u;
 
+/// Whether the picture of a wall's middle is shown once. A scrolled one runs through its place, over and over.
+enum class Shown : std::uint8_t { over_and_over, once };
+
 /// ahead: how far, along the course [m]. glow: of point lights.
 Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, double v, double contrast, double ahead,
-             LightCell glow) {
+             LightCell glow, Shown shown) {
     const double depth = ahead * at.course.depth_scale;
     Seen seen{id, depth, {}, 0, false};
-    const double tile_u = fraction(u - surface.offset_tiles.x), tile_v = fraction(v - surface.offset_tiles.y);
-    const std::uint32_t color = texel(at.scene.textures[surface.texture], tile_u, tile_v);
+    u -= surface.offset_tiles.x;
+    v -= surface.offset_tiles.y;
+    const double tile_u = fraction(u), tile_v = shown == Shown::once ? std::clamp(v, 0.0, 1.0) : fraction(v);
+    const TilePlace v_place = shown == Shown::once ? place_on_picture(tile_v) : place_on_tile(v);
+    const std::uint32_t color = texel(at.scene.textures[surface.texture], place_on_tile(u), v_place);
     const double light = light_at(at.scene.snapshot, at.hit.sector);
     seen.texel = {static_cast<float>(tile_u), static_cast<float>(tile_v)};
     seen.color = lit(at.scene, color, light, contrast, depth, glow);  // a pane still needs its alpha
@@ -72,16 +78,20 @@ SkyTexel sky_texel_of(const Arrival& at, const Surface& surface) {
     return sky_texel(surface.tile_m, surface.offset_tiles, turns, elevation);
 }
 
+std::uint32_t sky_color(const Arrival& at, const Surface& surface, const SkyTexel& place) {
+    return texel(at.scene.textures[surface.texture], place_on_tile(place.u), place_on_picture(place.v));
+}
+
 Seen sky(const Arrival& at, const Flat& flat, SurfaceId id) {
     const SkyTexel base = sky_texel_of(at, flat.surface);
     Seen seen{id, std::numeric_limits<double>::infinity(), {}, 0, false};
     seen.texel = {static_cast<float>(base.u), static_cast<float>(base.v)};
-    seen.color = texel(at.scene.textures[flat.surface.texture], base.u, base.v) | kAlpha;
+    seen.color = sky_color(at, flat.surface, base) | kAlpha;
     for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
         const SkyLayer& layer = at.scene.map.sky_layers[flat.first_layer + i];
         const Surface surface = layer_now(at.scene.map, at.scene.snapshot, layer);
         const SkyTexel over = sky_texel_of(at, surface);
-        seen.color = laid_over(seen.color, texel(at.scene.textures[surface.texture], over.u, over.v));
+        seen.color = laid_over(seen.color, sky_color(at, surface, over));
     }
     return seen;
 }
@@ -93,7 +103,7 @@ Seen flat(const Arrival& at, const Flat& flat, double height, const LightGrid* g
     const double depth = at.course.climb == 0 ? at.hit.depth : std::clamp(height / at.course.climb, 0.0, at.hit.depth);
     const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth, place = spot - flat.origin;
     return painted(at, flat.surface, id, place.x / flat.surface.tile_m.x, place.y / flat.surface.tile_m.y, 1, depth,
-                   glow_on(grid, spot.x, spot.y));
+                   glow_on(grid, spot.x, spot.y), Shown::over_and_over);
 }
 
 /// Height above the eye that the texture hangs from.
@@ -108,7 +118,7 @@ double peg_height(const Arrival& at, Peg peg) {
 }
 
 /// peg: height above the eye that the texture hangs from.
-Seen wall(const Arrival& at, const Surface& at_rest, double peg, WallPart part) {
+Seen wall(const Arrival& at, const Surface& at_rest, double peg, WallPart part, Shown shown = Shown::over_and_over) {
     const Surface surface = picture_now(at.scene.map, at.scene.snapshot, at.hit.wall, at_rest);
     const double u = at.hit.along * at.wall.length / surface.tile_m.x;
     const double v = (peg - at.course.climb * at.hit.depth) / surface.tile_m.y;
@@ -116,7 +126,7 @@ Seen wall(const Arrival& at, const Surface& at_rest, double peg, WallPart part) 
     LightGrids* lights = at.scene.lights;
     const LightGrid* grid = lights ? lights->on_wall(at.scene.map, at.scene.snapshot, at.hit.wall) : nullptr;
     return painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth,
-                   glow_on(grid, at.hit.along * at.wall.length, z));
+                   glow_on(grid, at.hit.along * at.wall.length, z), shown);
 }
 
 Seen wall(const Arrival& at, const Surface& surface, WallPart part) {
@@ -132,7 +142,8 @@ Pane pane(const Arrival& at) {
     const double picture_bottom = picture_top - surface.tile_m.y;
     Pane pane{{}, 0, is_close_to(at, picture_top) || is_close_to(at, picture_bottom)};
     if (reaches(at, picture_top) || !reaches(at, picture_bottom)) return pane;
-    pane.seen = wall(at, at.wall.middle, top, WallPart::middle);
+    const Shown shown = at.wall.scroll.y == 0 ? Shown::once : Shown::over_and_over;
+    pane.seen = wall(at, at.wall.middle, top, WallPart::middle, shown);
     pane.alpha = pane.seen.color >> 24;
     pane.ambiguous |= is_at_rim_of_hole(at.scene.textures[surface.texture], pane.seen.texel, surface.tile_m);
     return pane;

@@ -28,9 +28,8 @@ struct RoomRay {
     double entry_depth;  ///< 0 in the eye's own room [m]
 };
 
-/// The texel at a position within the tile, in [0, 1).
-inline std::uint32_t texel(const Texture& texture, double u, double v) {
-    return texture.at(texel_index(u, texture.width), texel_index(v, texture.height));
+inline std::uint32_t texel(const Texture& texture, TilePlace u, TilePlace v) {
+    return texture.at(texel_of(u, texture.width), texel_of(v, texture.height));
 }
 
 /// A texel's colour in this light, that of point lights and the map's fog; its alpha is kept.

@@ -10,7 +10,7 @@ namespace {
 /// after the start, as a wall is.
 bool reaches(const RoomRay& ray, const PanelHit& at, double height) {
     if (at.depth == 0 && height == 0) return ray.course.climb >= 0;
-    return ray.course.climb * at.depth >= height;
+    return (ray.course.climb + kTieClimb) * at.depth >= height;
 }
 
 /// A level ray, or a panel through the eye, is compared with a height without any rounding.
@@ -24,15 +24,15 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
     const Surface& surface = panel.surface;
     const Texture& texture = scene.textures[surface.texture];
     const double top = panel.top - ray.hit.space.eye_z;
-    const double u = fraction(at.along * panel.length / surface.tile_m.x - surface.offset_tiles.x);
-    const double v = fraction((top - ray.course.climb * at.depth) / surface.tile_m.y - surface.offset_tiles.y);
-    const std::uint32_t color = texel(texture, u, v);
+    const double u = at.along * panel.length / surface.tile_m.x - surface.offset_tiles.x;
+    const double v = (top - ray.course.climb * at.depth) / surface.tile_m.y - surface.offset_tiles.y;
+    const std::uint32_t color = texel(texture, place_on_tile(u), place_on_tile(v));
     const double light = light_at(scene.snapshot, panel.sector);
     const double depth = at.depth * ray.course.depth_scale;
     Pane pane;
     pane.seen.id = panel_id(scene.map, at.panel);
     pane.seen.depth = depth;
-    pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
+    pane.seen.texel = {static_cast<float>(fraction(u)), static_cast<float>(fraction(v))};
     pane.alpha = color >> 24;
     const LightGrid* grid = scene.lights ? scene.lights->on_panel(scene.map, scene.snapshot, at.panel) : nullptr;
     const double z = ray.hit.space.eye_z + ray.course.climb * at.depth;

@@ -63,18 +63,19 @@ void require_on_picture(Verdict& verdict, const Scene& scene, const RoomRay& ray
     const double bottom = top - picture.size_m.y;
     verdict.require(at.place_m.x >= 0, are_close(at.place_m.x, 0));
     verdict.require(at.place_m.x < picture.size_m.x, are_close(at.place_m.x, picture.size_m.x));
+    const double passed = height + kTieClimb * at.depth;
     const bool is_level = ray.course.climb == 0;  // compared with heights without any rounding
     for (const double upper : {top, room.ceiling_z - eye_z})
-        verdict.require(height < upper, !is_level && are_close(height, upper));
+        verdict.require(passed < upper, !is_level && are_close(height, upper));
     for (const double lower : {bottom, room.floor_z - eye_z})
-        verdict.require(height >= lower, !is_level && are_close(height, lower));
+        verdict.require(passed >= lower, !is_level && are_close(height, lower));
 }
 
 /// What the ray sees of the picture, if it goes through it.
 Pane pane_of(const Scene& scene, const RoomRay& ray, const SpritePicture& picture, const Meeting& at) {
     const Texture& texture = scene.textures[picture.texture];
     const double u = at.place_m.x / picture.size_m.x, v = std::clamp(at.place_m.y / picture.size_m.y, 0.0, 1.0);
-    const std::uint32_t color = texel(texture, std::clamp(u, 0.0, 1.0), v);
+    const std::uint32_t color = texel(texture, place_on_picture(std::clamp(u, 0.0, 1.0)), place_on_picture(v));
     const double depth = at.depth * ray.course.depth_scale;
     Pane pane;
     pane.seen.id = thing_id(scene.map, at.thing);

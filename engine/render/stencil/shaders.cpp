@@ -111,6 +111,13 @@ float part(float x) {
     return f < 1.0 ? f : 0.0;
 }
 
+// The tie rule for texels (render/shade.h), as far as floats go: what they leave of a position a few tiles away is
+// good to 2^-20 of a tile, so this is the finest step to which what should stand at a texel's edge is rounded alike.
+vec2 nearest(vec2 tiles) {
+    const float steps = 65536.0;
+    return round(tiles * steps) / steps;
+}
+
 uvec4 texel_of(uvec2 picture, vec2 tile) {  // where it begins, its size
     uvec2 size = uvec2(picture.y & 65535u, picture.y >> 16u);
     uvec2 at = min(uvec2(tile * vec2(size)), size - 1u);
@@ -154,7 +161,7 @@ uvec3 in_fog(uvec3 color, float depth) {
 // outside belongs to flats that are drawn where they are not (flat_look).
 float flat_depth(float height, float up, float met) {
     const float shift = 0.0078125;
-    const float just_inside = 9.5367431640625e-07;  // more than what floats leave of a distance
+    const float just_inside = 3.0517578125e-05;  // half a step of texels, a quarter of a tile away
     if (up == 0.0) return met;
     float there = height / up;
     float s = even(entry_span, gl_FragCoord.xy - entry.yz);
@@ -165,7 +172,8 @@ float flat_depth(float height, float up, float met) {
 }
 
 vec2 sky_tile(float turns, float elevation, vec2 tile, vec2 offset) {
-    return vec2(part(turns * tile.x - offset.x), clamp(1.0 - elevation / tile.y - offset.y, 0.0, 1.0));
+    vec2 spot = nearest(vec2(turns * tile.x - offset.x, clamp(1.0 - elevation / tile.y - offset.y, 0.0, 1.0)));
+    return vec2(part(spot.x), spot.y);
 }
 
 #ifdef LAYERED_SKY
@@ -211,14 +219,15 @@ void main() {
     if (paint == kWall || paint == kPicture) {
         float along = clamp(even(a.xyz, t) / max(even(line.xyz, t), 1e-30), 0.0, 1.0);
         float v = b.y - up * met * b.z;
-        tile = vec2(part(along * a.w - b.x), part(paint == kWall ? v : max(v, 0.0)));  // nothing is above a picture
+        tile = nearest(vec2(along * a.w - b.x, v));
+        tile = vec2(part(tile.x), paint == kWall ? part(tile.y) : clamp(tile.y, 0.0, 1.0));  // a picture is shown once
         shade = shade_at(depth);
         color = texel(tile);
         known = vec2(along, up * met);
     } else if (paint == kFlat) {
         depth = flat_depth(c.z, up, met);
         known = depth * vec2(even(a.xyz, t), even(b.xyz, t));
-        vec2 spot = c.xy + known;
+        vec2 spot = nearest(c.xy + known);
         tile = vec2(part(spot.x), part(spot.y));
         shade = shade_at(depth);
         color = texel(tile);

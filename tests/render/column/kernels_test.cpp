@@ -28,7 +28,42 @@ TEST(FillWall, ShowsTheTexelOfEachRowForAnyTextureHeight) {
         const double v0 = -3.3, per_row = 0.0137;
         fill_wall({pixels.data(), 0, 300}, {texture.pixels.data(), height, tile_steps(v0), tile_steps(per_row), 256});
         for (int y = 0; y < 300; ++y)
-            ASSERT_EQ(pixels[y] & 0xFFF, texel_index(fraction(v0 + y * per_row), height)) << height << " row " << y;
+            ASSERT_EQ(pixels[y] & 0xFFF, texel_of(place_on_tile(v0 + y * per_row), height)) << height << " row " << y;
+    }
+}
+
+/// Rounding puts what should be at the edge between two texels a little to either side of it.
+TEST(FillWall, RoundsToTheEdgesOfTexels) {
+    const Texture texture = numbered(1, 64);
+    std::uint32_t pixel = 0;
+    for (const double off : {-1e-11, 0.0, 1e-11}) {
+        fill_wall({&pixel, 0, 1}, {texture.pixels.data(), 64, tile_steps(17.0 / 64 + off), 0, 256});
+        EXPECT_EQ(pixel & 0xFFF, 17u) << off;
+    }
+}
+
+TEST(FillFlat, RoundsToTheEdgesOfTexels) {
+    const Texture texture = numbered(64, 32);
+    const double depth = 1;
+    const Shade shade = 256;
+    std::uint32_t pixel = 0;
+    for (const double off : {-1e-11, 0.0, 1e-11}) {
+        fill_flat({&pixel, 0, 1}, {&texture, 0.5, 0.25, 11.0 / 64 - off, -3.0 / 32 + off, 1, &depth, &shade});
+        EXPECT_EQ(pixel >> 12 & 0xFFF, 43u) << off;
+        EXPECT_EQ(pixel & 0xFFF, 5u) << off;
+    }
+}
+
+/// A tile of a hand's breadth at the far end of the world.
+TEST(FillFlat, ShowsTheTexelsOfFarTiles) {
+    const Texture texture = numbered(64, 32);
+    const std::vector<double> depths{0.5, 1e4, 123456.7};
+    const std::vector<Shade> shades(depths.size(), 256);
+    std::vector<std::uint32_t> pixels(depths.size());
+    fill_flat({pixels.data(), 0, 3}, {&texture, 0.3, 0.6, 141.3, -227.7, 2e5, depths.data(), shades.data()});
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        EXPECT_EQ(pixels[i] >> 12 & 0xFFF, texel_of(place_on_tile(0.3 + depths[i] * 141.3), 64)) << i;
+        EXPECT_EQ(pixels[i] & 0xFFF, texel_of(place_on_tile(0.6 - depths[i] * 227.7), 32)) << i;
     }
 }
 
@@ -66,8 +101,8 @@ TEST(FillFlat, ShowsTheTexelUnderEachRow) {
     std::vector<std::uint32_t> pixels(depths.size());
     fill_flat({pixels.data(), 0, 5}, {&texture, 0.3, 0.6, 0.41, -0.27, 100, depths.data(), shades.data()});
     for (std::size_t i = 0; i < depths.size(); ++i) {
-        EXPECT_EQ(pixels[i] >> 12 & 0xFFF, texel_index(fraction(0.3 + depths[i] * 0.41), 64)) << i;
-        EXPECT_EQ(pixels[i] & 0xFFF, texel_index(fraction(0.6 - depths[i] * 0.27), 32)) << i;
+        EXPECT_EQ(pixels[i] >> 12 & 0xFFF, texel_of(place_on_tile(0.3 + depths[i] * 0.41), 64)) << i;
+        EXPECT_EQ(pixels[i] & 0xFFF, texel_of(place_on_tile(0.6 - depths[i] * 0.27), 32)) << i;
     }
 }
 

@@ -22,8 +22,16 @@ Screen screen_of(int width, int height, double pitch_tangent = 0) {
 /// The definition, row by row.
 int first_row_below_by_search(const Screen& screen, double height, double depth, int top, int bottom) {
     for (int y = top; y < bottom; ++y)
-        if (screen.row_rises[y] * depth < height * screen.focal_y) return y;
+        if (screen.tied_rises[y] * depth < height * screen.focal_y) return y;
     return bottom;
+}
+
+/// The middle of a row meets the very edge of a surface; rounding puts its depth a little to either side.
+TEST(FirstRowBelow, IsTheSameWhateverRoundingDoesToADepth) {
+    const Screen screen = screen_of(320, 200);
+    const double depth = 10.5 / screen.row_rises[30] * screen.focal_y;
+    for (const double part : {-1e-14, 0.0, 1e-14})
+        EXPECT_EQ(first_row_below(screen, 10.5, depth * (1 + part), 0, 200), 31) << part;
 }
 
 TEST(FirstRowBelow, IsTheRowTheDefinitionNames) {

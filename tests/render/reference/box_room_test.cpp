@@ -102,7 +102,8 @@ TEST_F(BoxRoom, PaintsTheTexelInTheLightOfItsDepth) {
         const double contrast = is_wall ? rooms_.map.walls[(id - 3) / 3].contrast : 1;
         const char* const name = is_wall ? "wall" : id == floor_id(box_) ? "floor" : "ceiling";
         const Texture& texture = rooms_.textures[rooms_.textures.find(name)];
-        const std::uint32_t painted = texture.at(texel_index(texel.u, 64), texel_index(texel.v, 64));
+        const std::uint32_t painted =
+            texture.at(texel_of(place_on_tile(texel.u), 64), texel_of(place_on_tile(texel.v), 64));
         const Shade shade = shade_at(LightModel::smooth, 1, contrast, picture_.facts.depths[i]);
         ASSERT_EQ(picture_.frame.pixels[i], shaded(painted, shade)) << i;
     }
