@@ -1,11 +1,10 @@
 #include "render/column/sector_projection.h"
 
 #include <algorithm>
-#include <limits>
 
-#include "base/check.h"
 #include "math/predicates.h"
 #include "render/built_in.h"
+#include "render/least_missed.h"
 
 namespace enfilade::column {
 namespace {
@@ -62,23 +61,9 @@ ProjectedWall project(const Segment& facing, const Pose& pose, const Screen& scr
 
 ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, int column,
                            WallId entry) {
-    const Sector& s = map[sector];
-    ProjectedWall best;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
-        const Wall& wall = map.walls[i];
-        if (side_of_line(wall.a, wall.b, pose.eye) < 0) continue;
-        ProjectedWall w = ends_of(wall, pose);
-        w.wall = WallId(i);
-        const double slope = screen.slopes[column];
-        const bool is_before = entry && (entry == w.wall || !is_beyond(wall, map[entry]));
-        const double missed = std::max({-edge(w.left_v, slope), edge(w.right_v, slope), 0.0}) +
-                              (is_before ? kWorldLimit * kWorldLimit : 0);
-        if (missed >= least) continue;
-        least = missed;
-        best = w;
-    }
-    ENFILADE_CHECK(best.wall);  // around a closed outline some wall always faces the eye
+    const WallId wall = enfilade::least_missed(map, sector, pose, screen.slopes[column], entry);
+    ProjectedWall best = ends_of(map[wall], pose);
+    best.wall = wall;
     set_depths(best, map[best.wall], pose);
     best.begin = column;
     best.end = column + 1;

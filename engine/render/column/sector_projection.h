@@ -40,9 +40,8 @@ WallHit hit(const ProjectedWall& wall, double slope);
 /// `out` is emptied first and keeps its memory.
 void project(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, std::vector<ProjectedWall>& out);
 
-/// For a column that no wall of the sector covers: the wall that comes nearest to it, as if it covered that column
-/// alone, preferably one beyond `entry`. The eye is rounded onto its grid behind a link, which can put a ray that came
-/// in at the very edge of the doorway just outside it; without this its pixels would never be drawn.
+/// For a column that no wall of the sector covers: the one that stands in (render/least_missed.h), as if it covered
+/// that column alone.
 ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, int column,
                            WallId entry);
 

@@ -17,7 +17,9 @@ public:
 
     void build() {
         const std::size_t begin = mesh_.index_count();
-        for (const SeenSector& seen : layer_.sectors) add_sector(seen);
+        walls_ = layer_.walls;
+        if (scene_.rays.is_tilted) gather_walls();
+        for (const WallOnScreen& place : walls_) add_wall(place);
         for (const Exit& exit : layer_.exits)
             if (exit.layer == Exit::kCut) add_opening(exit.wall, true);
         out_.surfaces = mesh_.sort_by_kind(begin);
@@ -37,24 +39,21 @@ private:
         return {begin, mesh_.index_count()};
     }
 
-    void add_sector(const SeenSector& seen) {
-        const Sector& sector = scene_.map()[seen.sector];
-        for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i)
-            if (auto place = place_in_layer(WallId(i)); place && is_in_sight(*place, seen)) add_wall(*place);
-    }
-
-    bool is_in_sight(const WallOnScreen& place, const SeenSector& seen) const {
-        return scene_.rays.is_tilted || (place.end > seen.begin && place.begin < seen.end);
+    /// All walls of a tilted picture that may be in sight: their depth decides.
+    void gather_walls() {
+        for (const SectorId seen : layer_.sectors) {
+            const Sector& sector = scene_.map()[seen];
+            for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i)
+                if (const auto place = place_in_layer(WallId(i))) walls_.push_back(*place);
+        }
     }
 
     /// none: the wall does not face the eye, or is before the doorway one looks in through.
     std::optional<WallOnScreen> place_in_layer(WallId id) const {
         const Map& map = scene_.map();
         if (layer_.entry && (layer_.entry == id || !is_beyond(map[id], map[layer_.entry]))) return {};
-        const WallOnScreen* doorway = layer_.entry ? &layer_.opened : nullptr;
-        if (!scene_.rays.is_tilted) return on_screen(map, id, layer_.pose, scene_.screen, doorway);
         auto place = in_view(map, id, layer_.pose);
-        if (place && doorway) extend_beyond(*place, *doorway);
+        if (place && layer_.entry) extend_beyond(*place, layer_.opened);
         return place;
     }
 
@@ -98,10 +97,11 @@ private:
 
     /// What one sees through a portal: as a mask, or filled where its chain ends.
     void add_opening(WallId portal, bool filled) {
-        const auto place = place_in_layer(portal);
-        if (!place) return;
-        const SeenWall wall = seen(*place);
-        add_strip(*place, wall.parts.opening, filled ? end_look(scene_, wall) : plain_look(scene_, *place));
+        for (const WallOnScreen& place : walls_) {
+            if (place.wall != portal) continue;
+            const SeenWall wall = seen(place);
+            add_strip(place, wall.parts.opening, filled ? end_look(scene_, wall) : plain_look(scene_, place));
+        }
     }
 
     void add_pane(const ThingOnScreen& thing) { add_strip(thing.place, thing.shown, thing_look(scene_, thing)); }
@@ -122,6 +122,7 @@ private:
     const Scene& scene_;
     const Layer& layer_;
     LayerRanges& out_;
+    std::vector<WallOnScreen> walls_;
 };
 
 }  // namespace

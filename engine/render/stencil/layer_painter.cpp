@@ -23,7 +23,7 @@ void describe_vertices() {
     constexpr std::size_t kLook = offsetof(Vertex, look);
     float_attribute(0, 2, offsetof(Vertex, x));
     float_attribute(1, 4, kLook + offsetof(Look, from));
-    float_attribute(2, 4, kLook + offsetof(Look, span));
+    float_attribute(2, 3, kLook + offsetof(Look, span));
     float_attribute(3, 4, kLook + offsetof(Look, nearest));
     float_attribute(4, 4, kLook + offsetof(Look, a));
     float_attribute(5, 4, kLook + offsetof(Look, b));
@@ -121,20 +121,11 @@ void LayerPainter::set_uniforms(const SurfaceProgram& program, const Scene& scen
     glUniform1i(program.records, 1);
 }
 
-/// slope * forward - right: on which side of it a vertex lies exactly on the ray counts (render/edge_function.h).
-void LayerPainter::set_normal(GLint uniform, const Job& job, const Pose& pose) const {
-    if (job.scene.rays.is_tilted) return;
-    const Vec2 at_0 = pose.forward * job.scene.screen.slope_at(0) - pose.right;
-    const Vec2 per_px = pose.forward * job.scene.screen.slope_per_px;
-    glUniform4f(uniform, static_cast<float>(at_0.x), static_cast<float>(at_0.y), static_cast<float>(per_px.x),
-                static_cast<float>(per_px.y));
-}
-
 void LayerPainter::set_entry(const SurfaceProgram& program, const Job& job, const Layer& layer) {
     const WallOnScreen& doorway = layer.opened;
     const double x = (doorway.begin + doorway.end) / 2, y = 0;
     const Even there = span(job.scene.rays, doorway);
-    glUniform3f(program.entry, layer.entry ? static_cast<float>(doorway.cross) : 0.0f, static_cast<float>(x),
+    glUniform3f(program.entry, layer.entry ? static_cast<float>(depth_factor(doorway)) : 0.0f, static_cast<float>(x),
                 static_cast<float>(y));
     glUniform3f(program.entry_span, static_cast<float>(there.at(x, y)), static_cast<float>(there.per_x),
                 static_cast<float>(there.per_y));
@@ -157,7 +148,6 @@ void LayerPainter::paint_surfaces(const Job& job, const Layer& layer, const Laye
         if (ranges.surfaces[kind].is_empty()) continue;
         const SurfaceProgram& program = surfaces_[kind];
         glUseProgram(program.program.id());
-        set_normal(program.normal, job, layer.pose);
         set_entry(program, job, layer);
         glUniform1ui(program.least_alpha, 0);
         draw(ranges.surfaces[kind]);
@@ -174,7 +164,6 @@ void LayerPainter::use_layer(const Layer& layer) {
 void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening) {
     use_layer(layer);
     glUseProgram(masks_.program.id());
-    set_normal(masks_.normal, job, layer.pose);
     glUniform1i(masks_.is_far, 0);  // the level above is at its own reset
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     // Mark: what of the portal is not hidden rises by one level.
@@ -193,7 +182,6 @@ void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& 
     // Restore: the portal's own depth, and the level it had.
     use_layer(layer);
     glUseProgram(masks_.program.id());
-    set_normal(masks_.normal, job, layer.pose);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_ALWAYS);
     at_level(layer.level + 1, GL_DECR);
@@ -206,7 +194,6 @@ void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRa
     use_layer(layer);
     const SurfaceProgram& program = surfaces_[static_cast<std::size_t>(ranges.panes_kind)];
     glUseProgram(program.program.id());
-    set_normal(program.normal, job, layer.pose);
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
     // Facts first, of what hides more than half of what is behind; then colours, mixed.

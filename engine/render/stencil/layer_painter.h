@@ -41,7 +41,6 @@ private:
     void set_uniforms(const Scene& scene) const;
     void set_uniforms(const SurfaceProgram& program, const Scene& scene) const;
     void paint_surfaces(const Job& job, const Layer& layer, const LayerRanges& ranges);
-    void set_normal(GLint uniform, const Job& job, const Pose& pose) const;
     void set_entry(const SurfaceProgram& program, const Job& job, const Layer& layer);
     void paint_layer(const Job& job, std::size_t index);
     void look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening);

@@ -10,9 +10,10 @@ enum class Paint : std::uint32_t { wall, flat, sky, color, picture };
 
 /// Numbers that change evenly over the picture are given as three: at the point `from`, per column and per row.
 struct Look {
-    float from[2]{}, cross = 0, begin = 0;  ///< begin, end: of the wall, counted from from[0] [px]; not if tilted
-    float span[3]{}, end = 0;               ///< depth = cross / span
-    float nearest = 0, farthest = 0;        ///< bounds of that depth [m]
+    float from[2]{}, cross = 0;
+    float order = 0;                  ///< the nearer the larger; tilted pictures go by their depth instead
+    float span[3]{};                  ///< depth = cross / span
+    float nearest = 0, farthest = 0;  ///< bounds of that depth [m]
     float light = 1, contrast = 1;
     float a[4]{};  ///< by Paint, see shaders.cpp
     float b[4]{};

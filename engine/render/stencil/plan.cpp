@@ -73,22 +73,19 @@ private:
     }
 
     void look_into(Layer& layer, const Visit& visit) {
-        note_sector(layer, visit);
+        note_sector(layer, visit.sector);
         room_.look(visit, face_of(layer.pose, visit.face));
-        if (!rays_.is_tilted) panes_.note(layer, room_);
+        if (!rays_.is_tilted) {
+            room_.add_met(layer.walls);
+            panes_.note(layer, room_);
+        }
         for (const WallOnScreen& wall : room_.walls())
             if (map()[wall.wall].kind != WallKind::solid) look_through(layer, wall);
     }
 
-    static void note_sector(Layer& layer, const Visit& visit) {
-        const auto is_it = [&](const SeenSector& seen) { return seen.sector == visit.sector; };
-        const auto found = std::find_if(layer.sectors.begin(), layer.sectors.end(), is_it);
-        if (found == layer.sectors.end()) {
-            layer.sectors.push_back({visit.sector, visit.window.begin, visit.window.end()});
-            return;
-        }
-        found->begin = std::min(found->begin, visit.window.begin);
-        found->end = std::max(found->end, visit.window.end());
+    static void note_sector(Layer& layer, SectorId sector) {
+        const auto found = std::find(layer.sectors.begin(), layer.sectors.end(), sector);
+        if (found == layer.sectors.end()) layer.sectors.push_back(sector);
     }
 
     void look_through(Layer& layer, const WallOnScreen& wall) {
@@ -120,14 +117,16 @@ private:
 
     /// The picture that hangs in a portal, in every run of columns in which one looks through.
     void note_hanging(Layer& layer, const WallOnScreen& portal, const Window& beyond) const {
-        // More portals may be open behind than are: of those equally deep only one is met.
-        const auto is_met = [&](int x) { return !beyond.at(x).is_closed() && room_.nearest_at(x) == portal.wall; };
+        const auto is_met = [&](int x) { return !beyond.at(x).is_closed(); };
         for (int x = beyond.begin, begin = x; x <= beyond.end(); ++x) {
             if (x < beyond.end() && is_met(x)) continue;
             if (begin < x) {
                 layer.panes.push_back(Hanging{portal});
-                place_of(layer.panes.back()).begin = begin;
-                place_of(layer.panes.back()).end = x;
+                WallOnScreen& place = place_of(layer.panes.back());
+                place.begin = begin;
+                place.end = x;
+                place.rank = room_.visit().depth;
+                place.is_pane = true;
             }
             begin = x + 1;
         }

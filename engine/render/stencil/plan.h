@@ -14,12 +14,6 @@
 
 namespace enfilade::stencil {
 
-/// A sector of a layer, and the columns [begin, end) it may be seen in; of a tilted picture's panorama.
-struct SeenSector {
-    SectorId sector;
-    int begin = 0, end = 0;
-};
-
 /// A portal that leads out of a layer.
 struct Exit {
     static constexpr std::size_t kCut = static_cast<std::size_t>(-1);
@@ -30,13 +24,14 @@ struct Exit {
 
 struct Layer {
     Pose pose;
-    WallId entry;         ///< the wall of this space through which one looks in; none for the first layer
-    WallOnScreen opened;  ///< the same from its other side, in view space
-    int level = 0;        ///< stencil value of its pixels
-    Box box;              ///< no pixel of the layer is outside
-    std::vector<SeenSector> sectors;
-    std::vector<Exit> exits;  ///< nearest first
-    std::vector<Pane> panes;  ///< along every ray the nearer before the farther
+    WallId entry;                     ///< the wall of this space through which one looks in; none for the first layer
+    WallOnScreen opened;              ///< the same from its other side, in view space
+    int level = 0;                    ///< stencil value of its pixels
+    Box box;                          ///< no pixel of the layer is outside
+    std::vector<SectorId> sectors;    ///< looked into
+    std::vector<WallOnScreen> walls;  ///< upright: by runs of columns, which meet one in each room they go through
+    std::vector<Exit> exits;          ///< nearest first
+    std::vector<Pane> panes;          ///< along every ray the nearer before the farther
 };
 
 /// The stencil buffer holds 8 bits, so this is the deepest level there can be.

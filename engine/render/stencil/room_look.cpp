@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "render/least_missed.h"
+
 namespace enfilade::stencil {
 namespace {
 
@@ -11,7 +13,8 @@ namespace {
 /// may turn out to cover it, or not to [px].
 constexpr double kSlack = 4 * kTieShift;
 
-/// Of two portals whose depths differ by less than this part, rounding could say either is nearer: both are followed.
+/// Of two portals of a range whose depths differ by less than this part, rounding could say either is nearer: both are
+/// followed.
 constexpr double kTie = 1e-9;
 
 /// The first row, not before `least`, whose centre is at or after `px`; `most` if there is none.
@@ -52,6 +55,27 @@ void RoomLook::look(const Visit& visit, const Pose& pose) {
         walls_.push_back(*wall);
         offer(*wall);
     }
+    first_stand_in_ = walls_.size();
+    if (!screen_.has_ranges) find_stand_ins(pose);
+}
+
+void RoomLook::find_stand_ins(const Pose& pose) {
+    for (int x = visit_->window.begin; x < visit_->window.end(); ++x)
+        if (nearest_at(x).is_none() && !visit_->window.at(x).is_closed()) stand_in(pose, x);
+}
+
+void RoomLook::stand_in(const Pose& pose, int x) {
+    const double slope = screen_.slopes[static_cast<std::size_t>(x)];
+    WallOnScreen wall = *in_view(map_, least_missed(map_, visit_->sector, pose, slope, visit_->entry), pose);
+    wall.stand_in(slope);
+    wall.begin = x;
+    wall.end = x + 1;
+    WallOnScreen* const before = walls_.size() > first_stand_in_ ? &walls_.back() : nullptr;
+    if (before && before->end == x && before->wall == wall.wall && before->missed == wall.missed)
+        before->end = wall.end;
+    else
+        walls_.push_back(wall);
+    nearest_[index_of(x)] = {static_cast<int>(walls_.size()) - 1, wall.inverse_depth(slope)};
 }
 
 void RoomLook::offer(const WallOnScreen& wall) {
@@ -59,15 +83,36 @@ void RoomLook::offer(const WallOnScreen& wall) {
     const int end = std::min(sure.end, visit_->window.end());
     for (int x = std::max(sure.begin, visit_->window.begin); x < end; ++x) {
         Nearest& nearest = nearest_[index_of(x)];
+        if (visit_->window.at(x).is_closed()) continue;
         const double inverse = inverse_depths(wall, screen_, x).least;
-        if (is_nearer_at(wall, inverse, nearest)) nearest = {wall.wall, inverse};
+        if (is_nearer_at(wall, inverse, nearest)) nearest = {static_cast<int>(walls_.size()) - 1, inverse};
     }
 }
 
 bool RoomLook::is_nearer_at(const WallOnScreen& wall, double inverse, const Nearest& other) const {
-    if (other.wall.is_none() || screen_.has_ranges || are_telling(inverse, other.inverse_depth))
-        return other.wall.is_none() || inverse > other.inverse_depth;
-    return is_nearer(map_[wall.wall], map_[other.wall]);
+    if (other.place == kNothing) return true;
+    if (screen_.has_ranges || are_telling(inverse, other.inverse_depth)) return inverse > other.inverse_depth;
+    return is_nearer(map_[wall.wall], map_[walls_[static_cast<std::size_t>(other.place)].wall]);
+}
+
+void RoomLook::add_met(std::vector<WallOnScreen>& met) const {
+    int before = kNothing;
+    for (int x = visit_->window.begin; x < visit_->window.end(); ++x) {
+        const int place = nearest_[index_of(x)].place;
+        if (place != kNothing && place != before) {
+            met.push_back(walls_[static_cast<std::size_t>(place)]);
+            met.back().begin = x;
+            met.back().rank = visit_->depth;
+        }
+        if (place != kNothing) met.back().end = x + 1;
+        before = place;
+    }
+}
+
+/// Of ranges, portals are followed that any of their rays may meet.
+bool RoomLook::may_meet(const WallOnScreen& portal, double inverse, int x) const {
+    if (screen_.has_ranges) return inverse >= inverse_depth_at(x) * (1 - kTie);
+    return nearest_[index_of(x)].place == &portal - walls_.data();
 }
 
 Window RoomLook::open_behind(const WallOnScreen& portal, const Heights& opening, double& nearest) const {
@@ -76,7 +121,7 @@ Window RoomLook::open_behind(const WallOnScreen& portal, const Heights& opening,
     const int end = std::min(portal.end, visit_->window.end());
     for (int x = std::max(portal.begin, visit_->window.begin); x < end; ++x) {
         const double inverse = inverse_depths(portal, screen_, x).most;
-        if (inverse < inverse_depth_at(x) * (1 - kTie)) continue;
+        if (!may_meet(portal, inverse, x)) continue;
         const OpenRows rows = rows_behind(portal, opening, x);
         if (rows.is_closed()) continue;
         beyond.open(x, rows);

@@ -30,33 +30,45 @@ public:
 
     const Visit& visit() const { return *visit_; }
 
-    /// Those walls of the sector that face the eye beyond the visit's entry in its columns.
+    /// Those walls of the sector that face the eye beyond the visit's entry in its columns; then those that stand in
+    /// for columns which all walls miss.
     std::span<const WallOnScreen> walls() const { return walls_; }
 
     /// The wall that column x meets first, and its inverse depth there; of ranges, one that all their rays meet, and
-    /// the inverse depth where it is farthest. none, 0: no wall.
-    WallId nearest_at(int x) const { return nearest_[index_of(x)].wall; }
+    /// the inverse depth where it is farthest. none, 0: no wall, or the column is closed.
+    WallId nearest_at(int x) const {
+        const int place = nearest_[index_of(x)].place;
+        return place == kNothing ? WallId() : walls_[static_cast<std::size_t>(place)].wall;
+    }
     double inverse_depth_at(int x) const { return nearest_[index_of(x)].inverse_depth; }
 
-    /// What of the visit's window is open through the portal; empty: nothing. Never less than what is seen.
-    /// nearest: becomes the portal's largest inverse depth there [1/m].
+    /// Adds every run of columns that meet one wall first, as that wall in these columns. Not of ranges.
+    void add_met(std::vector<WallOnScreen>& met) const;
+
+    /// What of the visit's window is open through the portal, one of walls(); empty: nothing. Of ranges never less than
+    /// what is seen. nearest: becomes the portal's largest inverse depth there [1/m].
     Window open_behind(const WallOnScreen& portal, const Heights& opening, double& nearest) const;
 
 private:
+    static constexpr int kNothing = -1;
     struct Nearest {
-        WallId wall;
+        int place = kNothing;  ///< in walls_
         double inverse_depth = 0;
     };
 
     std::size_t index_of(int x) const { return static_cast<std::size_t>(x - visit_->window.begin); }
     void offer(const WallOnScreen& wall);
+    void find_stand_ins(const Pose& pose);
+    void stand_in(const Pose& pose, int x);
     bool is_nearer_at(const WallOnScreen& wall, double inverse, const Nearest& other) const;
+    bool may_meet(const WallOnScreen& portal, double inverse, int x) const;
     OpenRows rows_behind(const WallOnScreen& portal, const Heights& opening, int x) const;
 
     const Map& map_;
     const Screen& screen_;
     const Visit* visit_ = nullptr;
     std::vector<WallOnScreen> walls_;
+    std::size_t first_stand_in_ = 0;
     std::vector<Nearest> nearest_;
 };
 

@@ -13,7 +13,7 @@ void RoomPanes::note(Layer& layer, const RoomLook& room) {
         met_.clear();
         if (x < window.end() && !window.at(x).is_closed()) meet(room, x);
         if (met_ == run_) continue;
-        add_run(layer, begin, x);
+        add_run(layer, begin, x, room.visit().depth);
         begin = x;
         std::swap(met_, run_);
     }
@@ -94,11 +94,14 @@ bool RoomPanes::is_before_wall(const RoomLook& room, const Board& panel, int x) 
 }
 
 /// The boards of run_ in the columns [begin, end), in which all of them are met.
-void RoomPanes::add_run(Layer& layer, int begin, int end) {
+void RoomPanes::add_run(Layer& layer, int begin, int end, int rank) {
     for (const std::size_t board : run_) {
         layer.panes.push_back(boards_[board].pane);
-        place_of(layer.panes.back()).begin = begin;
-        place_of(layer.panes.back()).end = end;
+        WallOnScreen& place = place_of(layer.panes.back());
+        place.begin = begin;
+        place.end = end;
+        place.rank = rank;
+        place.is_pane = true;
     }
 }
 

@@ -13,8 +13,8 @@ public:
     RoomPanes(const World& world, const Screen& screen) : world_(world), screen_(screen) {}
 
     /// Adds what stands in the room that is looked into, and is seen, to the layer's panes: for every run of columns
-    /// that meet the same pictures in the same order these pictures, the nearest first; of a thing and a panel at one
-    /// depth, in steps (render/sprite.h), the thing.
+    /// that meet the same pictures in the same order these pictures, the nearest first;
+    /// of a thing and a panel at one depth, in steps (render/sprite.h), the thing.
     void note(Layer& layer, const RoomLook& room);
 
 private:
@@ -31,7 +31,7 @@ private:
     void meet_panels(const RoomLook& room, int x);
     bool is_before(const Board& a, const Board& b) const;
     bool is_before_wall(const RoomLook& room, const Board& panel, int x) const;
-    void add_run(Layer& layer, int begin, int end);
+    void add_run(Layer& layer, int begin, int end, int rank);
 
     const World& world_;
     const Screen& screen_;

@@ -7,12 +7,13 @@ namespace {
 
 // Nothing is interpolated: a pixel computes what it shows from its own place, as the other renderers do, and every
 // value a polygon has is the same in all of its vertices. Rows count from the top because the picture is drawn upside
-// down. Depth is 1 / (1 + metres): the nearer the larger, evenly fine in proportion at any distance in a float buffer.
+// down. The depth buffer holds how many rooms one looks through (surfaces.cpp), or of tilted pictures 1 / (1 + metres):
+// the nearer the larger, evenly fine in proportion at any distance in a float buffer.
 
 constexpr const char* kVertexShader = R"(
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec4 in_place;
-layout(location = 2) in vec4 in_line;
+layout(location = 2) in vec3 in_line;
 layout(location = 3) in vec4 in_bounds;
 layout(location = 4) in vec4 in_a;
 layout(location = 5) in vec4 in_b;
@@ -21,7 +22,7 @@ layout(location = 7) in uvec4 in_what;
 layout(location = 8) in vec3 in_left_edge;
 layout(location = 9) in vec3 in_right_edge;
 flat out vec4 place;
-flat out vec4 line;
+flat out vec3 line;
 flat out vec4 bounds;
 flat out vec4 a;
 flat out vec4 b;
@@ -44,17 +45,16 @@ void main() {
 )";
 
 constexpr const char* kWallDepth = R"(
-flat in vec4 place;   // from x, from y, cross, where the wall begins from there [px]
-flat in vec4 line;    // span there, per column, per row; where the wall ends
+flat in vec4 place;   // from x, from y, cross, order
+flat in vec3 line;    // span there, per column, per row
 flat in vec4 bounds;  // nearest, farthest, light, contrast
 flat in vec3 left_edge;
 flat in vec3 right_edge;
-uniform vec4 normal;  // of the ray through column 0 and its change per column, both x, y
 uniform int is_tilted;
 vec2 way() { return gl_FragCoord.xy - place.xy; }
 float even(vec3 number, vec2 t) { return number.x + number.y * t.x + number.z * t.y; }
 float wall_depth(vec2 t) {
-    float s = even(line.xyz, t);
+    float s = even(line, t);
     return s > 0.0 ? clamp(place.z / s, bounds.x, bounds.y) : bounds.y;
 }
 // Between columns the edges of polygons are exact. Tilted there are no columns: each pixel asks the edge functions of
@@ -62,20 +62,8 @@ float wall_depth(vec2 t) {
 bool is_beside() {
     return is_tilted != 0 && (even(left_edge, gl_FragCoord.xy) < 0.0 || even(right_edge, gl_FragCoord.xy) >= 0.0);
 }
-// Which of two walls that share a vertex is nearer is asked a little beside the ray: where the tie rule moves it to, or
-// to the other side where the wall has no room there.
-float tested_depth() {
-    const float aside = 0.00390625;
-    vec2 t = way();
-    if (is_tilted == 0) {
-        vec2 n = normal.xy + normal.zw * gl_FragCoord.x;
-        bool runs_right = n.x != 0.0 ? n.x < 0.0 : n.y < 0.0;
-        float x = t.x + (runs_right ? aside : -aside);
-        if (x < place.w || x > line.w) x = t.x - (runs_right ? aside : -aside);
-        t.x = clamp(x, place.w, line.w);
-    }
-    return 1.0 / (1.0 + wall_depth(t));
-}
+// Which of two walls is nearer the CPU has decided exactly. Tilted it is asked where the ray meets them.
+float tested_depth() { return is_tilted == 0 ? place.w : 1.0 / (1.0 + wall_depth(way())); }
 )";
 
 constexpr const char* kMaskShader = R"(
@@ -313,7 +301,6 @@ const char* parts_of(Kind kind) {
 
 Status build(SurfaceProgram& surface, Kind kind) {
     if (Status failed = link(surface.program, std::string(parts_of(kind)) + kWallDepth + kSurfaceShader)) return failed;
-    surface.normal = uniform(surface.program, "normal");
     surface.is_tilted = uniform(surface.program, "is_tilted");
     surface.entry = uniform(surface.program, "entry");
     surface.entry_span = uniform(surface.program, "entry_span");
@@ -329,7 +316,6 @@ Status build(SurfaceProgram& surface, Kind kind) {
 
 Status build(MaskProgram& mask) {
     if (Status failed = link(mask.program, std::string(kWallDepth) + kMaskShader)) return failed;
-    mask.normal = uniform(mask.program, "normal");
     mask.is_tilted = uniform(mask.program, "is_tilted");
     mask.is_far = uniform(mask.program, "is_far");
     return {};

@@ -9,7 +9,6 @@ namespace enfilade::stencil {
 /// Draws surfaces: colours to output 0, facts (id, depth, texel) to output 1.
 struct SurfaceProgram {
     GlProgram program;
-    GLint normal = -1;                  ///< of the ray through column 0 [x, y] and its change per column; not if tilted
     GLint is_tilted = -1;               ///< 0 or 1
     GLint entry = -1, entry_span = -1;  ///< of the layer: the doorway one looks in through, see shaders.cpp
     GLint level = -1;                   ///< a point at or near the horizon [px]
@@ -24,8 +23,8 @@ struct SurfaceProgram {
 /// Draws only depth: for masks.
 struct MaskProgram {
     GlProgram program;
-    GLint normal = -1, is_tilted = -1;  ///< as above
-    GLint is_far = -1;                  ///< 1: infinitely far, 0: where the portal is
+    GLint is_tilted = -1;  ///< as above
+    GLint is_far = -1;     ///< 1: infinitely far, 0: where the portal is
 };
 
 /// Compile them for the current context. An error says what the driver said.

@@ -1,20 +1,23 @@
 // Sectors and portals by OpenGL: what lies behind links, mirrors and doorways into overlapping rooms is kept apart by
 // the stencil buffer.
 //
-// A frame: the planner follows the view through all portals and finds the layers (plan.h); their walls become polygons
-// (layer_mesh.h, mesh.h, surfaces.h); the painter draws layer after layer, each where the stencil buffer holds its
-// level (layer_painter.h); the shaders work out for each pixel what it shows (shaders.cpp). Upright pictures are drawn
-// in whole columns, which are decided on the CPU by the functions of the column renderer; tilted ones (view.tilt) are
-// planned all around the eye (panorama.h), and their pixels ask the edge functions themselves.
+// A frame: the planner follows the view through all portals and finds the layers, and in every column which wall each
+// room shows (plan.h); these become polygons (layer_mesh.h, mesh.h, surfaces.h); the painter draws layer after layer,
+// each where the stencil buffer holds its level (layer_painter.h); the shaders work out for each pixel what it shows
+// (shaders.cpp). Upright pictures are drawn in whole columns, which are decided on the CPU by the functions of the
+// column renderer; tilted ones (view.tilt) are planned all around the eye (panorama.h), and their pixels ask the edge
+// functions themselves.
 //
 // Nothing has to be clipped at the plane of a portal, and nothing is at a near plane: a layer draws only walls that are
 // beyond the portal that it is seen through, which is decided exactly and for each wall as a whole (render/segment.h).
 // The classic alternative, a projection whose near plane is tilted into the portal's (Lengyel: "Oblique View Frustum
 // Depth Projection and Clipping", 2005), was left out on purpose: walls in the portal's plane fall to either side by
 // rounding, and depth becomes worse in proportion as the eye comes nearer to the plane, until, where portals matter
-// most, there is none. What 24 bits of it still tell apart, in a picture 90 degrees wide before a portal that is square
-// to the view (one that slants is up to 1.4 times worse), and what is told apart here, where depth is 1 / (1 + metres)
-// in a float whatever one looks through (tests/render/stencil/near_plane_test.cpp):
+// most, there is none. Nor has depth to tell walls apart in upright pictures: there the depth buffer holds through how
+// many portals a wall is seen, so that walls through the very eye, or a millimetre apart at 10 km, are in the order
+// that the planner found exactly. What 24 bits of depth tell apart, in a picture 90 degrees wide before a portal that
+// is square to the view (one that slants is up to 1.4 times worse), and what tilted pictures tell apart, where it is 1
+// / (1 + metres) in a float whatever one looks through (tests/render/stencil/near_plane_test.cpp):
 //
 //   eye to portal    1 m      6 cm     4 mm     1 mm     1/65 mm  on it    | any, here
 //   at 10 m          6 um     0.1 mm   1.5 mm   6 mm     0.4 m    nothing  | 1 um

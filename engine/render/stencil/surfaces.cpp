@@ -13,6 +13,13 @@ namespace {
 /// doorway on that line it is behind whatever is drawn at the doorway's depth [1].
 constexpr float kBeforeWall = 1 - 0x1p-20f, kBehindDoorway = 1 + 0x1p-20f;
 
+/// What the depth buffer is told of a wall: the nearer the larger, in numbers that a float has; there are far fewer
+/// ranks than visits (plan.cpp). What stands or hangs before a wall comes between it and the one before that.
+float order_of(const WallOnScreen& place) {
+    constexpr float kStep = 0x1p-24f;
+    return 1 - static_cast<float>(2 * place.rank + (place.is_pane ? 0 : 1)) * kStep;
+}
+
 /// Tilted, depth is measured along the line of sight, and a wall's ends say nothing about it. What is farther than this
 /// is as good as at the horizon [m].
 constexpr float kFarthest = 0x1p30f;
@@ -47,10 +54,14 @@ void set_light(Look& look, double light, double contrast) {
     look.contrast = f(contrast);
 }
 
-/// Where along the wall from its a, in tiles: e_L / span, or -e_R / span where a is the right end.
+/// Where along the wall from its a, as a part of span: e_L, or -e_R where a is the right end.
+Even from_a(const RayField& rays, const WallOnScreen& place) {
+    if (place.missed) return {place.missed->along, 0, 0};
+    return place.swapped ? edge(rays, place.right_v) * -1 : edge(rays, place.left_v);
+}
+
 void set_along(Look& look, const Scene& scene, const WallOnScreen& place, double tiles, double offset) {
-    const Even from_a = place.swapped ? edge(scene.rays, place.right_v) * -1 : edge(scene.rays, place.left_v);
-    set(look.a, look, from_a, tiles);
+    set(look.a, look, from_a(scene.rays, place), tiles);
     look.b[0] = f(offset);
 }
 
@@ -110,12 +121,11 @@ void set_tilted(Look& look, const RayField& rays, const WallOnScreen& place) {
 Look plain_look(const Scene& scene, const WallOnScreen& place) {
     Look look;
     look.from[0] = f((place.begin + place.end) / 2);
-    look.begin = f(place.begin_px - static_cast<double>(look.from[0]));
-    look.end = f(place.end_px - static_cast<double>(look.from[0]));
+    look.order = order_of(place);
     look.nearest = f(place.nearest());
     look.farthest = f(place.farthest());
     if (scene.rays.is_tilted) set_tilted(look, scene.rays, place);
-    look.cross = f(place.cross);
+    look.cross = f(depth_factor(place));
     set(look.span, look, span(scene.rays, place));
     return look;
 }

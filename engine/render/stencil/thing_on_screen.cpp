@@ -52,8 +52,6 @@ bool put_on_screen(ThingOnScreen& thing, const Screen& screen) {
     const ColumnRays rays{screen.slopes, screen.per_slope()};
     thing.place.begin = first_column_from(thing.place.left_v.x, thing.depth, rays);
     thing.place.end = first_column_from(thing.place.right_v.x, thing.depth, rays);
-    thing.place.begin_px = -kMargin;  // equally deep everywhere
-    thing.place.end_px = screen.width + kMargin;
     return thing.place.begin < thing.place.end;
 }
 

@@ -124,7 +124,7 @@ private:
 
 void note_tilted_panes(Layer& layer, const World& world) {
     PaneFinder finder(layer, world);
-    for (const SeenSector& seen : layer.sectors) finder.find(seen.sector);
+    for (const SectorId sector : layer.sectors) finder.find(sector);
     layer.panes = in_order(finder.found());
 }
 

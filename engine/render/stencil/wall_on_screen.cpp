@@ -44,7 +44,15 @@ void set_ends(WallOnScreen& w, const Screen& screen) {
 }  // namespace
 
 double WallOnScreen::inverse_depth(double slope) const {
+    if (missed) return std::min(1 / missed->depth, kNoDistance);
     return cross > 0 ? std::min(span(slope) / cross, kNoDistance) : kNoDistance;
+}
+
+void WallOnScreen::stand_in(double slope) {
+    const double there = span(slope), from_left = edge(left_v, slope);
+    const bool is_met = there > 0;  // at least behind one of its ends
+    const double along = is_met ? std::clamp(from_left / there, 0.0, 1.0) : 0;
+    missed = {is_met ? std::clamp(cross / there, nearest(), farthest()) : farthest(), swapped ? 1 - along : along};
 }
 
 double WallOnScreen::nearest() const { return std::max(std::min(left_v.y, right_v.y), 0.0); }
@@ -85,7 +93,7 @@ std::optional<WallOnScreen> on_screen(const Map& map, WallId id, const Pose& pos
     auto wall = in_view(map, id, pose);
     if (!wall) return {};
     put_on_screen(*wall, pose, screen);
-    if (doorway) extend_beyond(*wall, *doorway);
+    if (doorway && screen.has_ranges) extend_beyond(*wall, *doorway);
     if (wall->begin >= wall->end) return {};
     return wall;
 }

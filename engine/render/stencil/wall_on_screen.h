@@ -13,6 +13,13 @@ namespace enfilade::stencil {
 /// How far beyond the picture's edges shapes are kept [px].
 inline constexpr double kMargin = 1;
 
+/// Where a wall that stands in for a column whose ray misses it is met (render/least_missed.h).
+struct Missed {
+    double depth = 0;  ///< [m]
+    double along = 0;  ///< from the wall's a to its b, 0..1
+    bool operator==(const Missed&) const = default;
+};
+
 /// An upright edge that faces the eye: a wall, a panel or a thing's picture (render/edge_function.h).
 struct WallOnScreen {
     WallId wall;                       ///< none: a panel or a thing
@@ -21,11 +28,17 @@ struct WallOnScreen {
     double cross = 0;                  ///< of R and L, >= 0: exactly 0 where the eye is on the wall's line [m^2]
     bool swapped = false;              ///< L is the wall's b: it is seen in a mirror, or a panel from behind
     bool is_open_left = false, is_open_right = false;  ///< tilted pictures show up to a pixel more there
+    std::optional<Missed> missed;                      ///< its columns see it there, all at one depth
+    int rank = 0;                                      ///< upright pictures: along a column it grows from room to room
+    bool is_pane = false;                              ///< it stands or hangs before the wall of its rank
     int begin = 0, end = 0;           ///< columns: those that show it, decided exactly; or of ranges those that may
     double begin_px = 0, end_px = 0;  ///< its ends, within the margin of the picture
 
     /// e_L - e_R: positive where the wall is seen.
     double span(double slope) const { return slope * (left_v.y - right_v.y) - (left_v.x - right_v.x); }
+
+    /// Lets it stand in for the column of this slope.
+    void stand_in(double slope);
 
     /// 1 / depth, linear in the slope; finite but beyond all bounds where the eye is on the wall's line [1/m].
     double inverse_depth(double slope) const;
@@ -44,12 +57,13 @@ std::optional<WallOnScreen> in_view(const Map& map, WallId wall, const Pose& pos
 bool put_on_screen(WallOnScreen& wall, const Pose& pose, const Screen& screen);
 
 /// none: the wall does not face the eye, or is in no column.
-/// doorway: null, or what one looks in through, from its other side. Its ends are authoritative: a wall behind it that
-/// ends there, or in line with it, is extended by a column, which the doorway hides unless rounding left it to nobody.
+/// doorway: null, or what one looks in through, from its other side. Of ranges, walls are extended beyond it.
 std::optional<WallOnScreen> on_screen(const Map& map, WallId wall, const Pose& pose, const Screen& screen,
                                       const WallOnScreen* doorway);
 
-/// Extends it so.
+/// A doorway's ends are authoritative: in tilted pictures, which have no columns of which to say that all walls miss
+/// them, a wall behind it that ends there, or in line with it, is extended by a column, which the doorway hides unless
+/// rounding left it to nobody.
 void extend_beyond(WallOnScreen& wall, const WallOnScreen& doorway);
 
 /// Columns in which all rays meet the wall.

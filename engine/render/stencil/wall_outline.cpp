@@ -18,7 +18,7 @@ Even widened(const Even& edge, double px) {
 }  // namespace
 
 Even below(const RayField& rays, const WallOnScreen& wall, double height) {
-    const Even line = span(rays, wall) * height - rays.up * std::max(wall.cross, kAnInstant);
+    const Even line = span(rays, wall) * height - rays.up * std::max(depth_factor(wall), kAnInstant);
     return {line.at_0 - line.per_y * kTieShift, line.per_x, line.per_y};
 }
 

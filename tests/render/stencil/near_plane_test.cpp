@@ -50,7 +50,7 @@ double oblique_step(double distance_m, double slant_degrees, double metres) {
     return ObliqueDepth(portal_plane(distance_m, slant_degrees)).next_after(metres, kStep24) - metres;
 }
 
-/// What the stencil renderer writes: 1 / (1 + metres), as a float.
+/// What the stencil renderer writes for tilted pictures: 1 / (1 + metres), as a float.
 double own_step(double metres) {
     const auto depth = static_cast<float>(1 / (1 + metres));
     return 1 / static_cast<double>(std::nextafter(depth, 0.0f)) - 1 / static_cast<double>(depth);

@@ -1,0 +1,145 @@
+// Poses exactly on vertices, on ends of links and on pinches of random maps, where whole walls pass through the eye.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+
+#include "hard_cases/comparison.h"
+#include "math/grid.h"
+#include "render/stencil/agreement.h"
+#include "space/cells.h"
+#include "space/locate.h"
+#include "support/map_builder.h"
+
+namespace enfilade::test {
+namespace {
+
+/// How much is compared: maps, views of each, and of these so many by the reference, too.
+struct Sample {
+    int maps, views, by_reference;
+    PictureSize size;
+};
+
+/// A long run draws ten million pixels.
+const bool kIsLong = std::getenv("ENFILADE_LONG") != nullptr;
+const Sample kSample = kIsLong ? Sample{64, 32, 8, {80, 50}} : Sample{24, 16, 2, {80, 50}};
+
+/// A square grid of this many cells a side, whose corners are strewn.
+constexpr int kSide = 5;
+
+struct Strewn {
+    std::vector<Vec2> corners;
+    std::vector<Cell> cells;
+};
+
+/// size: of a cell [m].
+Strewn strew(double size, int labels, Random& random) {
+    Strewn strewn;
+    for (int i = 0; i < (kSide + 1) * (kSide + 1); ++i) {
+        const Vec2 off{random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)};
+        strewn.corners.push_back(
+            snap_to_vertex_grid((Vec2{double(i % (kSide + 1)), double(i / (kSide + 1))} + off) * size));
+    }
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const int nw = i / kSide * (kSide + 1) + i % kSide, sw = nw + kSide + 1;
+        const bool is_rock = random.below(5) == 0;
+        const SectorId label(static_cast<std::size_t>(random.below(std::uint64_t(labels))));
+        strewn.cells.push_back({{nw, nw + 1, sw + 1, sw}, is_rock ? SectorId() : label});
+    }
+    return strewn;
+}
+
+struct SolidWall {
+    std::string sector;
+    Vec2 a, b;
+};
+
+std::vector<SolidWall> solid_walls(const MapFile& file) {
+    std::vector<SolidWall> walls;
+    for (const SectorRecord& sector : file.sectors)
+        for (const LoopRecord& loop : sector.loops)
+            for (std::size_t i = 0; i < loop.walls.size(); ++i)
+                if (loop.walls[i].next.empty())
+                    walls.push_back({sector.name, loop.vertices[i], loop.vertices[(i + 1) % loop.vertices.size()]});
+    return walls;
+}
+
+/// Links a solid wall to a new room, turned by any angle, that lies so far to the east.
+void link_room(MapFile& file, double east, Random& random) {
+    const std::vector<SolidWall> walls = solid_walls(file);
+    if (walls.empty()) return;
+    const SolidWall from = walls[random.below(walls.size())];
+    const Vec2 turn = direction(Angle{static_cast<std::uint32_t>(random.bits())}), way = from.b - from.a;
+    const Vec2 turned = snap_to_vertex_grid(Vec2{dot(turn, way), dot(right_of(turn), way)});
+    const Vec2 a = snap_to_vertex_grid(Vec2{east, random.uniform(-8, 8)}), b = a + turned;
+    const Vec2 deep = snap_to_vertex_grid(right_of(turned) * random.uniform(0.1, 2));
+    const std::string name = "linked_" + std::to_string(file.sectors.size());
+    file.sectors.push_back(room(name, {a, b, b + deep, a + deep}, double(random.below(4)) / 4, 2));
+    link(file, from.sector, from.a, from.b, name, a, b);
+}
+
+/// Sectors of cells that lie anywhere, so that many an outline touches itself or another of its sector in a corner.
+MapFile strewn_map(double size, int links, Random& random) {
+    Strewn strewn = strew(size, 6, random);
+    MapFile file = map_of_cells(strewn.corners, strewn.cells, 6, {}, random);
+    for (SectorRecord& sector : file.sectors) {
+        sector.floor.z = double(random.below(4)) / 4;
+        sector.ceiling.z = sector.floor.z + 1 + double(random.below(4)) / 4;
+    }
+    join_all(file);
+    for (int i = 1; i <= links; ++i) link_room(file, i * 64 * size, random);
+    file.render.max_depth = 4;
+    return file;
+}
+
+/// On a vertex, looking along a wall or anywhere. none: on the outer side of an outer wall, under the tie rule.
+std::optional<View> vertex_pose(const Map& map, Random& random) {
+    const Wall& wall = map.walls[random.below(map.walls.size())];
+    View view;
+    view.eye = wall.a;
+    view.sector = locate(map, view.eye);
+    if (!view.sector) return {};
+    const Sector& sector = map[view.sector];
+    const bool is_tied = random.below(4) == 0;
+    view.eye_z = is_tied ? sector.floor.z : random.uniform(sector.floor.z, sector.ceiling.z);
+    view.forward =
+        direction(random.below(2) ? angle_of(wall.b - wall.a) : Angle{static_cast<std::uint32_t>(random.bits())});
+    if (random.below(2)) view.pitch_tangent = random.uniform(-1, 1);
+    return view;
+}
+
+class StencilVertices : public testing::TestWithParam<std::pair<double, int>> {};
+
+TEST_P(StencilVertices, OfRandomMapsAreDrawnAsByAllRenderers) {
+    const auto [size, links] = GetParam();
+    Random random(7);
+    Agreement sum;
+    Comparison exact;
+    for (int i = 0; i < kSample.maps; ++i) {
+        const MapFile file = strewn_map(size, links, random);
+        const Map map = built(file);
+        const TextureSet textures = textures_for(file);
+        Sight sight(map, textures);
+        for (int j = 0; j < kSample.views; ++j) {
+            const auto view = vertex_pose(map, random);
+            if (!view) continue;
+            sum += sight.compare(*view, kSample.size);
+            if (j < kSample.by_reference)
+                exact += compare({"map " + std::to_string(i), map, textures}, sight.snapshot(), *view, kSample.size);
+        }
+    }
+    EXPECT_TRUE(exact.is_faultless()) << describe(exact);
+    expect_agreement(sum);
+    if (kIsLong) std::printf("stencil and column: %s\n", describe(sum).c_str());
+}
+
+std::string name_of(const testing::TestParamInfo<std::pair<double, int>>& info) {
+    return "CellsOf" + std::to_string(int(info.param.first)) + "m" + (info.param.second ? "Linked" : "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, StencilVertices,
+                         testing::Values(std::pair(4.0, 0), std::pair(4.0, 3), std::pair(4096.0, 0)), name_of);
+
+}  // namespace
+}  // namespace enfilade::test
