@@ -129,6 +129,7 @@ private:
 
 std::vector<LayerRanges> build_mesh(Mesh& mesh, const Scene& scene, const Plan& plan) {
     std::vector<LayerRanges> ranges(plan.layers.size());
+    if (plan.deepest > kDeepestLevel) mesh.add_sheet();
     for (std::size_t i = 0; i < plan.layers.size(); ++i) LayerBuilder(mesh, scene, plan.layers[i], ranges[i]).build();
     return ranges;
 }

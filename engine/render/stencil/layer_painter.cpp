@@ -1,5 +1,6 @@
 #include "render/stencil/layer_painter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -71,7 +72,7 @@ Status LayerPainter::prepare_for(const Mesh& mesh) {
     return {};
 }
 
-void LayerPainter::paint(const Target& target, const Scene& scene, const Plan& plan, const Mesh& mesh,
+void LayerPainter::paint(Target& target, const Scene& scene, const Plan& plan, const Mesh& mesh,
                          const std::vector<LayerRanges>& ranges, bool with_facts) {
     draws_ = 0;
     upload(mesh);
@@ -82,7 +83,7 @@ void LayerPainter::paint(const Target& target, const Scene& scene, const Plan& p
     glDisable(GL_CULL_FACE);
     glDisable(GL_DITHER);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    paint_layer({target, scene, plan, ranges, with_facts}, 0);
+    paint_layer({target, scene, plan, ranges, mesh.sheet(), with_facts}, 0, 0);
 }
 
 void LayerPainter::upload(const Mesh& mesh) {
@@ -131,16 +132,15 @@ void LayerPainter::set_entry(const SurfaceProgram& program, const Job& job, cons
                 static_cast<float>(there.per_y));
 }
 
-void LayerPainter::paint_layer(const Job& job, std::size_t index) {
+void LayerPainter::paint_layer(const Job& job, std::size_t index, int level) {
     const Layer& layer = job.plan.layers[index];
     const LayerRanges& ranges = job.ranges[index];
-    use_layer(layer);
+    use_layer(layer, level);
     job.target.write_all();
     glDepthFunc(GL_GREATER);
     paint_surfaces(job, layer, ranges);
-    for (std::size_t i = 0; i < layer.exits.size(); ++i)
-        if (layer.exits[i].layer != Exit::kCut) look_through(job, layer, layer.exits[i], ranges.exits[i]);
-    if (!ranges.panes.is_empty()) paint_panes(job, layer, ranges);
+    look_through(job, layer, ranges, level);
+    if (!ranges.panes.is_empty()) paint_panes(job, layer, ranges, level);
 }
 
 void LayerPainter::paint_surfaces(const Job& job, const Layer& layer, const LayerRanges& ranges) {
@@ -154,44 +154,71 @@ void LayerPainter::paint_surfaces(const Job& job, const Layer& layer, const Laye
     }
 }
 
-void LayerPainter::use_layer(const Layer& layer) {
+void LayerPainter::use_layer(const Layer& layer, int level) {
     const Box& box = layer.box;
     glScissor(box.begin_x, box.begin_y, box.end_x - box.begin_x, box.end_y - box.begin_y);
     glDepthMask(GL_TRUE);
-    at_level(layer.level, GL_KEEP);
+    at_level(level, GL_KEEP);
 }
 
-void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening) {
-    use_layer(layer);
+void LayerPainter::look_through(const Job& job, const Layer& layer, const LayerRanges& ranges, int level) {
+    const auto is_followed = [](const Exit& exit) { return exit.layer != Exit::kCut; };
+    const bool is_deepest = level == kDeepestLevel && std::any_of(layer.exits.begin(), layer.exits.end(), is_followed);
+    if (is_deepest) count_on_from_one(job, layer);
+    for (std::size_t i = 0; i < layer.exits.size(); ++i)
+        if (is_followed(layer.exits[i]))
+            look_through(job, layer, layer.exits[i], ranges.exits[i], is_deepest ? 1 : level);
+    if (is_deepest) job.target.bring_back_levels();
+}
+
+void LayerPainter::count_on_from_one(const Job& job, const Layer& layer) {
+    job.target.keep_levels();
+    use_layer(layer, kDeepestLevel);
+    glUseProgram(masks_.program.id());
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDisable(GL_DEPTH_TEST);
+    glStencilFunc(GL_NOTEQUAL, kDeepestLevel, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
+    draw(job.sheet);
+    glStencilFunc(GL_ALWAYS, 0, 0xFF);
+    glStencilMask(0xFE);  // of all ones only the last is left
+    draw(job.sheet);
+    glStencilMask(0xFF);
+    glEnable(GL_DEPTH_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening, int level) {
+    use_layer(layer, level);
     glUseProgram(masks_.program.id());
     glUniform1i(masks_.is_far, 0);  // the level above is at its own reset
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     // Mark: what of the portal is not hidden rises by one level.
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_GEQUAL);
-    at_level(layer.level, GL_INCR);
+    at_level(level, GL_INCR);
     draw(opening);
     // Reset: behind it nothing is drawn yet.
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_ALWAYS);
-    at_level(layer.level + 1, GL_KEEP);
+    at_level(level + 1, GL_KEEP);
     glUniform1i(masks_.is_far, 1);
     draw(opening);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    paint_layer(job, exit.layer);
+    paint_layer(job, exit.layer, level + 1);
     // Restore: the portal's own depth, and the level it had.
-    use_layer(layer);
+    use_layer(layer, level);
     glUseProgram(masks_.program.id());
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_ALWAYS);
-    at_level(layer.level + 1, GL_DECR);
+    at_level(level + 1, GL_DECR);
     glUniform1i(masks_.is_far, 0);
     draw(opening);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges) {
-    use_layer(layer);
+void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges, int level) {
+    use_layer(layer, level);
     const SurfaceProgram& program = surfaces_[static_cast<std::size_t>(ranges.panes_kind)];
     glUseProgram(program.program.id());
     glDepthFunc(GL_GEQUAL);

@@ -4,7 +4,8 @@
 // stencil buffer holds its level. For each of its exits, nearest first: the portal's visible pixels are raised by one
 // level, their depth is reset, the layer behind is drawn there, and then the portal's own depth is put back and the
 // pixels are lowered again. So every pixel ends at the level it had, and what is drawn later, like a window's glass,
-// finds the portal where it is.
+// finds the portal where it is. Where a chain is deeper than the stencil buffer has levels, all of them are kept aside
+// while what is behind its deepest layer is drawn, which counts on from level 1; all other pixels wait at level 0.
 #pragma once
 #include <array>
 
@@ -23,17 +24,18 @@ public:
     Status prepare_for(const Mesh& mesh);
 
     /// Draws all layers into the target, which is prepared and cleared. Everything was prepared, records uploaded.
-    void paint(const Target& target, const Scene& scene, const Plan& plan, const Mesh& mesh,
+    void paint(Target& target, const Scene& scene, const Plan& plan, const Mesh& mesh,
                const std::vector<LayerRanges>& ranges, bool with_facts);
 
     std::size_t draws() const { return draws_; }
 
 private:
     struct Job {
-        const Target& target;
+        Target& target;
         const Scene& scene;
         const Plan& plan;
         const std::vector<LayerRanges>& ranges;
+        Range sheet;
         bool with_facts;
     };
 
@@ -42,10 +44,13 @@ private:
     void set_uniforms(const SurfaceProgram& program, const Scene& scene) const;
     void paint_surfaces(const Job& job, const Layer& layer, const LayerRanges& ranges);
     void set_entry(const SurfaceProgram& program, const Job& job, const Layer& layer);
-    void paint_layer(const Job& job, std::size_t index);
-    void look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening);
-    void paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges);
-    void use_layer(const Layer& layer);
+    // level: what the stencil buffer holds where the layer is.
+    void paint_layer(const Job& job, std::size_t index, int level);
+    void look_through(const Job& job, const Layer& layer, const LayerRanges& ranges, int level);
+    void look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening, int level);
+    void count_on_from_one(const Job& job, const Layer& layer);
+    void paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges, int level);
+    void use_layer(const Layer& layer, int level);
     void draw(const Range& range);
 
     std::array<SurfaceProgram, kKinds> surfaces_;

@@ -8,6 +8,15 @@ void Mesh::clear() {
     vertices_.clear();
     indices_.clear();
     has_ = {};
+    sheet_ = {};
+}
+
+void Mesh::add_sheet() {
+    const auto first = static_cast<std::uint32_t>(vertices_.size());
+    sheet_ = {indices_.size(), indices_.size() + 6};
+    for (const auto& [x, y] : {Corner{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+        vertices_.push_back({static_cast<float>(x), static_cast<float>(y), {}});
+    indices_.insert(indices_.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
 }
 
 void Mesh::add_strip(const RayField& rays, const WallOnScreen& wall, const Heights& heights, const Look& look) {

@@ -30,6 +30,10 @@ public:
     /// nothing where there is no such part.
     void add_strip(const RayField& rays, const WallOnScreen& wall, const Heights& heights, const Look& look);
 
+    /// All of the picture, without a look. Once for each picture.
+    void add_sheet();
+    const Range& sheet() const { return sheet_; }  ///< empty: none was added
+
     /// Puts the triangles from index `begin` on in the order of their kinds, and says where those of each kind are.
     std::array<Range, kKinds> sort_by_kind(std::size_t begin);
 
@@ -47,6 +51,7 @@ private:
     std::vector<Vertex> vertices_;
     std::vector<std::uint32_t> indices_;
     std::array<bool, kKinds> has_{};
+    Range sheet_;
     std::array<std::vector<std::uint32_t>, kKinds> sorted_;  ///< while they are put in order
     Outline outline_;
 };

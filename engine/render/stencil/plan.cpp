@@ -177,7 +177,6 @@ private:
     }
 
     bool may_follow(const Layer& layer, const Wall& portal) const {
-        if (layer.level >= kDeepestLevel) return false;
         return portal.link == Wall::kNoLink || layer.pose.links < map().render.max_depth;
     }
 

@@ -26,7 +26,7 @@ struct Layer {
     Pose pose;
     WallId entry;                     ///< the wall of this space through which one looks in; none for the first layer
     WallOnScreen opened;              ///< the same from its other side, in view space
-    int level = 0;                    ///< stencil value of its pixels
+    int level = 0;                    ///< layers that it is seen through
     Box box;                          ///< no pixel of the layer is outside
     std::vector<SectorId> sectors;    ///< looked into
     std::vector<WallOnScreen> walls;  ///< upright: by runs of columns, which meet one in each room they go through
@@ -34,8 +34,14 @@ struct Layer {
     std::vector<Pane> panes;          ///< along every ray the nearer before the farther
 };
 
-/// The stencil buffer holds 8 bits, so this is the deepest level there can be.
+/// The stencil buffer holds 8 bits: so many levels it tells apart from level 0.
 inline constexpr int kDeepestLevel = 255;
+
+/// How often levels have to be kept aside to draw a chain as deep as this (layer_painter.h): each time the deepest
+/// becomes level 1.
+inline constexpr std::size_t times_kept(int deepest) {
+    return deepest > kDeepestLevel ? static_cast<std::size_t>((deepest - 2) / (kDeepestLevel - 1)) : 0;
+}
 
 /// What the planner needs to know about the whole map, worked out once.
 struct MapFacts {

@@ -72,12 +72,13 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
                                     const Snapshot& snapshot, const View& view) {
     const bool with_facts = frame_facts != nullptr;
     if (Status failed = objects->store.hold(textures)) return failed;
-    if (Status failed = objects->target.prepare(frame.width, frame.height, with_facts)) return failed;
     const Projection projection(view, frame.width, frame.height);
     const RayField rays(view, projection);
     const Screen screen = view.tilt ? panorama_screen() : Screen(projection);
     const World world{map, facts, textures, snapshot};
     Plan plan = make_plan(world, screen, rays, view);
+    if (Status failed = objects->target.prepare(frame.width, frame.height, with_facts, times_kept(plan.deepest)))
+        return failed;
     objects->records.clear();
     const Scene scene{world, objects->store, screen, rays, objects->records, lights.start(map) ? &lights : nullptr};
     mesh.clear();

@@ -17,6 +17,15 @@ void give_storage(GlRenderbuffer& buffer, GLenum format, int width, int height, 
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.id());
 }
 
+constexpr GLenum kDepthStencil = GL_DEPTH32F_STENCIL8;
+
+Status no_buffers(int width, int height) {
+    return Error{"stencil renderer",
+                 "expected a picture with 8 bits of stencil and a depth buffer of floats; this graphics card or its "
+                 "driver has none of " +
+                     std::to_string(width) + "x" + std::to_string(height) + " pixels"};
+}
+
 void write_to(GLenum first, GLenum second) {
     const GLenum buffers[] = {first, second};
     glDrawBuffers(2, buffers);
@@ -24,17 +33,22 @@ void write_to(GLenum first, GLenum second) {
 
 }  // namespace
 
-Status Target::prepare(int width, int height, bool with_facts) {
+Status Target::prepare(int width, int height, bool with_facts, std::size_t kept) {
     framebuffer_.create();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     if (width != width_ || height != height_ || (with_facts && !with_facts_))
         if (Status failed = make(width, height, with_facts)) return failed;
+    while (kept_.size() < kept)
+        if (Status failed = make_kept()) return failed;
+    kept_now_ = 0;
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, width, height);
     return {};
 }
 
 Status Target::make(int width, int height, bool with_facts) {
     width_ = height_ = 0;  // until it is made
+    kept_.clear();
     GLint most = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
     if (std::max(width, height) > most)
@@ -42,19 +56,38 @@ Status Target::make(int width, int height, bool with_facts) {
                                              " pixels a side, which is what this graphics card can draw; found " +
                                              std::to_string(width) + "x" + std::to_string(height)};
     give_storage(color_, GL_RGBA8, width, height, kColor);
-    give_storage(depth_stencil_, GL_DEPTH32F_STENCIL8, width, height, GL_DEPTH_STENCIL_ATTACHMENT);
+    give_storage(depth_stencil_, kDepthStencil, width, height, GL_DEPTH_STENCIL_ATTACHMENT);
     if (with_facts) give_storage(facts_, GL_RGBA32UI, width, height, kFacts);
     if (!with_facts) glFramebufferRenderbuffer(GL_FRAMEBUFFER, kFacts, GL_RENDERBUFFER, 0);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        return Error{
-            "stencil renderer",
-            "expected a picture with 8 bits of stencil and a depth buffer of floats; this graphics card or its "
-            "driver has none of " +
-                std::to_string(width) + "x" + std::to_string(height) + " pixels"};
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return no_buffers(width, height);
     width_ = width;
     height_ = height;
     with_facts_ = with_facts;
     return {};
+}
+
+Status Target::make_kept() {
+    KeptLevels& kept = kept_.emplace_back();
+    kept.framebuffer.create();
+    glBindFramebuffer(GL_FRAMEBUFFER, kept.framebuffer.id());
+    give_storage(kept.depth_stencil, kDepthStencil, width_, height_, GL_DEPTH_STENCIL_ATTACHMENT);
+    write_to(GL_NONE, GL_NONE);
+    glReadBuffer(GL_NONE);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return {};
+    kept_.pop_back();
+    return no_buffers(width_, height_);
+}
+
+void Target::keep_levels() { copy_levels(framebuffer_, kept_[kept_now_++].framebuffer); }
+void Target::bring_back_levels() { copy_levels(kept_[--kept_now_].framebuffer, framebuffer_); }
+
+void Target::copy_levels(const GlFramebuffer& from, const GlFramebuffer& to) const {
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.id());
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glEnable(GL_SCISSOR_TEST);
 }
 
 void Target::clear() {

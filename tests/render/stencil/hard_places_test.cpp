@@ -94,11 +94,31 @@ TEST(StencilCorridor, EndsInTheRecursionColourWhereItIsCut) {
     EXPECT_EQ(picture.frame.pixels[middle], 0xFFFF00FFu);
 }
 
-TEST(StencilCorridor, AsksForNoMoreLevelsThanThereAre) {
-    Place place(corridor(1024));
-    const Picture picture = place.sight.by_stencil(look_from(place.map, {1, 1.25}, 1.5, 0), {640, 400});
-    EXPECT_LE(place.sight.counts().deepest, 255);
-    EXPECT_EQ(std::count(picture.facts.ids.begin(), picture.facts.ids.end(), kNothing), 0);
+/// The stencil buffer holds 255 levels, so they are kept aside three times; a fence stands across every one of them.
+TEST(StencilCorridor, ShowsMoreLevelsThanTheStencilBufferHolds) {
+    MapFile file = corridor(1024);
+    wall(file, "hall", {2, 0}, {2, 4}).middle = spec("fence");
+    Place place(file);
+    expect_agreement(place.sight.compare(look_from(place.map, {1, 1.25}, 1.5, 0), {1280, 800}));
+    EXPECT_GT(place.sight.counts().deepest, 3 * 254 + 1);
+}
+
+TEST(StencilCorridor, EndsBeyondTheLevelsOfTheStencilBufferToo) {
+    Place place(corridor(300));
+    const View view = look_from(place.map, {1, 1.25}, 1.5, 0);
+    expect_agreement(place.sight.compare(view, {640, 400}));
+    EXPECT_EQ(place.sight.counts().deepest, 300);
+    const Picture picture = place.sight.by_stencil(view, {640, 400});
+    EXPECT_GT(std::count(picture.facts.ids.begin(), picture.facts.ids.end(), kRecursionEnd), 0);
+}
+
+TEST(StencilCorridor, ComesBackToAHigherLevelAfterADeepOne) {
+    Place place(corridor(600));
+    const View view = look_from(place.map, {1, 1.25}, 1.5, 0);
+    const auto shallow = [&] { return place.sight.by_stencil(view, {64, 40}).frame.pixels; };
+    const auto before = shallow();
+    place.sight.by_stencil(view, {1280, 800});
+    EXPECT_EQ(shallow(), before);
 }
 
 TEST(StencilCorridor, CostsNoMoreOnceLevelsAreBelowAPixel) {
