@@ -104,6 +104,7 @@ struct SectorRecord {
     std::vector<LoopRecord> loops;
     std::vector<PanelRecord> panels;
     std::vector<std::string> tags;  ///< what triggers may call it besides its name; others may have the same
+    std::string group;              ///< those with the same one move as one; empty: it moves alone
     std::vector<TriggerRecord> triggers;
     std::optional<LightEffectRecord> light_effect;
     int damage = 0;                      ///< what a second on its floor costs [points of health]

@@ -61,6 +61,7 @@ constexpr std::array kSectorKeys{
     key<&SectorRecord::floor>("floor", kBoth),
     key<&SectorRecord::ceiling>("ceiling", kBoth),
     key<&SectorRecord::tags>("tags", kNew),
+    key<&SectorRecord::group>("group", kNew),
     key<&SectorRecord::triggers>("triggers", kNew),
     key<&SectorRecord::light_effect>("light_effect", kNew),
     key<&SectorRecord::damage>("damage", kNew, Need::optional, {0, 1000}),

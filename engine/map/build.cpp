@@ -29,6 +29,7 @@ std::optional<Map> build_map(const MapFile& file, const TextureSet& textures, Fi
     draft.map.render = file.render;
     place_walls(draft);
     check_sectors(draft);
+    gather_groups(draft);
     check_loops(draft);
     place_panels(draft);
     resolve_portals(draft);

@@ -71,6 +71,8 @@ inline constexpr std::size_t kMostErrors = 1000, kMostWarnings = 1000;
 void place_walls(Draft& draft);
 /// Heights and names (check_sectors.cpp).
 void check_sectors(Draft& draft);
+/// Which sectors move as one (gather_groups.cpp).
+void gather_groups(Draft& draft);
 /// No two edges of a sector cross, and every edge has its sector on its right (check_loops.cpp).
 void check_loops(Draft& draft);
 /// Panels, on the grid and inside their sectors (place_panels.cpp).

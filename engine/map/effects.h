@@ -27,7 +27,7 @@ struct Trigger {
     Deed deed = Deed::door;
     bool once = false, one_way = false, crushes = false, heals = false;
     std::uint32_t key = kNoKey;  ///< index into Map::keys, or kNoKey: works for everybody
-    TargetRange targets;         ///< in the order of the file, each once
+    TargetRange targets;         ///< in the order of the file, each once; of a group its leader
     ThingId destination;         ///< teleport: where to
     std::string leads_to;        ///< exit: the map named, may be empty
     double after_s = 0;          ///< [s]

@@ -116,6 +116,8 @@ struct Sector {
     std::optional<LightEffectRecord> light_effect;
     int damage = 0;  ///< of a second on its floor [points of health]
     bool secret = false;
+    SectorId leader;               ///< the first of its group, the sectors that move as one; itself where it has none
+    SectorId next_of_group;        ///< the next one of its group, after the last the first; itself where it has none
     SoundId up_sound, down_sound;  ///< of its floor and ceiling when they set off, or none
     SoundId stop_sound;            ///< when they arrive, or none
 };
@@ -226,6 +228,16 @@ struct Map {
         return portal.link == Wall::kNoLink ? point : grid_links[portal.link].apply(point);
     }
 };
+
+/// Calls visit(id) for each sector of its group, itself included: for itself alone where it has none.
+template <class Visit>
+void each_of_group(const Map& map, SectorId sector, Visit visit) {
+    SectorId member = sector;
+    do {
+        visit(member);
+        member = map[member].next_of_group;
+    } while (member != sector);
+}
 
 /// Which map something was worked out from. Another map differs, also one that was loaded into the same memory.
 struct MapIdentity {

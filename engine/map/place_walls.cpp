@@ -97,6 +97,7 @@ void add_sector(Draft& draft, const SectorRecord& record) {
     sector.light_effect = record.light_effect;
     sector.damage = record.damage;
     sector.secret = record.secret;
+    sector.leader = sector.next_of_group = id;
     sector.floor.z = record.floor.z;
     sector.ceiling.z = record.ceiling.z;
     sector.first_wall = static_cast<std::uint32_t>(draft.map.walls.size());

@@ -82,8 +82,10 @@ TargetRange TargetLists::new_list(std::span<const std::span<const SectorId>> par
     const std::size_t first = targets.size();
     ++list_count_;
     for (const auto part : parts)
-        for (const SectorId sector : part)
-            if (std::exchange(last_list_[sector.index], list_count_) != list_count_) targets.push_back(sector);
+        for (const SectorId sector : part) {
+            const SectorId leader = draft_.map[sector].leader;  // who calls one sector of a group calls the group
+            if (std::exchange(last_list_[leader.index], list_count_) != list_count_) targets.push_back(leader);
+        }
     return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(targets.size() - first)};
 }
 

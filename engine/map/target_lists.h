@@ -19,8 +19,8 @@ public:
     /// The first sector of that name or tag, or none. Cost: log of the number of names.
     SectorId first_of(std::string_view name) const;
 
-    /// The sectors that the trigger names, in the order of its names and then of the file, each once; without the names
-    /// that no sector has. Empty, with a finding, where the lists together get too long. Cost: log of the number of
+    /// The sectors that the trigger names, in the order of its names and then of the file, each once; of a group its
+    /// leader; without the names that no sector has. Empty, with a finding, where the lists together get too long. Cost: log of the number of
     /// names for each; and for a list that is new, its sectors.
     TargetRange list_of(const TriggerRecord& record);
 

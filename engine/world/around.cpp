@@ -6,12 +6,19 @@
 namespace enfilade {
 namespace {
 
-/// Calls visit(wall) for each of the sector's portals.
+/// Whether the portal leads from one sector of a group into another.
+bool is_within_group(const Map& map, const Wall& portal) {
+    return portal.behind != portal.sector && map[portal.behind].leader == map[portal.sector].leader;
+}
+
+/// Calls visit(wall) for each portal that leads out of the sector's group.
 template <class Visit>
 void each_portal(const Map& map, SectorId id, Visit visit) {
-    const Sector& sector = map[id];
-    for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i)
-        if (map.walls[i].kind == WallKind::portal) visit(map.walls[i]);
+    each_of_group(map, id, [&](SectorId member) {
+        const Sector& sector = map[member];
+        for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i)
+            if (map.walls[i].kind == WallKind::portal && !is_within_group(map, map.walls[i])) visit(map.walls[i]);
+    });
 }
 
 /// The best of a height of all sectors around, by an order, among those that may count.
@@ -54,7 +61,7 @@ double height_of(const Instant& now, SectorId sector, Level level, double here) 
 }
 
 double plain_light_of(const Instant& now, SectorId sector) {
-    const Change* change = now.history ? now.history->change_of(sector, Channel::light, now.tick) : nullptr;
+    const Change* change = change_of(now, sector, Channel::light);
     return change ? value_at(change->course, now.tick) : now.map[sector].light;
 }
 

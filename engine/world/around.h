@@ -5,7 +5,8 @@
 namespace enfilade {
 
 /// The height a level stands for, in the space of the sector [m]. Where no sector around answers, `here`.
-/// Cost: the sector's walls.
+/// Around a group are the sectors behind the portals of all its sectors, but for its own.
+/// Cost: the walls of the sector and its group.
 double height_of(const Instant& now, SectorId sector, Level level, double here);
 
 /// The brightest or darkest of the sector and those around it, without their effects, 0..1.

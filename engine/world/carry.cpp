@@ -55,7 +55,7 @@ private:
     }
 
     void add(SectorId sector, Channel channel, Movers& found) const {
-        const Change* change = world_.history.change_of(sector, channel, then().tick);
+        const Change* change = change_of(then(), sector, channel);
         found.push_back({change, crushes(map_, *change)});
     }
 

@@ -23,7 +23,7 @@ std::uint32_t ticks_of(double seconds) {
 struct Target {
     const Instant& now;
     const Trigger& trigger;
-    SectorId sector;
+    SectorId sector;     ///< that leads its group
     std::size_t number;  ///< among the targets
     Heights here;
 
@@ -118,12 +118,15 @@ Course course_of(const Target& t) {
     }
 }
 
-/// How high the tallest of the sector's solid things is, as far as there is room for it now [m].
+/// How high the tallest of the solid things in the target is, as far as there is room for it now [m].
 double tallest_thing(const Target& t) {
-    const Sector& sector = t.now.map[t.sector];
+    const Map& map = t.now.map;
     double tallest = 0;
-    for (std::uint32_t i = sector.first_solid; i < sector.first_solid + sector.solid_count; ++i)
-        tallest = std::max(tallest, t.now.map[t.now.map.solid_things[i]].height);
+    each_of_group(map, t.sector, [&](SectorId member) {
+        const Sector& sector = map[member];
+        for (std::uint32_t i = sector.first_solid; i < sector.first_solid + sector.solid_count; ++i)
+            tallest = std::max(tallest, map[map.solid_things[i]].height);
+    });
     return std::min(tallest, t.here.ceiling_z - t.here.floor_z);
 }
 

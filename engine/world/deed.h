@@ -13,7 +13,7 @@ inline constexpr double kCrushedHeight = 0.25;
 
 /// Adds to the history what the trigger does to its targets at a tick: the changes begin then, or `after` later.
 /// Heights are found as they are now. Teleports and exits change nothing here.
-/// Cost: the walls of the targets.
+/// Cost: the walls of the targets and their groups.
 void carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_t tick);
 
 /// What the start of the map sets off, and nothing more.

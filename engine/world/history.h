@@ -15,7 +15,7 @@ enum class Channel : std::uint8_t { floor, ceiling, light };
 
 /// From the start of its course on, a value of a sector follows it instead of the one before.
 struct Change {
-    SectorId sector;
+    SectorId sector;  ///< that leads its group
     Channel channel = Channel::floor;
     Course course;
     TriggerId cause;
@@ -60,7 +60,7 @@ public:
     const Firing* pressed(WallId wall, double tick) const;
     bool is_taken(ThingId thing, double tick) const;
 
-    /// Sectors of which something ever changed, in the order of their numbers, each once.
+    /// Sectors of which something ever changed, of a group its leader, in the order of their numbers, each once.
     const std::vector<SectorId>& changed_sectors() const { return changed_sectors_; }
     const std::vector<Change>& changes() const { return changes_; }
     const std::vector<Firing>& firings() const { return firings_; }

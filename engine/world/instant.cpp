@@ -6,15 +6,14 @@ namespace enfilade {
 namespace {
 
 double value_of(const Instant& now, SectorId sector, Channel channel, double at_rest) {
-    const Change* change = now.history->change_of(sector, channel, now.tick);
+    const Change* change = change_of(now, sector, channel);
     return change ? value_at(change->course, now.tick) : at_rest;
 }
 
 /// The newest change that gave the floor what `gives` looks for: a rising floor has it at once, another on arrival.
 template <class Gives>
 const Trigger* giver_of(const Instant& now, SectorId sector, Gives gives) {
-    if (!now.history) return nullptr;
-    const Change* change = now.history->change_of(sector, Channel::floor, now.tick);
+    const Change* change = change_of(now, sector, Channel::floor);
     while (change) {
         const Course& course = change->course;
         const bool rises = course.count > 0 && course.stops[0].value > course.from;
@@ -26,6 +25,10 @@ const Trigger* giver_of(const Instant& now, SectorId sector, Gives gives) {
 }
 
 }  // namespace
+
+const Change* change_of(const Instant& now, SectorId sector, Channel channel) {
+    return now.history ? now.history->change_of(now.map[sector].leader, channel, now.tick) : nullptr;
+}
 
 Heights heights_of(const Instant& now, SectorId id) {
     const Sector& sector = now.map[id];

@@ -22,6 +22,10 @@ struct Heights {
     double ceiling_z;  ///< [m]
 };
 
+/// The change that a value of the sector, and of all its group, now follows; null: it is as in the map.
+/// Cost: History::change_of.
+const Change* change_of(const Instant& now, SectorId sector, Channel channel);
+
 /// Cost: that of two courses, and of finding them (History::change_of).
 Heights heights_of(const Instant& now, SectorId sector);
 

@@ -23,10 +23,21 @@ double foot_of(const Thing& thing, const SectorSnapshot& home) {
 SectorSnapshot sector_now(const Instant& now, SectorId id) {
     const Sector& sector = now.map[id];
     const Heights heights = heights_of(now, id);
-    const Change* change = now.history ? now.history->change_of(id, Channel::light, now.tick) : nullptr;
+    const Change* change = change_of(now, id, Channel::light);
     const std::optional<LightEffectRecord>& effect = change ? now.map[change->cause].effect : sector.light_effect;
-    return {heights.floor_z, heights.ceiling_z, plain_light_of(now, id), effect ? &*effect : nullptr,
-            changed_floor_picture(now, id)};
+    return {heights.floor_z,
+            heights.ceiling_z,
+            plain_light_of(now, id),
+            effect ? &*effect : nullptr,
+            changed_floor_picture(now, id),
+            sector.leader};
+}
+
+/// Those the history speaks of, and their groups.
+void find_changed(const Instant& now, std::vector<SectorId>& sectors) {
+    sectors.clear();
+    for (const SectorId leader : now.history->changed_sectors())
+        each_of_group(now.map, leader, [&](SectorId member) { sectors.push_back(member); });
 }
 
 /// A trigger that works once turns its switch for ever, others for a moment.
@@ -57,8 +68,8 @@ void show(const Instant& now, Snapshot& snapshot) {
     snapshot.time_s = now.tick * kTickSeconds;
     if (!now.history) return;
     for (const SectorId id : snapshot.changed) snapshot.sectors[id.index] = sector_now(now, id);
-    for (const SectorId id : now.history->changed_sectors()) snapshot.sectors[id.index] = sector_now(now, id);
-    snapshot.changed = now.history->changed_sectors();
+    find_changed(now, snapshot.changed);
+    for (const SectorId id : snapshot.changed) snapshot.sectors[id.index] = sector_now(now, id);
     find_pressed(now, snapshot.pressed);
     snapshot.taken.clear();
     for (const Taking& taking : now.history->takings())
@@ -69,7 +80,7 @@ void show(const Instant& now, Snapshot& snapshot) {
 double light_at(const Snapshot& snapshot, SectorId id) {
     const SectorSnapshot& sector = snapshot[id];
     if (!sector.effect) return sector.light;
-    return level_of(*sector.effect, sector.light, id.index, std::max(snapshot.time_s, 0.0));
+    return level_of(*sector.effect, sector.light, sector.lot.index, std::max(snapshot.time_s, 0.0));
 }
 
 ThingSnapshot thing_at(const Map& map, const Snapshot& snapshot, ThingId id) {

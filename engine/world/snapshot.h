@@ -15,6 +15,7 @@ struct SectorSnapshot {
     double light = 1;                           ///< 0..1, without its effect
     const LightEffectRecord* effect = nullptr;  ///< of the map, or null: the light is steady
     TextureId floor_picture;                    ///< that the floor was given, or none: the map's
+    SectorId lot;                               ///< by whose number its effect draws lots: its group's leader's
 };
 
 /// Everything that can differ from the map at rest.
@@ -24,7 +25,7 @@ struct Snapshot {
     Presences things;  ///< which things are to be seen in which sector, and where there
 
     std::vector<ThingId> taken;     ///< things that are gone, in the order of their numbers
-    std::vector<SectorId> changed;  ///< sectors that are not, or lately were not, as at rest
+    std::vector<SectorId> changed;  ///< sectors that are not, or lately were not, as at rest, each once
     std::vector<WallId> pressed;    ///< walls that show the other face of their switch, in the order of their numbers
 
     const SectorSnapshot& operator[](SectorId id) const { return sectors[id.index]; }

@@ -114,10 +114,10 @@ void settle_eye(Player& player, double ceiling_z) {
 
 /// What the floor under the feet does to the player: it hurts, or it is a secret.
 void feel_the_floor(const Map& map, World& world) {
-    const SectorId here = world.player.place.sector;
+    const SectorId here = world.player.place.sector, found = map[here].leader;
     if (!world.player.on_ground) return;
-    if (map[here].secret && !std::binary_search(world.secrets.begin(), world.secrets.end(), here)) {
-        world.secrets.insert(std::lower_bound(world.secrets.begin(), world.secrets.end(), here), here);
+    if (map[here].secret && !std::binary_search(world.secrets.begin(), world.secrets.end(), found)) {
+        world.secrets.insert(std::lower_bound(world.secrets.begin(), world.secrets.end(), found), found);
         world.news = News{NewsKind::secret, here.index, world.tick};
     }
     const bool is_time = world.tick % kTickRate == 0;

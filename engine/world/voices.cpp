@@ -35,7 +35,7 @@ public:
         hearing_.listen(ear, reach_m, [this](WallId wall, const Rigid&) { return is_open(now_, map_[wall]); });
         for (const SectorId sector : hearing_.sectors()) hear_things(sector);
         for (const Noted& noted : noted_)
-            hear(noted.voice, noted.place ? hearing_.from(*noted.place) : hearing_.from(noted.sector));
+            hear(noted.voice, noted.place ? hearing_.from(*noted.place) : from_group(noted.sector));
         keep_loudest();
         return std::move(voices_);
     }
@@ -49,6 +49,16 @@ private:
     };
 
     double length_of(SoundId sound) const { return lengths_s_[sound.index] * kTickRate; }
+
+    /// The shortest way from any sector of what moves as one.
+    std::optional<SoundWay> from_group(SectorId sector) {
+        std::optional<SoundWay> shortest;
+        each_of_group(map_, sector, [&](SectorId member) {
+            const std::optional<SoundWay> way = hearing_.from(member);
+            if (way && (!shortest || way->length_m < shortest->length_m)) shortest = way;
+        });
+        return shortest;
+    }
 
     /// Adds the voice, as it comes over the way.
     void hear(Voice voice, const std::optional<SoundWay>& way) {

@@ -40,7 +40,7 @@ struct World {
     std::uint64_t keys = 0;            ///< bit i: has Map::keys[i]
     std::uint8_t held = 0;             ///< InputButton bits that were down in the tick before
     std::vector<ThingId> touched;      ///< things that were touched in the tick before, in the order of their numbers
-    std::vector<SectorId> secrets;     ///< that were found, in the order of their numbers
+    std::vector<SectorId> secrets;     ///< that were found, a group by its leader, in the order of their numbers
     std::optional<TriggerId> left_by;  ///< the exit by which the map was left
     std::optional<News> news;
 

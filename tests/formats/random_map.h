@@ -197,6 +197,7 @@ private:
             sector.panels.push_back(
                 {point(), point(), number(-9, 9), number(-9, 9), spec(), {}, flip(), flip(), triggers(), doom(), {}});
         if (flip()) sector.tags = {text(), text()};
+        sector.group = maybe_text();
         sector.triggers = triggers();
         sector.light_effect = light_effect();
         sector.damage = whole(0, 99);
