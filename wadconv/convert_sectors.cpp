@@ -113,6 +113,7 @@ SectorRecord sector_record(Workbench& bench, const Part& part) {
     record.floor = flat_record(bench, doom.floor_flat, heights.floor, part.sector);
     record.ceiling = flat_record(bench, doom.ceiling_flat, heights.ceiling, part.sector);
     if (doom.tag != 0) record.tags = {tag_name(doom.tag)};
+    if (bench.parts.count_of[part.sector] > 1) record.group = "s" + std::to_string(part.sector);
     give_nature(bench, part, record);
     return record;
 }

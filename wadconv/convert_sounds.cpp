@@ -43,9 +43,11 @@ bool is_looped(std::string_view sound) { return sound == "stnmov"; }
 class SoundMaker {
 public:
     explicit SoundMaker(Workbench& bench) : bench_(bench) {
+        std::map<std::string_view, std::vector<std::size_t>> groups;
+        for (std::size_t i = 0; i < bench.file.sectors.size(); ++i) groups[bench.file.sectors[i].group].push_back(i);
         for (std::size_t i = 0; i < bench.file.sectors.size(); ++i) {
             const SectorRecord& sector = bench.file.sectors[i];
-            called_[sector.name].push_back(i);
+            called_[sector.name] = sector.group.empty() ? std::vector{i} : groups[sector.group];
             for (const std::string& tag : sector.tags) called_[tag].push_back(i);
         }
         for (const SwitchRecord& pair : bench.pictures.switches()) switches_.insert({pair.off, pair.on});
@@ -120,7 +122,7 @@ private:
     }
 
     Workbench& bench_;
-    std::map<std::string, std::vector<std::size_t>, std::less<>> called_;  ///< sectors by name and tag
+    std::map<std::string, std::vector<std::size_t>, std::less<>> called_;  ///< what moves, by name and tag
     std::set<std::string> switches_;                                       ///< pictures of switches
     std::set<std::string_view> used_;
 };

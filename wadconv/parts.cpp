@@ -177,6 +177,7 @@ private:
         if (own_[sector].empty()) report_.note(Kind::unused_sector, sector);
         if (made.parts.size() > 1) report_.note(Kind::split_sector, sector);
         all_.part_of_edge.resize(all_.edges.size(), kNone);
+        all_.count_of.push_back(static_cast<std::uint32_t>(made.parts.size()));
         std::uint32_t number = 0;
         for (Part& part : made.parts) {
             part.number = number++;

@@ -23,6 +23,7 @@ struct Part {
 struct Parts {
     std::vector<Edge> edges;
     std::vector<Part> parts;                  ///< by Doom sector, then by the outline's lowest edge
+    std::vector<std::uint32_t> count_of;      ///< parts of each Doom sector
     std::vector<std::uint32_t> part_of_edge;  ///< index into parts for each edge, or kNone
     std::vector<std::uint32_t> lone;          ///< edges, rising; opposite edges are both there
 };

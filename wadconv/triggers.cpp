@@ -76,10 +76,11 @@ TriggerMaker::TriggerMaker(const DoomMap& doom, const Parts& parts, const Pictur
       neighbours_(neighbours),
       exits_(exits),
       report_(report),
-      part_names_(doom.sectors.size()) {
+      names_(doom.sectors.size()) {
     for (const Part& part : parts_.parts) {
-        if (part.number == 0) by_tag_[sector(part.sector).tag].push_back(part.sector);
-        part_names_[part.sector].push_back(part_name(part));
+        if (part.number != 0) continue;
+        by_tag_[sector(part.sector).tag].push_back(part.sector);
+        names_[part.sector] = part_name(part);
     }
 }
 
@@ -152,7 +153,7 @@ std::vector<TriggerRecord> TriggerMaker::one_by_one(const Job& job) const {
             append(donut(job, s));
         } else {
             TriggerRecord trigger = job.base;
-            trigger.targets = names_of(s);
+            trigger.targets = targets_of(s);
             if (job.action.oddity == Oddity::shortest_lower) trigger.by = metres(shortest_lower(s));
             if (job.action.change == Change::as_beside)
                 if (const std::uint32_t model = beside_of_height(s, neighbours_.lowest_floor(s)); model != kNone)
@@ -166,19 +167,17 @@ std::vector<TriggerRecord> TriggerMaker::one_by_one(const Job& job) const {
 /// Every stair goes to its height above the first, whatever its own was.
 std::vector<TriggerRecord> TriggerMaker::staircase(const Job& job, std::uint32_t first) const {
     const std::vector<std::uint32_t> stairs = stairs_from(first);
-    const auto is_even = [&](std::uint32_t s) {
-        return sector(s).floor == sector(first).floor && part_names_[s].size() == 1;
-    };
+    const auto is_even = [&](std::uint32_t s) { return sector(s).floor == sector(first).floor && !names_[s].empty(); };
     TriggerRecord trigger = job.base;
     if (std::ranges::all_of(stairs, is_even)) {
-        for (const std::uint32_t s : stairs) trigger.targets.push_back(part_names_[s].front());
+        for (const std::uint32_t s : stairs) trigger.targets.push_back(names_[s]);
         return {trigger};
     }
     trigger.deed = Deed::floor;
     trigger.step = TriggerRecord{}.step;
     std::vector<TriggerRecord> all;
     for (std::size_t i = 0; i < stairs.size(); ++i) {
-        trigger.targets = names_of(stairs[i]);
+        trigger.targets = targets_of(stairs[i]);
         trigger.z = metres(sector(first).floor + static_cast<double>(i + 1) * job.action.by);
         if (!trigger.targets.empty()) all.push_back(trigger);
     }
@@ -206,11 +205,11 @@ std::vector<TriggerRecord> TriggerMaker::donut(const Job& job, std::uint32_t pil
     if (neighbours_.of(pillar).empty()) return {};
     const std::uint32_t ring = neighbours_.of(pillar).front().sector;
     for (const Neighbour& n : neighbours_.of(ring)) {
-        if (n.sector == pillar || n.sector == ring || part_names_[n.sector].empty()) continue;
+        if (n.sector == pillar || n.sector == ring || names_[n.sector].empty()) continue;
         TriggerRecord down = job.base, up = job.base;
-        down.targets = names_of(pillar);
-        up.targets = names_of(ring);
-        down.like = up.like = part_names_[n.sector].front();
+        down.targets = targets_of(pillar);
+        up.targets = targets_of(ring);
+        down.like = up.like = names_[n.sector];
         change_as(n.sector, false, up);
         up.heals = true;
         return {down, up};
@@ -253,6 +252,10 @@ std::uint32_t TriggerMaker::front_of(std::uint32_t line) const {
     return front < doom_.sectors.size() ? front : kNone;
 }
 
-std::vector<std::string> TriggerMaker::names_of(std::uint32_t number) const { return part_names_[number]; }
+/// The first part, which stands for all of them: they are a group.
+std::vector<std::string> TriggerMaker::targets_of(std::uint32_t number) const {
+    if (names_[number].empty()) return {};
+    return {names_[number]};
+}
 
 }  // namespace enfilade::wadconv

@@ -57,7 +57,7 @@ private:
     void strobe(const Job& job, TriggerRecord& trigger) const;
     double shortest_lower(std::uint32_t sector) const;
     std::uint32_t front_of(std::uint32_t line) const;
-    std::vector<std::string> names_of(std::uint32_t sector) const;
+    std::vector<std::string> targets_of(std::uint32_t sector) const;
     const DoomSector& sector(std::uint32_t number) const { return doom_.sectors[number]; }
 
     const DoomMap& doom_;
@@ -67,7 +67,7 @@ private:
     const Exits& exits_;
     Report& report_;
     std::map<int, std::vector<std::uint32_t>> by_tag_;  ///< sectors that became parts
-    std::vector<std::vector<std::string>> part_names_;  ///< by sector
+    std::vector<std::string> names_;                    ///< of each sector's first part; empty: it has none
 };
 
 }  // namespace enfilade::wadconv

@@ -168,6 +168,12 @@ TEST(ConvertTriggers, FindTheStairs) {
     EXPECT_EQ(stairs.speed, 0.25 * 35 / 32);
 }
 
+TEST(ConvertTriggers, CountAStairOfTwoPartsOnce) {
+    Stairs stairs(7);
+    stairs.level.box(0, 256, 64, 320, 1);
+    EXPECT_THAT(stairs.trigger().targets, SizeIs(Stairs(7).trigger().targets.size()));
+}
+
 TEST(ConvertTriggers, EndStairsWhereTheFloorLooksDifferent) {
     Stairs stairs(8);
     stairs.level.map.sectors[3].floor_flat = "F_SKY1";

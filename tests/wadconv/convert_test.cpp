@@ -85,7 +85,7 @@ TEST(ConvertSectors, NoteFlatsThatAreNotThere) {
     EXPECT_THAT(Converted(level).noted(Kind::unknown_flat), ElementsAre(0u));
 }
 
-TEST(ConvertSectors, GiveEveryPartItsTagAndNature) {
+TEST(ConvertSectors, GiveEveryPartItsTagNatureAndGroup) {
     Level level;
     level.sector();
     level.map.sectors[0].special = 9;
@@ -99,6 +99,8 @@ TEST(ConvertSectors, GiveEveryPartItsTagAndNature) {
         EXPECT_TRUE(sector.secret);
     }
     EXPECT_EQ(c.file.sectors[1].name, "s0b");
+    EXPECT_EQ(c.file.sectors[0].group, "s0");
+    EXPECT_EQ(c.file.sectors[1].group, "s0");
     EXPECT_EQ(c.report.sector_specials.at(9), 1u);
 }
 

@@ -91,6 +91,15 @@ TEST(ConvertSounds, OfDoorsDifferOnTheWayDown) {
     EXPECT_EQ(behind(c).stop_sound, "");
 }
 
+TEST(ConvertSounds, OfADoorBehindOneLineAreThoseOfAllItsParts) {
+    Doorway doorway;
+    doorway.line().special = 1;
+    doorway.level.box(256, 0, 320, 64, 1);
+    const Converted c(doorway.level);
+    EXPECT_EQ(c.file.sectors.at(2).name, "s1b");
+    EXPECT_EQ(c.file.sectors.at(2).move_sound, "doropn");
+}
+
 TEST(ConvertSounds, OfFastDoorsAreTheirOwn) {
     const Converted c = with_line(117);
     EXPECT_EQ(behind(c).move_sound, "bdopn");
