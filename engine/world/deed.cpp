@@ -147,15 +147,19 @@ bool is_busy(const Change* change, std::uint64_t tick) {
     return !end || *end > tick;
 }
 
-void stop_what_loops(const Instant& now, History& history, TriggerId cause, SectorId sector, std::uint64_t tick) {
+bool stop_what_loops(const Instant& now, History& history, TriggerId cause, SectorId sector, std::uint64_t tick) {
+    bool has_stopped = false;
     for (const Channel channel : {Channel::floor, Channel::ceiling}) {
         const Change* change = history.newest_of(sector, channel);
         if (!change || !change->course.loops) continue;
         history.add({sector, channel, {tick, value_at(change->course, now.tick), {}, 0, false}, cause});
+        has_stopped = true;
     }
+    return has_stopped;
 }
 
-void change_target(const Map& map, History& history, TriggerId id, std::size_t number, std::uint64_t tick) {
+/// False where the target takes no orders now.
+bool change_target(const Map& map, History& history, TriggerId id, std::size_t number, std::uint64_t tick) {
     const Trigger& trigger = map[id];
     const SectorId sector = map.targets_of(trigger)[number];
     const Instant now(map, history, static_cast<double>(tick));
@@ -166,7 +170,7 @@ void change_target(const Map& map, History& history, TriggerId id, std::size_t n
     Course course;
     if (channel != Channel::light && is_busy(present, tick)) {
         const bool is_door = trigger.deed == Deed::door && map[present->cause].deed == Deed::door;
-        if (!is_door || trigger.on != Occasion::use || present->course.count != 2) return;
+        if (!is_door || trigger.on != Occasion::use || present->course.count != 2) return false;
         course = used_again(target, present->course);
     } else {
         course = course_of(target);
@@ -174,12 +178,16 @@ void change_target(const Map& map, History& history, TriggerId id, std::size_t n
     }
     course.start = tick + ticks_of(trigger.after_s);
     history.add({sector, channel, course, id});
+    return true;
 }
 
 }  // namespace
 
-void carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_t tick) {
-    for (std::size_t i = 0; i < map[trigger].targets.count; ++i) change_target(map, history, trigger, i, tick);
+bool carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_t tick) {
+    const std::size_t targets = map[trigger].targets.count;
+    bool happens = targets == 0;
+    for (std::size_t i = 0; i < targets; ++i) happens |= change_target(map, history, trigger, i, tick);
+    return happens;
 }
 
 History begun(const Map& map) {

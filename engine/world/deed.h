@@ -12,9 +12,10 @@ inline constexpr double kDoorHead = 0.125;
 inline constexpr double kCrushedHeight = 0.25;
 
 /// Adds to the history what the trigger does to its targets at a tick: the changes begin then, or `after` later.
-/// Heights are found as they are now. Teleports and exits change nothing here.
+/// Heights are found as they are now. Teleports and exits change nothing here. False where it has targets and none of
+/// them takes the order: all are on their way, or have nothing to stop.
 /// Cost: the walls of the targets and their groups.
-void carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_t tick);
+bool carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_t tick);
 
 /// What the start of the map sets off, and nothing more.
 History begun(const Map& map);

@@ -135,13 +135,10 @@ void fire(const Map& map, World& world, TriggerId id, WallId wall) {
     const Trigger& trigger = map[id];
     if (trigger.once && world.history.has_fired(id)) return;
     if (!has_key(world, trigger.key)) return tell(world, NewsKind::needs_key, trigger.key);
+    if (!carry_out(map, world.history, id, world.tick)) return;
     world.history.add(Firing{id, wall, world.tick});
     if (trigger.deed == Deed::teleport) return teleport(map, world, trigger.destination);
-    if (trigger.deed == Deed::exit) {
-        world.left_by = id;
-        return;
-    }
-    carry_out(map, world.history, id, world.tick);
+    if (trigger.deed == Deed::exit) world.left_by = id;
 }
 
 void use_what_is_ahead(const Map& map, World& world) {

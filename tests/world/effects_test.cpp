@@ -168,6 +168,42 @@ TEST(Trigger, ThatWorksOnceIsNotSetOffAgain) {
     EXPECT_EQ(passage(game).floor_z, 0.5);
 }
 
+TEST(Trigger, ThatWorksOnceIsKeptWhileItsTargetIsOnItsWay) {
+    MapFile file = hall_passage_room(0, 3);
+    TriggerRecord rise = trigger_on(Occasion::start, Deed::floor, {"passage"});
+    rise.z = 0.5;
+    sector(file, "hall").triggers = {rise};
+    TriggerRecord sink = trigger_on(Occasion::use, Deed::floor);
+    sink.once = true;
+    sink.z = -1;
+    sector(file, "passage").triggers = {sink};
+    Game game(file);
+    game.hold(kUse);
+    EXPECT_TRUE(game.world.history.firings().empty());
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).floor_z, 0.5);
+    game.hold(kUse);
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).floor_z, -1);
+}
+
+TEST(Trigger, GoesOffWhereOneOfItsTargetsTakesOrders) {
+    MapFile file = hall_passage_room(0, 3);
+    TriggerRecord rise = trigger_on(Occasion::start, Deed::floor, {"passage"});
+    rise.z = 0.5;
+    sector(file, "hall").triggers = {rise};
+    TriggerRecord sink = trigger_on(Occasion::use, Deed::floor, {"passage", "room"});
+    sink.once = true;
+    sink.z = -1;
+    sector(file, "passage").triggers = {sink};
+    Game game(file);
+    game.hold(kUse);
+    EXPECT_EQ(game.world.history.firings().size(), 1u);
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).floor_z, 0.5);
+    EXPECT_EQ(heights_of(now(game.map, game.world), SectorId(2u)).floor_z, -1);
+}
+
 TEST(Trigger, OnAPortalGoesOffInBothDirections) {
     for (const bool outward : {false, true}) {
         MapFile file = hall_passage_room(0, 3);
