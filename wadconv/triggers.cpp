@@ -31,6 +31,8 @@ TriggerRecord measured(const LineAction& action) {
     trigger.deed = action.deed;
     trigger.once = action.times == Times::once;
     trigger.key = key_name(action.key);
+    // Only who stands at the door itself turns it round.
+    trigger.reverses = action.deed != Deed::door || action.how == How::push || action.how == How::cross;
     trigger.crushes = action.crushes;
     trigger.to = action.to;
     if (action.deed == Deed::stairs)

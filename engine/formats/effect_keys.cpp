@@ -63,6 +63,7 @@ constexpr std::array kTriggerKeys{
     key<&TriggerRecord::speed>("speed", kNew, Need::optional, kSpeeds),
     key<&TriggerRecord::wait>("wait", kNew, Need::optional, kSeconds),
     key<&TriggerRecord::step>("step", kNew, Need::optional, kStairs),
+    key<&TriggerRecord::reverses>("reverses", kNew),
     key<&TriggerRecord::crushes>("crushes", kNew),
     file_key<&TriggerRecord::texture>("texture", kNew),
     key<&TriggerRecord::heals>("heals", kNew),

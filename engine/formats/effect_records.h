@@ -89,6 +89,7 @@ struct TriggerRecord {
     double speed = 2;                  ///< [m/s]
     double wait = 4;                   ///< how long doors and lifts wait [s]
     double step = 0.25;                ///< height of a stair [m]
+    bool reverses = true;              ///< door, on use: used while it moves or waits, it turns round or closes
     bool crushes = false;              ///< hurts who is in the way, instead of waiting
     std::string texture;          ///< the floor's new picture: rising at once, falling on arrival; empty: as it was
     bool heals = false;           ///< the floor no longer hurts, from when it gets its new picture

@@ -25,7 +25,7 @@ struct TargetRange {
 struct Trigger {
     Occasion on = Occasion::use;
     Deed deed = Deed::door;
-    bool once = false, one_way = false, crushes = false, heals = false;
+    bool once = false, one_way = false, reverses = true, crushes = false, heals = false;
     std::uint32_t key = kNoKey;  ///< index into Map::keys, or kNoKey: works for everybody
     TargetRange targets;         ///< in the order of the file, each once; of a group its leader
     ThingId destination;         ///< teleport: where to

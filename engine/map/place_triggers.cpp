@@ -107,6 +107,7 @@ private:
         t.deed = record.deed;
         t.once = record.once;
         t.one_way = record.one_way;
+        t.reverses = record.reverses;
         t.crushes = record.crushes;
         t.heals = record.heals;
         t.after_s = record.after;

@@ -170,7 +170,8 @@ bool change_target(const Map& map, History& history, TriggerId id, std::size_t n
     Course course;
     if (channel != Channel::light && is_busy(present, tick)) {
         const bool is_door = trigger.deed == Deed::door && map[present->cause].deed == Deed::door;
-        if (!is_door || trigger.on != Occasion::use || present->course.count != 2) return false;
+        const bool reverses = is_door && trigger.on == Occasion::use && trigger.reverses;
+        if (!reverses || present->course.count != 2) return false;
         course = used_again(target, present->course);
     } else {
         course = course_of(target);

@@ -120,6 +120,7 @@ private:
         trigger.speed = number(0.1, 9);
         trigger.wait = number(0, 9);
         trigger.step = number(-9, 9);
+        trigger.reverses = flip();
         trigger.crushes = flip();
         trigger.texture = flip() ? file_name() : "";
         trigger.heals = flip();

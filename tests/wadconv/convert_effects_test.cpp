@@ -42,6 +42,13 @@ TEST(ConvertTriggers, MakeADoorOfTheSectorBehind) {
     EXPECT_FALSE(door.once);
 }
 
+TEST(ConvertTriggers, TurnADoorRoundOnlyFromTheDoorItself) {
+    EXPECT_TRUE(Line(1).trigger().reverses);
+    EXPECT_TRUE(Line(117).trigger().reverses);
+    EXPECT_FALSE(Line(63).trigger().reverses);
+    EXPECT_FALSE(Line(114).trigger().reverses);
+}
+
 TEST(ConvertTriggers, LockDoors) {
     EXPECT_EQ(Line(26).trigger().key, "blue");
     EXPECT_EQ(Line(27).trigger().key, "yellow");

@@ -99,6 +99,20 @@ TEST(Door, UsedAgainWhileItClosesOpens) {
     EXPECT_GT(passage(game).ceiling_z, before);
 }
 
+TEST(Door, ThatDoesNotReverseIgnoresWhoUsesItAgain) {
+    TriggerRecord door = trigger_on(Occasion::use, Deed::door);
+    door.reverses = false;
+    Game game(with_door(door));
+    game.hold(kUse);
+    game.hold(kNoKeys, 30);
+    game.hold(kUse);
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).ceiling_z, 3 - kDoorHead);
+    game.hold(kUse);
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).ceiling_z, 3 - kDoorHead);
+}
+
 TEST(Door, OutOfReachIsNotUsed) {
     MapFile file = with_door(trigger_on(Occasion::use, Deed::door));
     place_player(file, "hall", {8 - kArm - 0.25, 2}, kEyeOnFloor);
