@@ -140,6 +140,12 @@ void clip(const Target& t, Channel channel, Course& course) {
     }
 }
 
+/// Where the floor or ceiling is, whatever its course alone says: the other one may hold it up.
+double height_now(const Instant& now, SectorId sector, Channel channel) {
+    const Heights here = heights_of(now, sector);
+    return channel == Channel::floor ? here.floor_z : here.ceiling_z;
+}
+
 /// Whether the value is on its way, or about to be.
 bool is_busy(const Change* change, std::uint64_t tick) {
     if (!change) return false;
@@ -152,7 +158,7 @@ bool stop_what_loops(const Instant& now, History& history, TriggerId cause, Sect
     for (const Channel channel : {Channel::floor, Channel::ceiling}) {
         const Change* change = history.newest_of(sector, channel);
         if (!change || !change->course.loops) continue;
-        history.add({sector, channel, {tick, value_at(change->course, now.tick), {}, 0, false}, cause});
+        history.add({sector, channel, {tick, height_now(now, sector, channel), {}, 0, false}, cause});
         has_stopped = true;
     }
     return has_stopped;
@@ -204,7 +210,7 @@ bool crushes(const Map& map, const Change& change) {
 
 Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick) {
     const Course& old = in_the_way.course;
-    const double z = value_at(old, now.tick);
+    const double z = height_now(now, in_the_way.sector, in_the_way.channel);
     const std::uint8_t heading = stop_at(old, now.tick);
     Change answer = in_the_way;
     if (old.count == 2 && now.map[in_the_way.cause].deed != Deed::close) {

@@ -33,7 +33,9 @@ const Change* change_of(const Instant& now, SectorId sector, Channel channel) {
 Heights heights_of(const Instant& now, SectorId id) {
     const Sector& sector = now.map[id];
     if (!now.history) return {sector.floor.z, sector.ceiling.z};
-    return {value_of(now, id, Channel::floor, sector.floor.z), value_of(now, id, Channel::ceiling, sector.ceiling.z)};
+    const double floor_z = value_of(now, id, Channel::floor, sector.floor.z);
+    // Both may be on their way towards each other: where they meet, the floor carries the ceiling.
+    return {floor_z, std::max(floor_z, value_of(now, id, Channel::ceiling, sector.ceiling.z))};
 }
 
 bool is_open(const Instant& now, const Wall& portal) {

@@ -19,7 +19,7 @@ struct Instant {
 
 struct Heights {
     double floor_z;    ///< [m]
-    double ceiling_z;  ///< [m]
+    double ceiling_z;  ///< [m]; >= floor_z
 };
 
 /// The change that a value of the sector, and of all its group, now follows; null: it is as in the map.

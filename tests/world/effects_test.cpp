@@ -314,6 +314,41 @@ TEST(Floor, WaitsForWhoWouldBeSqueezedAndThenGoesOn) {
     EXPECT_EQ(passage(game).floor_z, 2.5);
 }
 
+TEST(Floor, ThatMeetsACeilingOnItsWayCarriesIt) {
+    MapFile file = hall_passage_room(0, 3);
+    TriggerRecord rise = trigger_on(Occasion::start, Deed::floor, {"passage"});
+    TriggerRecord sink = trigger_on(Occasion::start, Deed::ceiling, {"passage"});
+    rise.z = 2.5;
+    sink.z = 0.25;
+    sector(file, "hall").triggers = {rise, sink};
+    Game game(file);
+    double lowest = 3;
+    for (int i = 0; i < 200; ++i) {
+        game.hold(kNoKeys);
+        ASSERT_GE(passage(game).ceiling_z, passage(game).floor_z) << i;
+        lowest = std::min(lowest, passage(game).ceiling_z);
+    }
+    EXPECT_NEAR(lowest, 1.5, 0.05);
+    EXPECT_EQ(passage(game).floor_z, 2.5);
+    EXPECT_EQ(passage(game).ceiling_z, 2.5);
+}
+
+TEST(Crusher, StopsWhereTheFloorHoldsItUp) {
+    MapFile file = hall_passage_room(0, 3);
+    TriggerRecord crush = trigger_on(Occasion::start, Deed::crush, {"passage"});
+    TriggerRecord rise = trigger_on(Occasion::start, Deed::floor, {"passage"});
+    TriggerRecord stop = trigger_on(Occasion::use, Deed::stop);
+    rise.z = 1;
+    sector(file, "hall").triggers = {crush, rise};
+    sector(file, "passage").triggers = {stop};
+    Game game(file);
+    game.hold(kNoKeys, 80);  // 2.75 m at 2 m/s: almost down
+    ASSERT_EQ(passage(game).ceiling_z, 1);
+    game.hold(kUse);
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).ceiling_z, 1);
+}
+
 TEST(Crusher, HurtsWhoIsBelowButLeavesRoom) {
     MapFile file = hall_passage_room(0, 3);
     sector(file, "passage").triggers = {trigger_on(Occasion::enter, Deed::crush)};
