@@ -83,6 +83,7 @@ void convert_thing(Workbench& bench, std::size_t index, std::uint32_t exit_of) {
     record.radius = metres(type->radius);
     record.height = metres(type->height);
     record.solid = type->is_solid;
+    if (record.solid) record.holds_up = can_be_shot(thing.type) ? HoldsUp::all_but_crushers : HoldsUp::nothing;
     record.hanging = type->hangs;
     record.size = kUnitsPerMetre;
     record.doom = DoomRecord{thing.type, 0, thing.flags};

@@ -136,6 +136,12 @@ constexpr std::array kTypes = {
 
 static_assert(std::ranges::is_sorted(kTypes, {}, &ThingType::number));
 
+/// Monsters, the boss's brain and barrels.
+constexpr std::array kTargets = {7,  9,  16, 58, 64, 65,   66,   67,   68,   69,   71,  72,
+                                 84, 88, 2035, 3001, 3002, 3003, 3004, 3005, 3006};
+
+static_assert(std::ranges::is_sorted(kTargets));
+
 }  // namespace
 
 std::span<const ThingType> thing_types() { return kTypes; }
@@ -144,6 +150,8 @@ const ThingType* find_thing_type(int number) {
     const auto found = std::ranges::lower_bound(kTypes, number, {}, &ThingType::number);
     return found == kTypes.end() || found->number != number ? nullptr : &*found;
 }
+
+bool can_be_shot(int number) { return std::ranges::binary_search(kTargets, number); }
 
 std::vector<std::string> idle_frames() {
     std::vector<std::string> frames;

@@ -27,6 +27,9 @@ struct ThingType {
     std::string_view frames;  ///< idle animation as "A10 B10*": letter, tics, '*' where bright; no tics: for ever
 };
 
+/// Whether the type can be shot: it holds up what moves until it is crushed, where mere decoration never does.
+bool can_be_shot(int number);
+
 /// Tics in a second.
 inline constexpr double kTicsPerSecond = 35;
 

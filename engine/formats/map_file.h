@@ -130,6 +130,9 @@ inline constexpr int kMostSkill = 5;
 /// Stands at every skill.
 inline constexpr std::uint8_t kAllSkills = (1u << kMostSkill) - 1;
 
+/// Which floors and ceilings stop short of a solid thing.
+enum class HoldsUp : std::uint8_t { all, all_but_crushers, nothing };
+
 struct ThingRecord {
     std::string name;    ///< empty: none
     std::string kind;    ///< `class`: what it is, e.g. "Barrel"
@@ -139,6 +142,7 @@ struct ThingRecord {
     double yaw_degrees = 0;
     double radius = 0.5, height = 1;  ///< [m]
     bool solid = false, hanging = false;
+    HoldsUp holds_up = HoldsUp::all;  ///< solid: which floors and ceilings stop short of it
     int rotations = 1;  ///< 1 or 8
     std::vector<SpriteFrameRecord> frames;
     double size = 32;                  ///< texels per metre

@@ -54,6 +54,7 @@ constexpr std::array kThingKeys{
     key<&ThingRecord::radius>("radius", kNew, Need::optional, kThingSizes),
     key<&ThingRecord::height>("height", kNew, Need::optional, kThingSizes),
     key<&ThingRecord::solid>("solid", kNew),
+    key<&ThingRecord::holds_up>("holds_up", kNew),
     key<&ThingRecord::hanging>("hanging", kNew),
     key<&ThingRecord::rotations>("rotations", kNew, Need::optional, {1, 8}),
     key<&ThingRecord::size>("size", kNew, Need::optional, kTexelsPerMetre),

@@ -153,6 +153,7 @@ struct Thing {
     double radius = 0;                          ///< of its body, on the point grid [m]
     double height = 0;                          ///< of its body [m]
     bool solid = false;                         ///< bodies do not pass
+    HoldsUp holds_up = HoldsUp::all;            ///< solid: which floors and ceilings stop short of it
     std::optional<double> light;                ///< its own, 0..1, instead of the sector's
     SpriteId sprite;                            ///< none: nothing to be seen
     TriggerRange triggers;                      ///< touch and start

@@ -79,6 +79,7 @@ void add_thing(Draft& draft, const ThingRecord& record, SectorId sector, SpriteS
     thing.radius = snap_to_point_grid(record.radius);
     thing.height = record.height;
     thing.solid = record.solid;
+    thing.holds_up = record.holds_up;
     thing.light = record.light;
     thing.footing = record.z ? Footing::fixed : record.hanging ? Footing::ceiling : Footing::floor;
     const Sector& home = draft.map[sector];

@@ -118,14 +118,22 @@ Course course_of(const Target& t) {
     }
 }
 
-/// How high the tallest of the solid things in the target is, as far as there is room for it now [m].
+bool crushes(const Trigger& trigger) { return trigger.crushes || trigger.deed == Deed::crush; }
+
+bool stops_at(const Trigger& trigger, const Thing& thing) {
+    if (thing.holds_up == HoldsUp::nothing) return false;
+    return thing.holds_up == HoldsUp::all || !crushes(trigger);
+}
+
+/// How high the tallest of the solid things that it stops at is, as far as there is room for it now [m].
 double tallest_thing(const Target& t) {
     const Map& map = t.now.map;
     double tallest = 0;
     each_of_group(map, t.sector, [&](SectorId member) {
         const Sector& sector = map[member];
         for (std::uint32_t i = sector.first_solid; i < sector.first_solid + sector.solid_count; ++i)
-            tallest = std::max(tallest, map[map.solid_things[i]].height);
+            if (const Thing& thing = map[map.solid_things[i]]; stops_at(t.trigger, thing))
+                tallest = std::max(tallest, thing.height);
     });
     return std::min(tallest, t.here.ceiling_z - t.here.floor_z);
 }
@@ -203,10 +211,7 @@ History begun(const Map& map) {
     return history;
 }
 
-bool crushes(const Map& map, const Change& change) {
-    const Trigger& cause = map[change.cause];
-    return cause.crushes || cause.deed == Deed::crush;
-}
+bool crushes(const Map& map, const Change& change) { return crushes(map[change.cause]); }
 
 Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick) {
     const Course& old = in_the_way.course;

@@ -221,6 +221,7 @@ private:
         thing.radius = number(0, 9);
         thing.height = number(0, 9);
         thing.solid = flip();
+        thing.holds_up = static_cast<HoldsUp>(random_.below(3));
         thing.hanging = flip();
         thing.rotations = flip() ? 8 : 1;
         for (int i = whole(0, 3); i > 0; --i)

@@ -11,6 +11,22 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
+/// The only thing of a room, of that type.
+ThingRecord thing_of(int type) {
+    Level level;
+    level.sector();
+    level.box(0, 0, 128, 128, 0);
+    level.thing(64, 64, type);
+    return Converted(level).file.things.at(0);
+}
+
+TEST(ConvertThings, HoldUpWhatMovesIfTheyCanBeShotAndUntilTheyAreCrushed) {
+    EXPECT_EQ(thing_of(3001).holds_up, HoldsUp::all_but_crushers);
+    EXPECT_EQ(thing_of(2035).holds_up, HoldsUp::all_but_crushers);
+    EXPECT_EQ(thing_of(48).holds_up, HoldsUp::nothing);
+    EXPECT_EQ(thing_of(2012).holds_up, HoldsUp::all);  // solid things only
+}
+
 TEST(ConvertThings, TellWhatStandsWhere) {
     const Converted c(small_level());
     ASSERT_THAT(c.file.things, SizeIs(3));

@@ -349,6 +349,34 @@ TEST(Crusher, StopsWhereTheFloorHoldsItUp) {
     EXPECT_EQ(passage(game).ceiling_z, 1);
 }
 
+/// Where the ceiling of the passage comes down to over a solid thing of 1.25 m.
+double lowest_over_a_thing(HoldsUp holds_up, Deed deed) {
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "hall").triggers = {trigger_on(Occasion::start, deed, {"passage"})};
+    ThingRecord thing;
+    thing.position = {8.5, 2};
+    thing.height = 1.25;
+    thing.solid = true;
+    thing.holds_up = holds_up;
+    file.things = {thing};
+    Game game(file);
+    double lowest = 3;
+    for (int i = 0; i < 200; ++i) {
+        game.hold(kNoKeys);
+        lowest = std::min(lowest, passage(game).ceiling_z);
+    }
+    return lowest;
+}
+
+TEST(Ceiling, StopsShortOfSolidThingsThatHoldItUp) {
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all, Deed::crush), 1.25);
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all, Deed::close), 1.25);
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all_but_crushers, Deed::crush), kCrushedHeight);
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all_but_crushers, Deed::close), 1.25);
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::nothing, Deed::crush), kCrushedHeight);
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::nothing, Deed::close), 0);
+}
+
 TEST(Crusher, HurtsWhoIsBelowButLeavesRoom) {
     MapFile file = hall_passage_room(0, 3);
     sector(file, "passage").triggers = {trigger_on(Occasion::enter, Deed::crush)};
