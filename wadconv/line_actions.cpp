@@ -48,7 +48,7 @@ constexpr LineAction floor_by(int special, How how, Times times, double by, doub
 }
 
 constexpr LineAction crushing_floor(int special, How how, Times times) {
-    LineAction action = floor_to(special, how, times, Level::lowest_ceiling, -8);
+    LineAction action = floor_to(special, how, times, Level::lowest_ceiling_or_own, -8);
     action.crushes = true;
     return action;
 }
@@ -96,7 +96,7 @@ constexpr std::array kActions = {
     door(2, cross, once, Deed::open),
     door(3, cross, once, Deed::close),
     door(4, cross, once, Deed::door),
-    floor_to(5, cross, once, Level::lowest_ceiling),
+    floor_to(5, cross, once, Level::lowest_ceiling_or_own),
     crusher(6, cross, once, kFastCeiling),
     stairs(7, use, 8, kSlowStairs),
     stairs(8, cross, 8, kSlowStairs),
@@ -115,7 +115,7 @@ constexpr std::array kActions = {
     lift(21, use, once),
     floor_to(22, cross, once, Level::next_floor_up, 0, kRaisingPlat, Change::harmless),
     floor_to(23, use, once, Level::lowest_floor),
-    floor_to(24, shoot, once, Level::lowest_ceiling),
+    floor_to(24, shoot, once, Level::lowest_ceiling_or_own),
     crusher(25, cross, once),
     door(26, push, again, Deed::door, blue),
     door(27, push, again, Deed::door, yellow),
@@ -154,7 +154,7 @@ constexpr std::array kActions = {
     door(61, use, again, Deed::open),
     lift(62, use, again),
     door(63, use, again, Deed::door),
-    floor_to(64, use, again, Level::lowest_ceiling),
+    floor_to(64, use, again, Level::lowest_ceiling_or_own),
     crushing_floor(65, use, again),
     floor_by(66, use, again, 24, kRaisingPlat, Change::picture),
     floor_by(67, use, again, 32, kRaisingPlat, Change::picture),
@@ -179,7 +179,7 @@ constexpr std::array kActions = {
     lift(88, cross, again),
     plain(89, cross, again, Deed::stop),
     door(90, cross, again, Deed::door),
-    floor_to(91, cross, again, Level::lowest_ceiling),
+    floor_to(91, cross, again, Level::lowest_ceiling_or_own),
     floor_by(92, cross, again, 24),
     floor_by(93, cross, again, 24, kFloor, Change::as_in_front),
     crushing_floor(94, cross, again),
@@ -189,7 +189,7 @@ constexpr std::array kActions = {
     floor_to(98, cross, again, Level::highest_floor, 8, kFastFloor),
     fast_door(99, use, again, Deed::open, blue),
     stairs(100, cross, 16, kFastFloor),
-    floor_to(101, use, once, Level::lowest_ceiling),
+    floor_to(101, use, once, Level::lowest_ceiling_or_own),
     floor_to(102, use, once, Level::highest_floor),
     door(103, use, once, Deed::open),
     light(104, cross, once, -1, LightLevel::darkest),

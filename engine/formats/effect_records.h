@@ -40,15 +40,16 @@ enum class Deed : std::uint8_t {
 
 /// A height that is found when the trigger goes off. "Around" are the sectors behind the target's portals.
 enum class Level : std::uint8_t {
-    here,             ///< where it is
-    lowest_floor,     ///< around, if lower than its own
-    highest_floor,    ///< around
-    next_floor_up,    ///< the lowest of those around that are higher
-    next_floor_down,  ///< the highest of those around that are lower
-    lowest_ceiling,   ///< around
-    highest_ceiling,  ///< around
-    floor,            ///< its own floor
-    ceiling,          ///< its own ceiling
+    here,                   ///< where it is
+    lowest_floor,           ///< around, if lower than its own
+    highest_floor,          ///< around
+    next_floor_up,          ///< the lowest of those around that are higher
+    next_floor_down,        ///< the highest of those around that are lower
+    lowest_ceiling,         ///< around
+    highest_ceiling,        ///< around
+    floor,                  ///< its own floor
+    ceiling,                ///< its own ceiling
+    lowest_ceiling_or_own,  ///< around, or its own if that is lower
 };
 
 /// A level of light that is found when the trigger goes off.

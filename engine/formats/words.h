@@ -19,9 +19,9 @@ inline constexpr std::array<std::string_view, 5> kOccasionWords{"use", "cross", 
 inline constexpr std::array<std::string_view, 15> kDeedWords{
     "door",  "open",   "close", "close_then_open", "lift",     "shuttle", "floor", "ceiling",
     "crush", "stairs", "stop",  "light",           "teleport", "exit",    "sound"};
-inline constexpr std::array<std::string_view, 9> kLevelWords{
+inline constexpr std::array<std::string_view, 10> kLevelWords{
     "here",           "lowest_floor",    "highest_floor", "next_floor_up", "next_floor_down",
-    "lowest_ceiling", "highest_ceiling", "floor",         "ceiling"};
+    "lowest_ceiling", "highest_ceiling", "floor",         "ceiling",       "lowest_ceiling_or_own"};
 inline constexpr std::array<std::string_view, 3> kLightLevelWords{"given", "brightest", "darkest"};
 inline constexpr std::array<std::string_view, 4> kLightKindWords{"flicker", "strobe", "glow", "fire"};
 inline constexpr std::array<std::string_view, 3> kHoldsUpWords{"all", "all_but_crushers", "nothing"};

@@ -34,10 +34,10 @@ std::optional<double> best_around(const Instant& now, SectorId sector, double He
 }
 
 std::optional<double> found_around(const Instant& now, SectorId sector, Level level) {
-    const double floor_z = heights_of(now, sector).floor_z;
+    const auto [floor_z, ceiling_z] = heights_of(now, sector);
     const auto any = [](double) { return true; };
-    const auto higher = [&](double z) { return z > floor_z; };
-    const auto lower = [&](double z) { return z < floor_z; };
+    const auto higher = [own = floor_z](double z) { return z > own; };
+    const auto lower = [own = floor_z](double z) { return z < own; };
     const std::less<double> less;
     const std::greater<double> more;
     switch (level) {
@@ -48,7 +48,9 @@ std::optional<double> found_around(const Instant& now, SectorId sector, Level le
         case Level::lowest_ceiling: return best_around(now, sector, &Heights::ceiling_z, less, any);
         case Level::highest_ceiling: return best_around(now, sector, &Heights::ceiling_z, more, any);
         case Level::floor: return floor_z;
-        case Level::ceiling: return heights_of(now, sector).ceiling_z;
+        case Level::ceiling: return ceiling_z;
+        case Level::lowest_ceiling_or_own:
+            return std::min(best_around(now, sector, &Heights::ceiling_z, less, any).value_or(ceiling_z), ceiling_z);
         case Level::here: return {};
     }
     return {};

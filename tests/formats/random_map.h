@@ -113,7 +113,7 @@ private:
         if (flip())
             trigger.z = number(-99, 99);
         else if (flip())
-            trigger.to = static_cast<Level>(random_.below(9));
+            trigger.to = static_cast<Level>(random_.below(10));
         else
             trigger.like = maybe_text();
         trigger.by = number(-9, 9);

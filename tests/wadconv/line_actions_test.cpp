@@ -46,7 +46,7 @@ TEST(LineActions, KnowTheFloors) {
     EXPECT_EQ(down.to, Level::highest_floor);
     EXPECT_EQ(down.by, 8);
     EXPECT_EQ(down.speed, 4);
-    EXPECT_EQ(crush.to, Level::lowest_ceiling);
+    EXPECT_EQ(crush.to, Level::lowest_ceiling_or_own);
     EXPECT_EQ(crush.by, -8);
     EXPECT_TRUE(crush.crushes);
 }

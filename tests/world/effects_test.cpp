@@ -494,6 +494,15 @@ TEST(Shuttle, StopsWhereItIsAndGoesOn) {
 
 /// What has happened by a tick, and what it makes of the map, asked at once and asked at its time.
 TEST(History, SaysOfThePastWhatWasTrueThen) {
+TEST(Floor, GoesToTheLowestCeilingAroundOrToItsOwnIfThatIsLower) {
+    for (const double ceiling : {1.5, 6.0}) {  // around: 3
+        const MapFile file = hall_passage_room(0, ceiling);
+        const Map map = built(file);
+        const double around_or_own = height_of(map, SectorId(1u), Level::lowest_ceiling_or_own, 0);
+        EXPECT_EQ(around_or_own, std::min(ceiling, 3.0));
+    }
+}
+
     MapFile file = with_door(trigger_on(Occasion::use, Deed::door));
     sector(file, "room").triggers = {trigger_on(Occasion::start, Deed::shuttle)};
     sector(file, "room").floor.z = 0.5;
