@@ -12,7 +12,8 @@ using enum DoorKey;
 
 // Speeds [map units / tic].
 constexpr double kDoor = 2, kFastDoor = 8, kFloor = 1, kFastFloor = 4, kPlat = 4, kFastPlat = 8, kSlowPlat = 1,
-                 kRaisingPlat = 0.5, kSlowStairs = 0.25, kDonut = 0.5, kCeiling = 1, kFastCeiling = 2;
+                 kRaisingPlat = 0.5, kSlowStairs = 0.25, kDonut = 0.5, kCeiling = 1, kFastCeiling = 2,
+                 kSlowCrush = kCeiling / 8;
 
 // Waits [tics].
 constexpr double kDoorWait = 150, kPlatWait = 105, kHalfMinute = 1050;
@@ -67,11 +68,18 @@ constexpr LineAction ceiling_to(int special, How how, Times times, Level to, dou
             .speed = kCeiling,
             .to = to,
             .by = by,
-            .crushes = crushes};
+            .crushes = crushes,
+            .crush_speed = crushes ? kSlowCrush : 0};
 }
 
 constexpr LineAction crusher(int special, How how, Times times, double speed = kCeiling) {
-    return {.special = special, .how = how, .times = times, .deed = Deed::crush, .speed = speed, .crushes = true};
+    return {.special = special,
+            .how = how,
+            .times = times,
+            .deed = Deed::crush,
+            .speed = speed,
+            .crushes = true,
+            .crush_speed = speed == kCeiling ? kSlowCrush : 0};
 }
 
 constexpr LineAction stairs(int special, How how, double step, double speed, Times times = once) {

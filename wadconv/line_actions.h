@@ -45,6 +45,7 @@ struct LineAction {
     Level to = Level::here;
     double by = 0;  ///< [map units]; stairs: the height of one
     bool crushes = false;
+    double crush_speed = 0;  ///< once it comes down on somebody; 0: as before [map units / tic]
     DoorKey key = DoorKey::none;
     Change change = Change::none;
     Oddity oddity = Oddity::none;

@@ -34,6 +34,7 @@ TriggerRecord measured(const LineAction& action) {
     // Only who stands at the door itself turns it round.
     trigger.reverses = action.deed != Deed::door || action.how == How::push || action.how == How::cross;
     trigger.crushes = action.crushes;
+    if (action.crush_speed > 0) trigger.crush_speed = metres(action.crush_speed * kTicsPerSecond);
     trigger.to = action.to;
     if (action.deed == Deed::stairs)
         trigger.step = metres(action.by);

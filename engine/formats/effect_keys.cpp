@@ -65,6 +65,7 @@ constexpr std::array kTriggerKeys{
     key<&TriggerRecord::step>("step", kNew, Need::optional, kStairs),
     key<&TriggerRecord::reverses>("reverses", kNew),
     key<&TriggerRecord::crushes>("crushes", kNew),
+    key<&TriggerRecord::crush_speed>("crush_speed", kNew, Need::optional, kSpeeds),
     file_key<&TriggerRecord::texture>("texture", kNew),
     key<&TriggerRecord::heals>("heals", kNew),
     key<&TriggerRecord::light>("light", kNew, Need::optional, kLight),

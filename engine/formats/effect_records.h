@@ -75,23 +75,24 @@ struct LightEffectRecord {
 
 struct TriggerRecord {
     Occasion on = Occasion::use;
-    Deed deed = Deed::door;            ///< `do`
-    std::vector<std::string> targets;  ///< `target`: sectors by name or tag; teleport: a thing; exit: a map. None: the
-                                       ///< sector it is on, or the one behind its wall
-    bool once = false;                 ///< works only once
-    bool one_way = false;              ///< cross: only when leaving the sector of this wall; use and cross of a panel:
-                                       ///< only from its right, as one_sided
-    std::string key;                   ///< works only for who has it; empty: for everybody
-    double after = 0;                  ///< seconds that pass before it works [s]
-    std::optional<double> z;           ///< floor, ceiling: where to go [m]
-    Level to = Level::here;            ///< the same, found when it goes off
-    std::string like;                  ///< the same: the floor of the sector of this name
-    double by = 0;                     ///< added to either [m]
-    double speed = 2;                  ///< [m/s]
-    double wait = 4;                   ///< how long doors and lifts wait [s]
-    double step = 0.25;                ///< height of a stair [m]
-    bool reverses = true;              ///< door, on use: used while it moves or waits, it turns round or closes
-    bool crushes = false;              ///< hurts who is in the way, instead of waiting
+    Deed deed = Deed::door;             ///< `do`
+    std::vector<std::string> targets;   ///< `target`: sectors by name or tag; teleport: a thing; exit: a map. None: the
+                                        ///< sector it is on, or the one behind its wall
+    bool once = false;                  ///< works only once
+    bool one_way = false;               ///< cross: only when leaving the sector of this wall; use and cross of a panel:
+                                        ///< only from its right, as one_sided
+    std::string key;                    ///< works only for who has it; empty: for everybody
+    double after = 0;                   ///< seconds that pass before it works [s]
+    std::optional<double> z;            ///< floor, ceiling: where to go [m]
+    Level to = Level::here;             ///< the same, found when it goes off
+    std::string like;                   ///< the same: the floor of the sector of this name
+    double by = 0;                      ///< added to either [m]
+    double speed = 2;                   ///< [m/s]
+    double wait = 4;                    ///< how long doors and lifts wait [s]
+    double step = 0.25;                 ///< height of a stair [m]
+    bool reverses = true;               ///< door, on use: used while it moves or waits, it turns round or closes
+    bool crushes = false;               ///< hurts who is in the way, instead of waiting
+    std::optional<double> crush_speed;  ///< how fast it goes on down on who is in its way; none: as before [m/s]
     std::string texture;          ///< the floor's new picture: rising at once, falling on arrival; empty: as it was
     bool heals = false;           ///< the floor no longer hurts, from when it gets its new picture
     std::optional<double> light;  ///< light: 0..1

@@ -33,12 +33,13 @@ struct Trigger {
     double after_s = 0;          ///< [s]
     std::optional<double> z;     ///< [m]
     Level to = Level::here;
-    SectorId like;      ///< none: `to` counts
-    double by = 0;      ///< [m]
-    double speed = 0;   ///< > 0 [m/s]
-    double wait_s = 0;  ///< [s]
-    double step = 0;    ///< [m]
-    TextureId texture;  ///< none: as it was
+    SectorId like;                      ///< none: `to` counts
+    double by = 0;                      ///< [m]
+    double speed = 0;                   ///< > 0 [m/s]
+    double wait_s = 0;                  ///< [s]
+    double step = 0;                    ///< [m]
+    std::optional<double> crush_speed;  ///< [m/s]
+    TextureId texture;                  ///< none: as it was
     std::optional<double> light;
     LightLevel light_of = LightLevel::given;
     std::optional<LightEffectRecord> effect;

@@ -117,6 +117,7 @@ private:
         t.speed = record.speed;
         t.wait_s = record.wait;
         t.step = record.step;
+        t.crush_speed = record.crush_speed;
         t.texture = draft_.textures.find(record.texture);
         t.light = record.light;
         t.light_of = record.light_of;

@@ -70,6 +70,8 @@ private:
         for (const Mover& mover : found)
             if (!mover.crushes || is_crushed_to_the_last)
                 answers.push_back(answer_to(here(), *mover.change, world_.tick));
+            else if (const std::optional<Change> slow = slowed(here(), *mover.change, world_.tick))
+                answers.push_back(*slow);
         for (const Change& answer : answers) world_.history.add(answer);
     }
 

@@ -15,19 +15,30 @@ std::uint64_t ticks_between(double from, const Stop& to) {
     return static_cast<std::uint64_t>(std::min(std::ceil(distance / to.per_tick), kLongestWay));
 }
 
-/// From `from` on the way to the stop, `ticks` after setting off.
-double on_the_way(double from, const Stop& to, double ticks) {
+/// From `from` on the way to the value, `ticks` after setting off.
+double on_the_way(double from, double to, double per_tick, double ticks) {
     if (ticks <= 0) return from;  // whatever the speed
-    const double way = to.per_tick * ticks;
-    return from < to.value ? std::min(from + way, to.value) : std::max(from - way, to.value);
+    const double way = per_tick * ticks;
+    return from < to ? std::min(from + way, to) : std::max(from - way, to);
 }
 
 /// Where in a course one is.
 struct Position {
     double from;  ///< where the present way began
     std::uint8_t stop;
-    double ticks;  ///< since it began
+    double ticks;     ///< since it began
+    double per_tick;  ///< on the present way
 };
+
+/// The course's stop, as one goes there in every lap but the first.
+Stop again(const Course& course, std::uint8_t i) { return course.stops[i]; }
+
+/// The course's stop, as one goes there the first time.
+Stop first_time(const Course& course, std::uint8_t i) {
+    Stop stop = course.stops[i];
+    if (i == 0 && course.first_per_tick > 0) stop.per_tick = course.first_per_tick;
+    return stop;
+}
 
 double lap_of(const Course& course) {
     if (!course.loops) return 0;
@@ -39,33 +50,36 @@ double lap_of(const Course& course) {
     return lap;
 }
 
-/// Goes from stop to stop until the time is used up.
-Position walk_through(const Course& course, double from, double ticks) {
+/// Goes from stop to stop until the time is used up. stop_of: first_time or again.
+template <class StopOf>
+Position walk_through(const Course& course, double from, double ticks, StopOf stop_of) {
     for (std::uint8_t i = 0; i < course.count; ++i) {
-        const auto way = static_cast<double>(ticks_between(from, course.stops[i]));
+        const Stop stop = stop_of(course, i);
+        const auto way = static_cast<double>(ticks_between(from, stop));
         const bool stays = i + 1 == course.count && !course.loops;
-        if (ticks < way || (!stays && ticks < way + course.stops[i].wait)) return {from, i, ticks};
-        ticks -= way + course.stops[i].wait;
-        from = course.stops[i].value;
+        if (ticks < way || (!stays && ticks < way + stop.wait)) return {from, i, ticks, stop.per_tick};
+        ticks -= way + stop.wait;
+        from = stop.value;
     }
-    return {from, course.count, ticks};
+    return {from, course.count, ticks, 0};
 }
 
 Position position_at(const Course& course, double tick) {
     const double ticks = tick - static_cast<double>(course.start);
-    if (ticks < 0) return {course.from, 0, 0};
-    const Position first = walk_through(course, course.from, ticks);
+    if (ticks < 0) return {course.from, 0, 0, 0};
+    const Position first = walk_through(course, course.from, ticks, first_time);
     const double lap = lap_of(course);
     if (first.stop < course.count || lap == 0) return first;
     const double in_lap = first.ticks - std::floor(first.ticks / lap) * lap;
-    return walk_through(course, course.stops[course.count - 1].value, in_lap);
+    return walk_through(course, course.stops[course.count - 1].value, in_lap, again);
 }
 
 }  // namespace
 
 double value_at(const Course& course, double tick) {
     const Position at = position_at(course, tick);
-    return at.stop < course.count ? on_the_way(at.from, course.stops[at.stop], at.ticks) : at.from;
+    if (at.stop >= course.count) return at.from;
+    return on_the_way(at.from, course.stops[at.stop].value, at.per_tick, at.ticks);
 }
 
 std::optional<std::uint64_t> end_of(const Course& course) {
@@ -73,7 +87,7 @@ std::optional<std::uint64_t> end_of(const Course& course) {
     std::uint64_t end = course.start;
     double from = course.from;
     for (std::uint8_t i = 0; i < course.count; ++i) {
-        end += ticks_between(from, course.stops[i]);
+        end += ticks_between(from, first_time(course, i));
         if (i + 1 < course.count) end += course.stops[i].wait;
         from = course.stops[i].value;
     }
@@ -83,21 +97,27 @@ std::optional<std::uint64_t> end_of(const Course& course) {
 std::vector<Move> moves_of(const Course& course, double since, double until) {
     std::vector<Move> moves;
     double from = course.from, begin = static_cast<double>(course.start);
-    const auto walk = [&] {
+    const auto walk = [&](auto stop_of) {
         for (std::uint8_t i = 0; i < course.count; ++i) {
-            const double end = begin + static_cast<double>(ticks_between(from, course.stops[i]));
+            const double end = begin + static_cast<double>(ticks_between(from, stop_of(course, i)));
             if (end > begin && end > since && begin <= until)
                 moves.push_back({begin, end, course.stops[i].value < from});
             begin = end + course.stops[i].wait;
             from = course.stops[i].value;
         }
     };
-    walk();
+    walk(first_time);
     const double lap = lap_of(course);
     if (lap == 0) return moves;
     begin += std::max(0.0, std::floor((since - begin) / lap)) * lap;
-    while (begin <= until) walk();
+    while (begin <= until) walk(again);
     return moves;
+}
+
+bool is_on_first_way(const Course& course, double tick) {
+    if (course.count == 0 || course.first_per_tick == 0) return false;
+    const double ticks = tick - static_cast<double>(course.start);
+    return ticks < static_cast<double>(ticks_between(course.from, first_time(course, 0)));
 }
 
 std::uint8_t stop_at(const Course& course, double tick) { return position_at(course, tick).stop; }

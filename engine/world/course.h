@@ -22,9 +22,10 @@ struct Course {
     std::uint64_t start = 0;  ///< [ticks]
     double from = 0;
     std::array<Stop, 2> stops{};
-    std::uint8_t count = 0;  ///< of stops; 0: it stays where it is
-    bool loops = false;      ///< after the last stop to the first again; count > 0, and both stops' ways and waits
-                             ///< together take at least one tick, else it ends
+    std::uint8_t count = 0;     ///< of stops; 0: it stays where it is
+    bool loops = false;         ///< after the last stop to the first again; count > 0, and both stops' ways and waits
+                                ///< together take at least one tick, else it ends
+    double first_per_tick = 0;  ///< how fast one goes to the first stop the first time; 0: as the stop says
 
     bool operator==(const Course&) const = default;
 };
@@ -45,6 +46,9 @@ struct Move {
 /// When the course moves, in order: those that end after `since` and begin by `until`. Cost: the laps between the
 /// two, however late they are.
 std::vector<Move> moves_of(const Course& course, double since, double until);
+
+/// Whether it is on its first way and that has a speed of its own.
+bool is_on_first_way(const Course& course, double tick);
 
 /// Which stop it is on its way to, or waits at, 0 or 1; `count` once it has ended. Before its start: 0.
 std::uint8_t stop_at(const Course& course, double tick);

@@ -230,4 +230,19 @@ Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tic
     return answer;
 }
 
+std::optional<Change> slowed(const Instant& now, const Change& crusher, std::uint64_t tick) {
+    const std::optional<double>& speed = now.map[crusher.cause].crush_speed;
+    const Course& old = crusher.course;
+    if (!speed || is_on_first_way(old, now.tick)) return {};
+    const std::uint8_t heading = stop_at(old, now.tick);
+    const Stop next = old.stops[heading], last = old.stops[1 - heading];
+    Change slow = crusher;
+    const double z = height_now(now, crusher.sector, crusher.channel);
+    const bool goes_back = old.loops || (old.count == 2 && heading == 0);
+    slow.course = goes_back ? Course{tick, z, {next, last}, 2, old.loops} : once(z, next);
+    slow.course.start = tick;
+    slow.course.first_per_tick = *speed / kTickRate;
+    return slow;
+}
+
 }  // namespace enfilade

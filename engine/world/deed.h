@@ -24,6 +24,10 @@ History begun(const Map& map);
 /// again. `in_the_way`: the change, and it has not ended.
 Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick);
 
+/// What follows if a change that crushes comes down on somebody, from `tick` on: the rest of its present way goes at
+/// its trigger's crush_speed; none where that is not given, or where it does so already.
+std::optional<Change> slowed(const Instant& now, const Change& crusher, std::uint64_t tick);
+
 /// Whether the change hurts who is in its way, down to kCrushedHeight, instead of answering.
 bool crushes(const Map& map, const Change& change);
 

@@ -34,6 +34,8 @@ std::uint64_t mixed(std::uint64_t digest, const Change& change) {
     }
     hash.add(std::uint64_t{change.course.count});
     hash.add(change.course.loops);
+    // Only where it says anything: other histories keep the digests that are recorded.
+    if (change.course.first_per_tick > 0) hash.add(change.course.first_per_tick);
     hash.add(change.cause.index);
     return hash.value();
 }

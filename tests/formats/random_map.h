@@ -122,6 +122,7 @@ private:
         trigger.step = number(-9, 9);
         trigger.reverses = flip();
         trigger.crushes = flip();
+        trigger.crush_speed = maybe(0.1, 9);
         trigger.texture = flip() ? file_name() : "";
         trigger.heals = flip();
         if (flip())

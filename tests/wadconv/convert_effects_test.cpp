@@ -55,6 +55,11 @@ TEST(ConvertTriggers, LockDoors) {
     EXPECT_EQ(Line(28).trigger().key, "red");
 }
 
+TEST(ConvertTriggers, SlowDownWhatCrushesButNotTheFastOnes) {
+    for (const int slow : {25, 44, 49, 72, 73, 141}) EXPECT_EQ(Line(slow).trigger().crush_speed, 35 / 32. / 8) << slow;
+    for (const int fast : {6, 77, 55}) EXPECT_FALSE(Line(fast).trigger().crush_speed) << fast;
+}
+
 TEST(ConvertTriggers, CallALiftByItsTag) {
     const TriggerRecord lift = Line(88).trigger();
     EXPECT_EQ(lift.on, Occasion::cross);

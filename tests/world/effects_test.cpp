@@ -349,6 +349,24 @@ TEST(Crusher, StopsWhereTheFloorHoldsItUp) {
     EXPECT_EQ(passage(game).ceiling_z, 1);
 }
 
+TEST(Crusher, SlowsDownOnABodyUntilItHasBeenDown) {
+    MapFile file = hall_passage_room(0, 3);
+    TriggerRecord crush = trigger_on(Occasion::enter, Deed::crush);
+    crush.crush_speed = 0.25;
+    sector(file, "passage").triggers = {crush};
+    Game game(file);
+    walk_into_passage(game);
+    while (passage(game).ceiling_z > 1.5) game.hold(kNoKeys);
+    const double before = passage(game).ceiling_z;
+    game.hold(kNoKeys, 60);
+    EXPECT_NEAR(passage(game).ceiling_z, before - 0.25, 1e-9);
+    game.hold(kNoKeys, static_cast<int>((passage(game).ceiling_z - kCrushedHeight) * 240) + 4);
+    const double up = passage(game).ceiling_z;
+    EXPECT_GT(up, kCrushedHeight);
+    game.hold(kNoKeys, 6);
+    EXPECT_NEAR(passage(game).ceiling_z, up + 0.2, 1e-9);
+}
+
 /// Where the ceiling of the passage comes down to over a solid thing of 1.25 m.
 double lowest_over_a_thing(HoldsUp holds_up, Deed deed) {
     MapFile file = hall_passage_room(0, 3);
@@ -476,6 +494,15 @@ TEST(Stairs, RiseOneStepMoreEach) {
     EXPECT_EQ(heights_of(now(game.map, game.world), SectorId(2u)).floor_z, 0.5);
 }
 
+TEST(Floor, GoesToTheLowestCeilingAroundOrToItsOwnIfThatIsLower) {
+    for (const double ceiling : {1.5, 6.0}) {  // around: 3
+        const MapFile file = hall_passage_room(0, ceiling);
+        const Map map = built(file);
+        const double around_or_own = height_of(map, SectorId(1u), Level::lowest_ceiling_or_own, 0);
+        EXPECT_EQ(around_or_own, std::min(ceiling, 3.0));
+    }
+}
+
 TEST(Shuttle, StopsWhereItIsAndGoesOn) {
     MapFile file = hall_passage_room(1, 5);
     sector(file, "room").floor.z = 2;
@@ -494,15 +521,6 @@ TEST(Shuttle, StopsWhereItIsAndGoesOn) {
 
 /// What has happened by a tick, and what it makes of the map, asked at once and asked at its time.
 TEST(History, SaysOfThePastWhatWasTrueThen) {
-TEST(Floor, GoesToTheLowestCeilingAroundOrToItsOwnIfThatIsLower) {
-    for (const double ceiling : {1.5, 6.0}) {  // around: 3
-        const MapFile file = hall_passage_room(0, ceiling);
-        const Map map = built(file);
-        const double around_or_own = height_of(map, SectorId(1u), Level::lowest_ceiling_or_own, 0);
-        EXPECT_EQ(around_or_own, std::min(ceiling, 3.0));
-    }
-}
-
     MapFile file = with_door(trigger_on(Occasion::use, Deed::door));
     sector(file, "room").triggers = {trigger_on(Occasion::start, Deed::shuttle)};
     sector(file, "room").floor.z = 0.5;
