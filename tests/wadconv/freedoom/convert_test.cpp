@@ -9,9 +9,7 @@
 #include "map/build.h"
 #include "wadconv/convert.h"
 #include "wadconv/freedoom/wads.h"
-#include "wadconv/map_lumps.h"
 #include "wadconv/parts.h"
-#include "wadconv/thing_table.h"
 
 namespace enfilade::wadconv {
 namespace {
@@ -23,22 +21,10 @@ class FreeDoom : public ::testing::TestWithParam<FreeDoomWad> {
 protected:
     void SetUp() override {
         if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
-        const std::string path = path_of(GetParam());
-        Result<Bytes> bytes = read_file(path);
-        ASSERT_TRUE(bytes.ok()) << bytes.error().text();
-        std::vector<Wad> wads;
-        wads.push_back(Wad::read(path, std::move(bytes).value()).value());
-        pile_.emplace(std::move(wads));
-        pictures_.emplace(Pictures::list(*pile_, idle_frames()).value());
-        sounds_ = Sounds::list(*pile_);
-        for (const std::string& name : map_names(*pile_))
-            maps_.push_back(decode_map(find_map(*pile_, name).value()).value());
+        wad_.emplace(GetParam());
     }
 
-    std::optional<WadPile> pile_;
-    std::optional<Pictures> pictures_;
-    Sounds sounds_;
-    std::vector<DoomMap> maps_;
+    std::optional<ReadWad> wad_;
 };
 
 void print_row(const Report& r) {
@@ -50,10 +36,10 @@ void print_row(const Report& r) {
 }
 
 TEST_P(FreeDoom, ConvertsEveryMapSoThatItPassesTheCheck) {
-    EXPECT_EQ(maps_.size(), GetParam().maps);
-    const TextureSet sizes = pictures_->sizes();
-    for (const DoomMap& map : maps_) {
-        const Conversion conversion = convert_map(map, *pictures_, sounds_, {});
+    EXPECT_EQ(wad_->maps.size(), GetParam().maps);
+    const TextureSet sizes = wad_->pictures.sizes();
+    for (const DoomMap& map : wad_->maps) {
+        const Conversion conversion = convert_map(map, wad_->pictures, wad_->sounds, {});
         ASSERT_TRUE(conversion.file) << map.name << ": " << conversion.report.refused;
         MapReading reading = read_map(write_map(*conversion.file));
         EXPECT_TRUE(build_map(reading.map, sizes, reading.findings)) << map.name;
@@ -64,9 +50,9 @@ TEST_P(FreeDoom, ConvertsEveryMapSoThatItPassesTheCheck) {
 }
 
 TEST_P(FreeDoom, OpensItsDoorsToMapsThatPassTheCheckToo) {
-    const TextureSet sizes = pictures_->sizes();
-    for (const DoomMap& map : maps_) {
-        const Conversion conversion = convert_map(map, *pictures_, sounds_, {.open_doors = true});
+    const TextureSet sizes = wad_->pictures.sizes();
+    for (const DoomMap& map : wad_->maps) {
+        const Conversion conversion = convert_map(map, wad_->pictures, wad_->sounds, {.open_doors = true});
         Findings findings;
         EXPECT_TRUE(build_map(conversion.file.value(), sizes, findings)) << map.name;
     }
@@ -80,7 +66,7 @@ std::vector<std::int64_t> areas_of(const std::vector<Edge>& edges, std::size_t s
 }
 
 TEST_P(FreeDoom, GivesEverySectorTheAreaOfItsParts) {
-    for (const DoomMap& map : maps_) {
+    for (const DoomMap& map : wad_->maps) {
         Report report;
         const std::vector<Edge> edges = collect_edges(map, report);
         const Parts parts = make_parts(edges, map.sectors.size(), report).value();
@@ -97,8 +83,8 @@ TEST_P(FreeDoom, GivesEverySectorTheAreaOfItsParts) {
 }
 
 TEST_P(FreeDoom, KeepsEveryVertexExactly) {
-    for (const DoomMap& map : maps_) {
-        const Conversion conversion = convert_map(map, *pictures_, sounds_, {});
+    for (const DoomMap& map : wad_->maps) {
+        const Conversion conversion = convert_map(map, wad_->pictures, wad_->sounds, {});
         const MapFile back = read_map(write_map(*conversion.file)).map;
         std::set<std::pair<double, double>> doom, ours;
         for (const Linedef& line : map.lines)
@@ -133,8 +119,8 @@ std::size_t sum(const std::map<int, std::size_t>& counts) {
 /// What the README names: teleports of monsters, and what Boom added.
 TEST_P(FreeDoom, TurnsTheSpecialsOfAllLinesAndSectorsIntoWords) {
     Report total;
-    for (const DoomMap& map : maps_) {
-        const Conversion conversion = convert_map(map, *pictures_, sounds_, {});
+    for (const DoomMap& map : wad_->maps) {
+        const Conversion conversion = convert_map(map, wad_->pictures, wad_->sounds, {});
         const Report& report = conversion.report;
         EXPECT_GE(walls_with_effects(*conversion.file) + sum(report.lines_left), sum(report.line_specials)) << map.name;
         for (const auto& [special, count] : report.lines_left) total.lines_left[special] += count;
@@ -146,11 +132,11 @@ TEST_P(FreeDoom, TurnsTheSpecialsOfAllLinesAndSectorsIntoWords) {
 }
 
 TEST_P(FreeDoom, DrawsEveryPicture) {
-    for (const PictureFile& file : pictures_->files()) {
+    for (const PictureFile& file : wad_->pictures.files()) {
         const Result<Picture> picture = file.draw();
         EXPECT_TRUE(picture.ok()) << file.name << ": " << picture.error().text();
     }
-    EXPECT_TRUE(pictures_->problems().empty());
+    EXPECT_TRUE(wad_->pictures.problems().empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Wads, FreeDoom, freedoom_wads(), name_of);

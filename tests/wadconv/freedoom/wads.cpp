@@ -4,7 +4,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "wadconv/map_lumps.h"
+#include "wadconv/thing_table.h"
+
 namespace enfilade::test {
+
 std::string lower(std::string text) {
     for (char& c : text)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -21,6 +25,25 @@ bool is_missing(const FreeDoomWad& wad) {
 }
 
 bool is_long_run() { return std::getenv("ENFILADE_LONG") != nullptr; }
+
+namespace {
+
+wadconv::WadPile pile_of(const FreeDoomWad& wad) {
+    const std::string path = path_of(wad);
+    std::vector<wadconv::Wad> wads;
+    wads.push_back(wadconv::Wad::read(path, read_file(path).value()).value());
+    return wadconv::WadPile(std::move(wads));
+}
+
+}  // namespace
+
+ReadWad::ReadWad(const FreeDoomWad& wad)
+    : pile(pile_of(wad)),
+      pictures(wadconv::Pictures::list(pile, wadconv::idle_frames()).value()),
+      sounds(wadconv::Sounds::list(pile)) {
+    for (const std::string& name : wadconv::map_names(pile))
+        maps.push_back(wadconv::decode_map(wadconv::find_map(pile, name).value()).value());
+}
 
 ConvertedWad::ConvertedWad(const FreeDoomWad& wad, Doors doors, std::vector<std::string> only) {
     wadconv::RunOptions options;

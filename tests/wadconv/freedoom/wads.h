@@ -10,6 +10,10 @@
 #include "map/load.h"
 #include "support/temp_dir.h"
 #include "wadconv/convert_wads.h"
+#include "wadconv/doom_records.h"
+#include "wadconv/pictures.h"
+#include "wadconv/sounds.h"
+#include "wadconv/wad.h"
 
 namespace enfilade::test {
 
@@ -39,6 +43,17 @@ inline constexpr const char* kMissing = "not installed; Debian's packages freedo
 
 /// True where ENFILADE_LONG is set: more poses, larger pictures, longer walks.
 bool is_long_run();
+
+/// A WAD and its maps, read but not converted. A WAD that cannot be read stops the program.
+struct ReadWad {
+    explicit ReadWad(const FreeDoomWad& wad);
+    ReadWad(const ReadWad&) = delete;  // pictures and sounds point into the pile
+
+    wadconv::WadPile pile;
+    wadconv::Pictures pictures;
+    wadconv::Sounds sounds;
+    std::vector<wadconv::DoomMap> maps;
+};
 
 enum class Doors : std::uint8_t { as_they_are, open };
 
