@@ -26,6 +26,7 @@ LightEffectRecord effect(LightKind kind, int dark, double dark_tics, double brig
     effect.dark_s = dark_tics / kTicsPerSecond;
     effect.bright_s = bright_tics / kTicsPerSecond;
     effect.in_step = in_step;
+    effect.lasts = true;
     return effect;
 }
 

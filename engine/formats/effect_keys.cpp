@@ -80,6 +80,7 @@ constexpr std::array kLightEffectKeys{
     key<&LightEffectRecord::dark_s>("dark_s", kNew, Need::optional, kPictureSeconds),
     key<&LightEffectRecord::bright_s>("bright_s", kNew, Need::optional, kPictureSeconds),
     key<&LightEffectRecord::in_step>("in_step", kNew),
+    key<&LightEffectRecord::lasts>("lasts", kNew),
 };
 
 constexpr std::array kAnimationKeys{

@@ -69,6 +69,7 @@ struct LightEffectRecord {
     double dark_s = 1;        ///< strobe: how long dark; glow: how long one way takes; flicker: longest bright time [s]
     double bright_s = 0.125;  ///< strobe and flicker: how long bright, or dark, at least [s]
     bool in_step = false;     ///< in time with all others that have the same measures
+    bool lasts = false;       ///< a trigger's light neither ends nor changes it
     TextPlace place;
     bool operator==(const LightEffectRecord&) const = default;
 };

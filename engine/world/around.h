@@ -12,6 +12,9 @@ double height_of(const Instant& now, SectorId sector, Level level, double here);
 /// The brightest or darkest of the sector and those around it, without their effects, 0..1.
 double light_of(const Instant& now, SectorId sector, LightLevel level);
 
+/// The effect that a sector's light has now, of the map, or null: it is steady.
+const LightEffectRecord* effect_of(const Instant& now, SectorId sector);
+
 /// The light of a sector without its effect, 0..1.
 double plain_light_of(const Instant& now, SectorId sector);
 

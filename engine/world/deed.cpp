@@ -172,6 +172,13 @@ bool stop_what_loops(const Instant& now, History& history, TriggerId cause, Sect
     return has_stopped;
 }
 
+/// Whether a trigger gave it a light that no later one changes.
+bool has_lasting_light(const Map& map, const Change* light) {
+    if (!light) return false;
+    const std::optional<LightEffectRecord>& effect = map[light->cause].effect;
+    return effect && effect->lasts;
+}
+
 /// False where the target takes no orders now.
 bool change_target(const Map& map, History& history, TriggerId id, std::size_t number, std::uint64_t tick) {
     const Trigger& trigger = map[id];
@@ -181,6 +188,7 @@ bool change_target(const Map& map, History& history, TriggerId id, std::size_t n
     const Target target{now, trigger, sector, number, heights_of(now, sector)};
     const Channel channel = channel_of(trigger.deed);
     const Change* present = history.newest_of(sector, channel);
+    if (channel == Channel::light && has_lasting_light(map, present)) return true;
     Course course;
     if (channel != Channel::light && is_busy(present, tick)) {
         const bool is_door = trigger.deed == Deed::door && map[present->cause].deed == Deed::door;

@@ -23,14 +23,9 @@ double foot_of(const Thing& thing, const SectorSnapshot& home) {
 SectorSnapshot sector_now(const Instant& now, SectorId id) {
     const Sector& sector = now.map[id];
     const Heights heights = heights_of(now, id);
-    const Change* change = change_of(now, id, Channel::light);
-    const std::optional<LightEffectRecord>& effect = change ? now.map[change->cause].effect : sector.light_effect;
-    return {heights.floor_z,
-            heights.ceiling_z,
-            plain_light_of(now, id),
-            effect ? &*effect : nullptr,
-            changed_floor_picture(now, id),
-            sector.leader};
+    return {
+        heights.floor_z, heights.ceiling_z, plain_light_of(now, id), effect_of(now, id), changed_floor_picture(now, id),
+        sector.leader};
 }
 
 /// Those the history speaks of, and their groups.

@@ -97,7 +97,7 @@ private:
     std::optional<LightEffectRecord> light_effect() {
         if (flip()) return {};
         return LightEffectRecord{
-            static_cast<LightKind>(random_.below(4)), number(0, 1), number(0.1, 9), number(0.1, 9), flip(), {}};
+            static_cast<LightKind>(random_.below(4)), number(0, 1), number(0.1, 9), number(0.1, 9), flip(), flip(), {}};
     }
 
     TriggerRecord trigger() {

@@ -308,6 +308,7 @@ TEST(ConvertSectors, LetLightChange) {
     EXPECT_EQ(glow.dark_s, (160 - 96) / 8 / 35.);
     EXPECT_EQ(sector_of(17).light_effect.value().kind, LightKind::fire);
     EXPECT_EQ(sector_of(1).light_effect.value().kind, LightKind::flicker);
+    for (const int special : {1, 2, 8, 17}) EXPECT_TRUE(sector_of(special).light_effect.value().lasts) << special;
 }
 
 TEST(ConvertSectors, LetOnlyStrobesGoDarkerThanWhatIsAround) {

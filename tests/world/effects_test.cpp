@@ -1,6 +1,8 @@
 // What triggers do: doors, lifts, floors, lights, teleports, keys, and who is in the way of what moves.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "base/random.h"
 #include "world/around.h"
 #include "world/deed.h"
@@ -483,6 +485,39 @@ TEST(Secret, IsToldOnce) {
     EXPECT_EQ(game.world.secrets, (std::vector{SectorId(1u)}));
     ASSERT_TRUE(game.world.news.has_value());
     EXPECT_EQ(game.world.news->kind, NewsKind::secret);
+}
+
+/// The light of a room that strobes between 0.75 and 0.25 and that a trigger then sets to 0.5, over ten seconds.
+std::set<double> lights_of_a_strobe(bool lasts, bool is_triggers) {
+    MapFile file = hall_passage_room(0, 3);
+    LightEffectRecord strobe;
+    strobe.kind = LightKind::strobe;
+    strobe.dark = 0.25;
+    strobe.lasts = lasts;
+    TriggerRecord flash = trigger_on(Occasion::start, Deed::light, {"room"});
+    flash.light = 0.75;
+    if (is_triggers) flash.effect = strobe;
+    TriggerRecord set = trigger_on(Occasion::start, Deed::light, {"room"});
+    set.light = 0.5;
+    sector(file, "hall").triggers = {flash, set};
+    sector(file, "room").light = 0.75;
+    if (!is_triggers) sector(file, "room").light_effect = strobe;
+    const Game game(file);
+    Snapshot snapshot = at_rest(game.map);
+    show(now(game.map, game.world), snapshot);
+    std::set<double> lights;
+    for (int tick = 0; tick < 600; ++tick) {
+        snapshot.time_s = (tick + 0.5) * kTickSeconds;
+        lights.insert(light_at(snapshot, SectorId(2u)));
+    }
+    return lights;
+}
+
+TEST(Light, ThatLastsGoesOnWhateverATriggerSets) {
+    for (const bool is_triggers : {false, true}) {
+        EXPECT_EQ(lights_of_a_strobe(false, is_triggers), std::set{0.5}) << is_triggers;
+        EXPECT_EQ(lights_of_a_strobe(true, is_triggers), (std::set{0.25, 0.75})) << is_triggers;
+    }
 }
 
 TEST(Stairs, RiseOneStepMoreEach) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTick = kTickSeconds;
 
-LightEffectRecord effect(LightKind kind) { return {kind, 0.25, 0.5, 0.125, false, {}}; }
+LightEffectRecord effect(LightKind kind) { return {kind, 0.25, 0.5, 0.125, false, false, {}}; }
 
 std::set<double> levels(const LightEffectRecord& effect, std::uint64_t seed = 5) {
     std::set<double> seen;
