@@ -70,9 +70,9 @@ TEST(ReachPastScreens, FindsWhatIsSeenPastTheirEnds) {
 
 TEST(ReachPastScreens, FindsWhatStandsBeforeThem) {
     for (MapFile file : {yard_with_link(), yard_with_exit()}) {
-        cut_pillar(file.sectors[0], 4.5, 5.5, 5, 6.5);
+        cut_pillar(file.sectors[0], 4.25, 5.75, 4.5, 6.25);
         const Map map = built(file);
-        EXPECT_TRUE(touches(map, reach(map, {kYard, {4.25, 6}}, 0.5), {4.5, 5.5}, {4.5, 6.5}));
+        EXPECT_TRUE(touches(map, reach(map, {kYard, {4.75, 6}}, 1), {4.5, 6.25}, {4.5, 5.75}));
     }
 }
 
@@ -88,7 +88,7 @@ TEST(ReachPastScreens, FindsAPanelBeforeThemAndNoneBehind) {
             file.sectors[0].panels.push_back(fence);
         }
         const Map map = built(file);
-        const Reach found = reach(map, {kYard, {4.125, 6}}, 0.75);
+        const Reach found = reach(map, {kYard, {4.5, 6}}, 0.75);
         const auto panels =
             std::count_if(found.walls.begin(), found.walls.end(), [](const ReachedWall& w) { return bool(w.panel); });
         EXPECT_EQ(panels, 1);
