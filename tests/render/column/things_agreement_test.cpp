@@ -4,6 +4,8 @@
 
 #include "math/grid.h"
 #include "render/column/agreement.h"
+#include "render/column/column_renderer.h"
+#include "render/reference/reference_renderer.h"
 #include "space/locate.h"
 
 namespace enfilade {
@@ -109,6 +111,31 @@ TEST(ThingColumns, AgreeWithTheReferenceWhereAllThingsStandInDoorways) {
     }
     file.things.push_back(thing_at({4, 4}));
     expect_agreement(world_with_things(file, 4, 4), 14, 100);
+}
+
+/// The middle of row 120 meets the very foot of the picture: there it ends, and does not begin again.
+TEST(ThingColumns, EndWithTheLastRowOfTheirPicture) {
+    MapFile file = map_of({box_room("hall", 0, 0, 20, 4, 0, 3)});
+    file.things.push_back(thing_at({9, 2}));
+    file.things[0].frames = {{"ring", 0, {32, 64}}};
+    World world(file);
+    for (Texture& texture : world.textures.textures)
+        for (std::size_t i = 0; i < texture.pixels.size(); ++i)
+            texture.pixels[i] = 0xFF000000u | static_cast<std::uint32_t>(i % texture.height);
+    View view;
+    view.sector = SectorId(std::size_t{0});
+    view.eye = {1, 2};
+    view.eye_z = 1.025;  // 20.5 rows of 160 to the metre, 8 m away
+    for (const bool is_column : {true, false}) {
+        Frame frame;
+        frame.resize(320, 200);
+        if (is_column)
+            ColumnRenderer().render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        else
+            render_reference(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        EXPECT_EQ(frame.pixels[120 * 320 + 150] & 0xFF, 63u) << is_column;
+        EXPECT_EQ(frame.pixels[81 * 320 + 150] & 0xFF, 0u) << is_column;
+    }
 }
 
 TEST(ThingColumns, DrawStripsThatEqualTheWholePicture) {
