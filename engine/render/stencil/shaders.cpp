@@ -99,10 +99,10 @@ float part(float x) {
     return f < 1.0 ? f : 0.0;
 }
 
-// The tie rule for texels (render/shade.h), as far as floats go: what they leave of a position a few tiles away is
-// good to 2^-20 of a tile, so this is the finest step to which what should stand at a texel's edge is rounded alike.
+// The tie rule for texels (render/shade.h), as far as floats go: they leave a position a few tiles away good to 2^-20
+// of a tile, so a step of 2^-18 is about the finest that still gathers what should stand at a texel's edge.
 vec2 nearest(vec2 tiles) {
-    const float steps = 65536.0;
+    const float steps = 262144.0;
     return round(tiles * steps) / steps;
 }
 
