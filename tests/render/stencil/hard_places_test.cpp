@@ -94,13 +94,28 @@ TEST(StencilCorridor, EndsInTheRecursionColourWhereItIsCut) {
     EXPECT_EQ(picture.frame.pixels[middle], 0xFFFF00FFu);
 }
 
-/// The stencil buffer holds 255 levels, so they are kept aside three times; a fence stands across every one of them.
+/// A bar across a clear picture.
+Texture bar() {
+    Texture texture = make_placeholder();
+    texture.has_holes = true;
+    for (std::size_t i = 0; i < texture.pixels.size(); ++i)
+        texture.pixels[i] = i % texture.height / 8 == 5 ? 0xFF30C0F0u : 0;
+    return texture;
+}
+
+/// A corridor of 3 cm, across which hangs a bar: so a thousand levels fill much of the picture. The stencil buffer
+/// holds 255 of them, and whatever hangs in a level is drawn on the way back from those behind it.
 TEST(StencilCorridor, ShowsMoreLevelsThanTheStencilBufferHolds) {
-    MapFile file = corridor(1024);
-    wall(file, "hall", {2, 0}, {2, 4}).middle = spec("fence");
+    constexpr double kLength = 1.0 / 32;
+    MapFile file = map_of({box_room("hall", 0, 0, kLength, 4, 0, 3)});
+    link(file, "hall", {kLength, 0}, {kLength, 4}, "hall", {0, 4}, {0, 0});
+    wall(file, "hall", {kLength, 0}, {kLength, 4}).middle = spec("bar");
+    file.render.max_depth = 1024;
     Place place(file);
-    expect_agreement(place.sight.compare(look_from(place.map, {1, 1.25}, 1.5, 0), {1280, 800}));
-    EXPECT_GT(place.sight.counts().deepest, 3 * 254 + 1);
+    Texture& texture = place.textures.textures[place.textures.find("bar").index];
+    texture = bar();
+    expect_agreement(place.sight.compare(look_from(place.map, {kLength / 2, 2}, 1.5, 0), {320, 200}));
+    EXPECT_EQ(place.sight.counts().deepest, 1024);
 }
 
 TEST(StencilCorridor, EndsBeyondTheLevelsOfTheStencilBufferToo) {
