@@ -10,8 +10,14 @@ namespace {
 /// Brightness that Doom's 0 to 255 become; see convert_sectors.cpp.
 constexpr double kLightLevels = 256;
 
-// Times [tics].
-constexpr double kFlash = 5, kFastDark = 15, kSlowDark = 35, kLongestCalm = 65, kFlicker = 4.5, kFlame = 4;
+// Times [tics]. Flickering light is dark for 1 to 8 tics, and then bright for 1 or 65: in the mean for these.
+constexpr double kFlash = 5, kFastDark = 15, kSlowDark = 35, kMeanCalm = 33, kMeanFlicker = 4.5, kFlame = 4;
+
+/// Flickering light has times of half a tic [1/s].
+constexpr double kFlickerClock = 2 * kTicsPerSecond;
+
+/// How much darker a flame may be than the next [of 0..255].
+constexpr double kFireStep = 16;
 
 /// What glowing light changes by in a tic [of 0..255].
 constexpr double kGlowSpeed = 8;
@@ -27,6 +33,8 @@ LightEffectRecord effect(LightKind kind, int dark, double dark_tics, double brig
     effect.bright_s = bright_tics / kTicsPerSecond;
     effect.in_step = in_step;
     effect.lasts = true;
+    effect.clock_hz = kind == LightKind::flicker ? kFlickerClock : kTicsPerSecond;
+    if (kind == LightKind::fire) effect.step = kFireStep / kLightLevels;
     return effect;
 }
 
@@ -51,7 +59,7 @@ std::optional<LightEffectRecord> light_effect_of(int special, int light, int dar
     }
     if (darkest >= light) return {};
     switch (special) {
-        case 1: return effect(LightKind::flicker, darkest, kLongestCalm, kFlicker);
+        case 1: return effect(LightKind::flicker, darkest, kMeanCalm, kMeanFlicker);
         case 8: return effect(LightKind::glow, darkest, std::max(1.0, (light - darkest) / kGlowSpeed), kFlash);
         case 17: return effect(LightKind::fire, std::min(darkest + kFireAbove, light), kSlowDark, kFlame);
         default: return {};

@@ -21,6 +21,9 @@ constexpr Range kStairs{-64, 64};
 /// A picture of an animation must stay for a moment [s].
 constexpr Range kPictureSeconds{0x1p-6, 86400};
 
+/// How often lights may change [1/s]: slower ones have longer times, faster ones nobody sees.
+constexpr Range kClocks{1, 240};
+
 /// A single string is an array of one, because most triggers have one target.
 void read_targets(Reading& reading, const NamedValue& value, Range range, TriggerRecord& trigger) {
     if (value.node.kind() == TomlKind::string)
@@ -81,6 +84,8 @@ constexpr std::array kLightEffectKeys{
     key<&LightEffectRecord::bright_s>("bright_s", kNew, Need::optional, kPictureSeconds),
     key<&LightEffectRecord::in_step>("in_step", kNew),
     key<&LightEffectRecord::lasts>("lasts", kNew),
+    key<&LightEffectRecord::step>("step", kNew, Need::optional, kLight),
+    key<&LightEffectRecord::clock_hz>("clock_hz", kNew, Need::optional, kClocks),
 };
 
 constexpr std::array kAnimationKeys{

@@ -65,11 +65,13 @@ enum class LightKind : std::uint8_t {
 
 struct LightEffectRecord {
     LightKind kind = LightKind::glow;
-    double dark = 0;          ///< the lower level, 0..1; the upper is the sector's light
-    double dark_s = 1;        ///< strobe: how long dark; glow: how long one way takes; flicker: longest bright time [s]
-    double bright_s = 0.125;  ///< strobe and flicker: how long bright, or dark, at least [s]
-    bool in_step = false;     ///< in time with all others that have the same measures
-    bool lasts = false;       ///< a trigger's light neither ends nor changes it
+    double dark = 0;             ///< the lower level, 0..1; the upper is the sector's light
+    double dark_s = 1;           ///< strobe: how long dark; glow: how long one way takes; flicker: mean bright time [s]
+    double bright_s = 0.125;     ///< strobe and flicker: how long bright, or dark, at least [s]
+    bool in_step = false;        ///< in time with all others that have the same measures
+    bool lasts = false;          ///< a trigger's light neither ends nor changes it
+    std::optional<double> step;  ///< fire: how much darker a level is than the next; none: a quarter of the way
+    double clock_hz = 60;        ///< changes come at whole parts of a second, this many; so are its times [1/s]
     TextPlace place;
     bool operator==(const LightEffectRecord&) const = default;
 };

@@ -96,8 +96,15 @@ private:
     }
     std::optional<LightEffectRecord> light_effect() {
         if (flip()) return {};
-        return LightEffectRecord{
-            static_cast<LightKind>(random_.below(4)), number(0, 1), number(0.1, 9), number(0.1, 9), flip(), flip(), {}};
+        return LightEffectRecord{static_cast<LightKind>(random_.below(4)),
+                                 number(0, 1),
+                                 number(0.1, 9),
+                                 number(0.1, 9),
+                                 flip(),
+                                 flip(),
+                                 maybe(0, 1),
+                                 number(1, 240),
+                                 {}};
     }
 
     TriggerRecord trigger() {

@@ -247,7 +247,7 @@ TEST(PointLight, LightsPanelsFromBothSides) {
 
 TEST(PointLight, ChangesWithItsEffectAsAFunctionOfTime) {
     PointLightRecord light = lamp(4, 4);
-    light.effect = LightEffectRecord{LightKind::strobe, 0.25, 1, 1, true, false, {}};
+    light.effect = LightEffectRecord{LightKind::strobe, 0.25, 1, 1, true, false, {}, 60, {}};
     LitMap lit(hall_with({light}));
     std::vector<std::uint32_t> levels;
     for (const double time_s : {0.5, 1.5, 0.5}) {

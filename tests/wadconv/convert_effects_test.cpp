@@ -311,6 +311,15 @@ TEST(ConvertSectors, LetLightChange) {
     for (const int special : {1, 2, 8, 17}) EXPECT_TRUE(sector_of(special).light_effect.value().lasts) << special;
 }
 
+TEST(ConvertSectors, LetLightChangeAtDoomsTics) {
+    EXPECT_EQ(sector_of(2).light_effect.value().clock_hz, 35);
+    const LightEffectRecord flicker = sector_of(1).light_effect.value(), fire = sector_of(17).light_effect.value();
+    EXPECT_EQ(flicker.clock_hz * flicker.dark_s, 66);
+    EXPECT_EQ(flicker.clock_hz * flicker.bright_s, 9);
+    EXPECT_EQ(fire.step, 16 / 256.);
+    EXPECT_EQ(fire.dark, (96 + 16) / 256.);
+}
+
 TEST(ConvertSectors, LetOnlyStrobesGoDarkerThanWhatIsAround) {
     Doorway d;
     d.level.map.sectors[1].special = 3;
