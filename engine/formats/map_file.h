@@ -143,7 +143,7 @@ struct ThingRecord {
     double radius = 0.5, height = 1;  ///< [m]
     bool solid = false, hanging = false;
     HoldsUp holds_up = HoldsUp::all;  ///< solid: which floors and ceilings stop short of it
-    int rotations = 1;  ///< 1 or 8
+    int rotations = 1;                ///< 1 or 8
     std::vector<SpriteFrameRecord> frames;
     double size = 32;                  ///< texels per metre
     std::optional<double> light;       ///< its own light instead of the sector's

@@ -20,8 +20,8 @@ public:
     SectorId first_of(std::string_view name) const;
 
     /// The sectors that the trigger names, in the order of its names and then of the file, each once; of a group its
-    /// leader; without the names that no sector has. Empty, with a finding, where the lists together get too long. Cost: log of the number of
-    /// names for each; and for a list that is new, its sectors.
+    /// leader; without the names that no sector has. Empty, with a finding, where the lists together get too long.
+    /// Cost: log of the number of names for each; and for a list that is new, its sectors.
     TargetRange list_of(const TriggerRecord& record);
 
     /// The list of this sector alone.
