@@ -5,7 +5,9 @@
 #include <stdexcept>
 
 #include "base/printable.h"
+#include "base/utf8.h"
 #include "formats/toml_tree.h"
+#include "formats/toml_words.h"
 
 // toml++ 3.3.0 states what it believes as assertions, and with NDEBUG as promises to the optimiser; fuzzing shows
 // that texts like "[=]" break some of them. Without NDEBUG and with an empty TOML_ASSERT they are neither, and the
@@ -57,9 +59,16 @@ TextPlace place_of(const toml::source_position& position) {
 
 TextPlace place_of(const toml::node& node) { return place_of(node.source().begin); }
 
-Finding syntax_error(TextPlace place, std::string_view description) {
-    std::string sentence(description);
-    if (sentence.starts_with('E')) sentence.front() = 'e';  // the library's sentences start with "Error while"
+/// Whether a place is at the end of its line.
+bool is_line_end(std::string_view text, TextPlace place) {
+    for (std::uint32_t line = 1; line < place.line && !text.empty(); ++line)
+        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+    return characters_in(line) < place.column;
+}
+
+Finding syntax_error(std::string_view text, TextPlace place, std::string_view description) {
+    const std::string sentence = toml_words(description, is_line_end(text, place));
     return {place, Severity::error, "bad-toml", "not valid TOML: " + printable_line(sentence)};
 }
 
@@ -125,9 +134,9 @@ std::optional<TomlTree> parse_any_toml(std::string_view text, Findings& findings
         tree.root = Copier(tree).copy(root);
         return tree;
     } catch (const toml::parse_error& error) {
-        findings.push_back(syntax_error(place_of(error.source().begin), error.description()));
+        findings.push_back(syntax_error(text, place_of(error.source().begin), error.description()));
     } catch (const std::logic_error& error) {
-        findings.push_back(syntax_error({}, error.what()));
+        findings.push_back(syntax_error(text, {}, error.what()));
     }
     return {};
 }
