@@ -33,7 +33,9 @@ void give_frames(Workbench& bench, const ThingType& type, std::size_t index, Thi
         sprites.push_back(sprite);
         record.frames.push_back({sprite->name,
                                  frame.tics / kTicsPerSecond,
-                                 {double(sprite->canvas.origin_x), double(sprite->canvas.origin_y)}});
+                                 Vec2{double(sprite->canvas.origin_x), double(sprite->canvas.origin_y)},
+                                 {},
+                                 {}});
     }
     record.rotations = has_rotations && !sprites.empty() ? 8 : 1;
     if (record.rotations == 1)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/finding.h"
+#include "formats/key_places.h"
 
 namespace enfilade {
 
@@ -73,6 +74,7 @@ struct LightEffectRecord {
     std::optional<double> step;  ///< fire: how much darker a level is than the next; none: a quarter of the way
     double clock_hz = 60;        ///< changes come at whole parts of a second, this many; so are its times [1/s]
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const LightEffectRecord&) const = default;
 };
 
@@ -103,6 +105,7 @@ struct TriggerRecord {
     std::optional<LightEffectRecord> effect;  ///< light: from now on it changes like this; none: it is steady
     std::string sound;  ///< heard when it goes off, from the wall, sector or thing it is on; empty: silent
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const TriggerRecord&) const = default;
 };
 
@@ -111,6 +114,7 @@ struct AnimationRecord {
     std::vector<std::string> frames;
     double seconds = 0.25;  ///< each [s]
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const AnimationRecord&) const = default;
 };
 
@@ -118,6 +122,7 @@ struct AnimationRecord {
 struct SwitchRecord {
     std::string off, on;
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const SwitchRecord&) const = default;
 };
 
@@ -128,6 +133,7 @@ struct SoundRecord {
     double reach = 32;       ///< how long the way to it may be before it is silent [m]
     bool loops = false;      ///< of what moves: over and over, for as long as it moves
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const SoundRecord&) const = default;
 };
 

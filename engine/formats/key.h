@@ -61,12 +61,41 @@ void unknown_key(Reading& reading, const TomlEntry& entry, const KeyList<Record>
 void needs_format_1(Reading& reading, const TomlEntry& entry);
 void missing_key(Reading& reading, TextPlace place, std::string_view record, std::string_view key);
 
+/// Fills in where a record's keys are and which of them are wrong, if the record wants to know.
+template <class Record>
+class RecordNotes {
+public:
+    RecordNotes(Reading& reading, Record& record, std::size_t keys) : reading_(reading), record_(record) {
+        if constexpr (requires { record.places; }) record.places.reserve(keys);
+    }
+
+    void read(const Key<Record>& key, const NamedValue& value) {
+        const std::size_t before = reading_.findings.size();
+        key.read(reading_, value, key.range, record_);
+        const std::size_t found = reading_.findings.size() - before;
+        found_in_keys_ += found;
+        if constexpr (requires { record_.places; }) record_.places.note(key.name, value.node.place(), found == 0);
+    }
+
+    /// Once all keys are read: what was found, and not in one of them, is about the record.
+    void end() {
+        if constexpr (requires { record_.places; })
+            if (reading_.findings.size() - at_start_ > found_in_keys_) record_.places.note_fault();
+    }
+
+private:
+    Reading& reading_;
+    Record& record_;
+    std::size_t at_start_ = reading_.findings.size(), found_in_keys_ = 0;
+};
+
 /// Reads a table into a record with the record's list of keys.
 template <class Record>
 void read_record(Reading& reading, TomlNode table, Record& record) {
     const KeyList<Record>& list = keys_of<Record>();
     const std::vector<TomlEntry> entries = table.entries();
     if constexpr (requires { record.place; }) record.place = table.place();
+    RecordNotes notes(reading, record, entries.size());
     for (const TomlEntry& entry : entries) {
         if (reading.is_full()) return;
         const auto has_name = [&](const Key<Record>& key) { return key.name == entry.key; };
@@ -76,13 +105,14 @@ void read_record(Reading& reading, TomlNode table, Record& record) {
         else if (key->since > reading.dialect)
             needs_format_1(reading, entry);
         else
-            key->read(reading, {entry.key, entry.value}, key->range, record);
+            notes.read(*key, {entry.key, entry.value});
     }
     for (const Key<Record>& key : list.keys) {
         const auto is_given = [&](const TomlEntry& entry) { return entry.key == key.name; };
         if (key.need == Need::required && std::none_of(entries.begin(), entries.end(), is_given))
             missing_key(reading, table.place(), list.record, key.name);
     }
+    notes.end();
     check_record(reading, table, entries, record);
 }
 

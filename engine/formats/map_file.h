@@ -8,6 +8,7 @@
 
 #include "base/finding.h"
 #include "formats/effect_records.h"
+#include "formats/key_places.h"
 #include "math/vec.h"
 
 namespace enfilade {
@@ -47,7 +48,8 @@ struct WallRecord {
     Vec2 scroll;          ///< how fast its pictures move along it and up [m/s]
     std::vector<TriggerRecord> triggers;
     std::optional<DoomRecord> doom;
-    TextPlace place, next_place, via_place;
+    TextPlace place;
+    KeyPlaces places{};
     bool operator==(const WallRecord&) const = default;
 };
 
@@ -57,7 +59,9 @@ struct LoopRecord {
     std::vector<Vec2> vertices;  ///< as written; rounding to the grid is map/'s business
     std::vector<TextPlace> vertex_places;
     std::vector<WallRecord> walls;  ///< same length as vertices
+    bool is_whole = true;           ///< the reader found every vertex and as many walls; if not, its shape says nothing
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const LoopRecord&) const = default;
 };
 
@@ -66,6 +70,7 @@ struct SkyLayerRecord {
     TextureSpec texture;
     double turn = 0;  ///< how fast it turns round the sky [degrees/s]
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const SkyLayerRecord&) const = default;
 };
 
@@ -79,6 +84,7 @@ struct FlatRecord {
     bool carries = false;        ///< floor: whoever stands on it moves with the picture
     std::vector<SkyLayerRecord> layers;  ///< sky: laid over it, the first one farthest
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const FlatRecord&) const = default;
 };
 
@@ -93,6 +99,7 @@ struct PanelRecord {
     std::vector<TriggerRecord> triggers;
     std::optional<DoomRecord> doom;
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const PanelRecord&) const = default;
 };
 
@@ -100,7 +107,7 @@ struct SectorRecord {
     std::string name;
     double light = 1;
     FlatRecord floor;
-    FlatRecord ceiling{2, {}, {}, false, false, {}, false, {}, {}};
+    FlatRecord ceiling{2, {}, {}, false, false, {}, false, {}, {}, {}};
     std::vector<LoopRecord> loops;
     std::vector<PanelRecord> panels;
     std::vector<std::string> tags;  ///< what triggers may call it besides its name; others may have the same
@@ -113,14 +120,18 @@ struct SectorRecord {
     std::string down_sound;              ///< instead of move_sound on the way down; empty: no other
     std::optional<DoomRecord> doom;
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const SectorRecord&) const = default;
 };
 
 /// One picture of a sprite's animation, shown for some seconds.
 struct SpriteFrameRecord {
-    std::string texture;  ///< with 8 rotations, the picture names are texture + "1" … texture + "8"
-    double seconds = 0;   ///< 0: for ever
-    Vec2 origin_tx;       ///< the texel that sits at the thing's position, from the picture's top left
+    std::string texture;            ///< with 8 rotations, the picture names are texture + "1" … texture + "8"
+    double seconds = 0;             ///< 0: for ever
+    std::optional<Vec2> origin_tx;  ///< the texel that sits at the thing's position, from the picture's top left;
+                                    ///< absent: the bottom middle of each picture
+    TextPlace place{};
+    KeyPlaces places{};
     bool operator==(const SpriteFrameRecord&) const = default;
 };
 
@@ -155,6 +166,7 @@ struct ThingRecord {
     std::string sound;               ///< heard from it, over and over; empty: silent
     std::optional<DoomRecord> doom;  ///< special: type number; tag: 0; flags: the thing's
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const ThingRecord&) const = default;
 };
 
@@ -168,6 +180,7 @@ struct PointLightRecord {
     double reach = 8;                         ///< beyond this there is none of it [m]
     std::optional<LightEffectRecord> effect;  ///< how it changes; its `dark` is a part of the brightness
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const PointLightRecord&) const = default;
 };
 
@@ -177,6 +190,7 @@ struct PlayerRecord {
     double eye_z = 0;
     double yaw_degrees = 0;  ///< the tutorial's radians are converted by the reader
     TextPlace place;
+    KeyPlaces places{};
     bool operator==(const PlayerRecord&) const = default;
 };
 

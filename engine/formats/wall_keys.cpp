@@ -10,22 +10,11 @@ namespace {
 constexpr auto kBoth = Dialect::tutorial;
 constexpr auto kNew = Dialect::enfilade;
 
-/// A name of something else, whose place is kept so that a check can point at it.
-template <auto name, auto place>
-constexpr Key<WallRecord> reference(std::string_view key_name, Dialect since) {
-    Key<WallRecord> with_place = key<name>(key_name, since);
-    with_place.read = [](Reading& reading, const NamedValue& value, Range range, WallRecord& wall) {
-        wall.*place = value.node.place();
-        read_value(reading, value, range, wall.*name);
-    };
-    return with_place;
-}
-
 constexpr std::array kWallKeys{
     key<&WallRecord::name>("name", kNew),
     key<&WallRecord::texture>("texture", kBoth),
-    reference<&WallRecord::next, &WallRecord::next_place>("next", kBoth),
-    reference<&WallRecord::via, &WallRecord::via_place>("via", kNew),
+    key<&WallRecord::next>("next", kBoth),
+    key<&WallRecord::via>("via", kNew),
     key<&WallRecord::rise>("rise", kNew, Need::optional, kHeights),
     key<&WallRecord::mirror>("mirror", kNew),
     key<&WallRecord::blocks>("blocks", kNew),
@@ -107,10 +96,16 @@ void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries
 template <>
 void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, LoopRecord& loop) {
     const TomlEntry* walls = find_entry(entries, "walls");
-    if (walls && find_entry(entries, "v") && loop.walls.size() != loop.vertices.size())
+    loop.is_whole =
+        walls && walls->value.kind() == TomlKind::array && loop.places.has("v") && loop.places.is_sound("v");
+    if (loop.is_whole && loop.walls.size() != loop.vertices.size()) {
         reading.error(walls->value.place(), "walls-vertices-mismatch",
                       "a loop has one wall for each vertex: found " + std::to_string(loop.vertices.size()) +
-                          " vertices and " + std::to_string(loop.walls.size()) + " walls");
+                          " vertices and " + std::to_string(loop.walls.size()) +
+                          " walls; give each wall its place in "
+                          "the list, in the order of the vertices");
+        loop.is_whole = false;
+    }
     give_every_vertex_a_wall(loop);
 }
 

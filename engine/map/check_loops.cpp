@@ -51,6 +51,7 @@ public:
 
     void check() {
         const SweepFindings found = sweep_edges(edges_);
+        parts_.measurable = found.clashes.empty() && found.wrong_sided.empty();
         for (const Clash& clash : found.clashes) report(as_overlap(clash));
         if (found.wrong_sided.empty()) return;
         std::vector<std::uint8_t> is_wrong(edges_.size());
@@ -119,8 +120,7 @@ private:
 
     void report(const Loop& of, const Winding& winding, bool has_outline) {
         if (winding.wrong_edges == 0) return;
-        const TextPlace place =
-            of.record->place.line != 0 ? of.record->place : place_of(of.first_wall - sector_.first_wall);
+        const TextPlace place = known(key_place(*of.record, "v"), place_of(of.first_wall - sector_.first_wall));
         if (winding.wrong_edges < of.wall_count)
             draft_.error(place, "wrong-winding",
                          "this loop of sector " + quoted(sector_.name) +
@@ -144,7 +144,7 @@ private:
 
     Draft& draft_;
     const Sector& sector_;
-    const SectorDraft& parts_;
+    SectorDraft& parts_;
     std::span<const Wall> edges_;
 };
 

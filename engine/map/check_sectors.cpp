@@ -12,7 +12,9 @@ namespace {
 
 void check_heights(Draft& draft, const SectorRecord& sector) {
     if (sector.ceiling.z >= sector.floor.z) return;
-    draft.error(sector.ceiling.place.line != 0 ? sector.ceiling.place : sector.place, "ceiling-below-floor",
+    const FlatRecord& written = sector.ceiling.places.has("z") ? sector.ceiling : sector.floor;
+    if (!sector.ceiling.places.is_sound("z") || !sector.floor.places.is_sound("z")) return;
+    draft.error(known(key_place(written, "z"), sector.place), "ceiling-below-floor",
                 "the ceiling of sector " + quoted(sector.name) + " at " + number_text(sector.ceiling.z) +
                     " m is below its floor at " + number_text(sector.floor.z) +
                     " m; raise it, or make them equal for a closed door");
@@ -26,10 +28,13 @@ void check_sector_names(Draft& draft) {
     std::vector<ScopedName> names;
     for (std::uint32_t i = 0; i < draft.sectors.size(); ++i)
         if (!draft.sectors[i].record->name.empty()) names.push_back({0, draft.sectors[i].record->name, i});
-    for (const auto& [first, again] : NameIndex(std::move(names)).duplicates())
-        draft.error(draft.sectors[again].record->place, "duplicate-sector",
-                    "expected a name no other sector has, found " + quoted(draft.sectors[again].record->name) +
-                        " again; it is first used" + line_text(draft.sectors[first].record->place));
+    for (const auto& [first, again] : NameIndex(std::move(names)).duplicates()) {
+        SectorDraft &one = draft.sectors[first], &other = draft.sectors[again];
+        one.is_only_one = other.is_only_one = false;
+        draft.error(*other.record, "name", "duplicate-sector",
+                    "expected a name no other sector has, found " + quoted(other.record->name) +
+                        " again; it is first used" + line_text(key_place(*one.record, "name")));
+    }
 }
 
 void check_wall_names(Draft& draft) {
@@ -38,10 +43,10 @@ void check_wall_names(Draft& draft) {
         if (!draft.walls[i].record->name.empty())
             names.push_back({draft.map.walls[i].sector.index, draft.walls[i].record->name, i});
     for (const auto& [first, again] : NameIndex(std::move(names)).duplicates())
-        draft.error(draft.walls[again].place, "duplicate-wall",
+        draft.error(*draft.walls[again].record, "name", "duplicate-wall",
                     "expected a name no other wall of the sector has, found " +
                         quoted(draft.walls[again].record->name) + " again; it is first used" +
-                        line_text(draft.walls[first].place));
+                        line_text(key_place(*draft.walls[first].record, "name")));
 }
 
 }  // namespace

@@ -9,14 +9,21 @@ namespace {
 
 constexpr const char* kMeant = " (say texture = \"-\" if that is what you want)";
 
+/// The first picture of a wall that only a portal would show, or null.
+const TextureSpec* first_for_portals(const WallRecord& wall) {
+    for (const auto* spec : {&wall.upper, &wall.lower, &wall.middle})
+        if (*spec) return &**spec;
+    return nullptr;
+}
+
 void check_solid(Draft& draft, WallId id) {
     const WallDraft& written = draft.walls[id.index];
     const std::string sector = quoted(draft.map[draft.map[id].sector].name);
     if (!written.record->texture)
-        draft.warning(written.place, "no-texture",
+        draft.warning(known(written.record->place, written.place), "no-texture",
                       "this solid wall of sector " + sector + " has no texture; a placeholder is drawn" + kMeant);
-    if (written.record->upper || written.record->lower || written.record->middle)
-        draft.warning(written.place, "unused-texture",
+    if (const TextureSpec* unused = first_for_portals(*written.record))
+        draft.warning(unused->place, "unused-texture",
                       "only portals have steps and a middle, but this wall of sector " + sector +
                           " has no next; upper, lower and middle are not drawn");
 }
@@ -28,19 +35,20 @@ void check_steps(Draft& draft, WallId id) {
     if (written.record->texture) return;  // serves both steps
     const Sector &here = draft.map[wall.sector], &there = draft.map[wall.behind];
     const double rise = draft.map.passage(wall).rise;
+    const TextPlace head = known(written.record->place, written.place);
     const std::string way = quoted(here.name) + " to " + quoted(there.name);
     if (!written.record->lower && there.floor.z - rise > here.floor.z)
-        draft.warning(written.place, "no-step-texture",
+        draft.warning(head, "no-step-texture",
                       "the step up from " + way + " has no texture, so nothing is drawn there; give it lower");
     if (!written.record->upper && there.ceiling.z - rise < here.ceiling.z && !(here.ceiling.sky && there.ceiling.sky))
         draft.warning(
-            written.place, "no-step-texture",
+            head, "no-step-texture",
             "the step down from the ceiling of " + way + " has no texture, so nothing is drawn there; give it upper");
 }
 
 void check_flat(Draft& draft, const SectorRecord& sector, const FlatRecord& flat, const char* which) {
     if (flat.texture) return;
-    draft.warning(flat.place.line != 0 ? flat.place : sector.place, "no-texture",
+    draft.warning(known(flat.place, sector.place), "no-texture",
                   std::string("the ") + which + " of sector " + quoted(sector.name) +
                       " has no texture; a placeholder is drawn" + kMeant);
 }

@@ -24,7 +24,8 @@ struct SectorDraft {
     const SectorRecord* record;
     std::uint32_t first_loop = 0;  ///< its loops are [first_loop, first_loop + loop_count) of Draft::loops
     std::uint32_t loop_count = 0;
-    bool measurable = true;  ///< every vertex is in range and belongs to one wall, so that geometry may be asked
+    bool measurable = true;   ///< nothing was found wrong with its shape so far, so that geometry may be asked
+    bool is_only_one = true;  ///< no other sector has its name
 };
 
 /// Where a wall was written.
@@ -50,14 +51,31 @@ struct Draft {
 
     bool was_sound = true;  ///< the reader found no error
 
+    /// Whether the reader could not make out some sector's name: a name that is unknown may be meant for it.
+    bool has_nameless_sectors = false;
+
     /// True for the enfilade dialect: what was ambiguous in the tutorial's is an error here.
     bool is_strict() const { return file.format != 0; }
     void error(TextPlace place, std::string_view code, std::string sentence);
     /// Said only where the reader found no error: what is missing may be what could not be read.
     void warning(TextPlace place, std::string_view code, std::string sentence);
 
+    /// The same at the value of a record's key, or at the record where the key is not given. Nothing is said of a key
+    /// that the reader complained about: this would be a consequence.
+    template <class Record>
+    void error(const Record& record, std::string_view key, std::string_view code, std::string sentence) {
+        if (record.places.is_sound(key)) error(key_place(record, key), code, std::move(sentence));
+    }
+    template <class Record>
+    void warning(const Record& record, std::string_view key, std::string_view code, std::string sentence) {
+        if (record.places.is_sound(key)) warning(key_place(record, key), code, std::move(sentence));
+    }
+
     std::size_t error_count = 0, warning_count = 0;
 };
+
+/// The first of two places, if it is known.
+inline TextPlace known(TextPlace place, TextPlace otherwise) { return place.line != 0 ? place : otherwise; }
 
 /// Where something is missing from the file as a whole.
 inline constexpr TextPlace kTopOfFile{1, 1};

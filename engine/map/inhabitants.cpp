@@ -47,14 +47,14 @@ public:
             {}, snap_to_point_grid(record.position), record.eye_z, Angle::from_degrees(record.yaw_degrees)};
         const auto found = names_.find(0, record.sector);
         if (!found)
-            return start_where_it_is(start, "player-sector",
+            return start_where_it_is(start, "sector", "player-sector",
                                      "expected the name of a sector for the player, found " + quoted(record.sector) +
                                          names_.suggestion(0, record.sector));
         start.sector = SectorId(*found);
-        if (!draft_.sectors[*found].measurable) return;
+        if (!can_be_asked(start.sector)) return;
         if (!is_inside(draft_.map, start.sector, start.position))
             return start_where_it_is(
-                start, "player-outside",
+                start, "x", "player-outside",
                 "the player's position " + point_text(start.position) + " is outside sector " + quoted(record.sector));
         check_eye(start);
         draft_.map.player = start;
@@ -63,15 +63,12 @@ public:
     void place_thing(const ThingRecord& thing) {
         const Vec2 position = snap_to_point_grid(thing.position);
         const auto found = names_.find(0, thing.sector);
-        if (!thing.sector.empty() && !found)
-            return draft_.error(thing.place, "unknown-sector",
-                                "expected the name of a sector for the thing, found " + quoted(thing.sector) +
-                                    names_.suggestion(0, thing.sector));
+        if (!thing.sector.empty() && !found) return unknown_sector(thing, "thing", thing.sector);
         const SectorId sector = found ? SectorId(*found) : finder_.around(position);
         if (sector && !is_outside(sector, position))
             add_thing(draft_, thing, sector, sprites_);
         else
-            draft_.warning(thing.place, "thing-outside",
+            draft_.warning(thing, "x", "thing-outside",
                            "the thing at " + point_text(position) + " is outside " +
                                (found ? "sector " + quoted(thing.sector) : "every sector") + "; nobody will see it");
     }
@@ -80,7 +77,7 @@ public:
         lit_area_ += std::max(4 * record.reach * record.reach, kLeastLitArea);
         if (lit_area_ > kMostLitArea) {
             if (!has_too_many_lights_)
-                draft_.error(record.place, "too-many-lights",
+                draft_.error(record, "reach", "too-many-lights",
                              "with this light the lights of the map reach too far together: expected at most " +
                                  number_text(kMostLitArea) +
                                  " square metres, counting the square of twice its reach for each");
@@ -89,13 +86,10 @@ public:
         }
         const Vec2 position = snap_to_point_grid(record.position);
         const auto found = names_.find(0, record.sector);
-        if (!record.sector.empty() && !found)
-            return draft_.error(record.place, "unknown-sector",
-                                "expected the name of a sector for the light, found " + quoted(record.sector) +
-                                    names_.suggestion(0, record.sector));
+        if (!record.sector.empty() && !found) return unknown_sector(record, "light", record.sector);
         const SectorId sector = found ? SectorId(*found) : finder_.around(position);
         if (!sector || is_outside(sector, position))
-            return draft_.warning(record.place, "light-outside",
+            return draft_.warning(record, "x", "light-outside",
                                   "the light at " + point_text(position) + " is outside " +
                                       (found ? "sector " + quoted(record.sector) : "every sector") +
                                       "; it lights nothing");
@@ -105,28 +99,42 @@ public:
     }
 
 private:
+    template <class Record>
+    void unknown_sector(const Record& record, const char* what, const std::string& name) {
+        if (!draft_.has_nameless_sectors)
+            draft_.error(record, "sector", "unknown-sector",
+                         "expected the name of a sector for the " + std::string(what) + ", found " + quoted(name) +
+                             names_.suggestion(0, name));
+    }
+
     void check_light(SectorId id, const PointLightRecord& light) {
         const Sector& sector = draft_.map[id];
         const bool is_open = sector.floor.z < sector.ceiling.z;
         if (!is_open || (light.z > sector.floor.z && light.z < sector.ceiling.z)) return;
-        draft_.warning(light.place, "light-hidden",
+        draft_.warning(light, "z", "light-hidden",
                        "expected the light between the floor at " + number_text(sector.floor.z) +
                            " m and the ceiling at " + number_text(sector.ceiling.z) + " m of sector " +
                            quoted(sector.name) + ", found z = " + number_text(light.z));
     }
 
-    bool is_outside(SectorId sector, Vec2 p) const {
-        return draft_.sectors[sector.index].measurable && !is_inside(draft_.map, sector, p);
+    /// Whether what is inside the sector, or another of its name, does not depend on an error that was found.
+    bool can_be_asked(SectorId id) const {
+        const SectorDraft& sector = draft_.sectors[id.index];
+        return sector.measurable && sector.is_only_one;
     }
 
+    bool is_outside(SectorId sector, Vec2 p) const { return can_be_asked(sector) && !is_inside(draft_.map, sector, p); }
+
     /// Says what is wrong. In the tutorial dialect, which never checked, the player starts wherever that is.
-    void start_where_it_is(PlayerStart start, const char* code, const std::string& complaint) {
-        const TextPlace place = draft_.file.player->place;
+    /// key : of the player, which is wrong
+    void start_where_it_is(PlayerStart start, const char* key, const char* code, const std::string& complaint) {
+        const PlayerRecord& player = *draft_.file.player;
+        if (!player.places.is_sound() || (!start.sector && draft_.has_nameless_sectors)) return;
         start.sector = finder_.around(start.position);
         const std::string around = start.sector ? quoted(draft_.map[start.sector].name) : "no sector";
         if (draft_.is_strict())
-            return draft_.error(place, code, complaint + "; " + point_text(start.position) + " is in " + around);
-        draft_.warning(place, code, complaint + "; the player starts in " + around);
+            return draft_.error(player, key, code, complaint + "; " + point_text(start.position) + " is in " + around);
+        draft_.warning(player, key, code, complaint + "; the player starts in " + around);
         if (start.sector) draft_.map.player = start;
     }
 
@@ -134,7 +142,7 @@ private:
         const Sector& sector = draft_.map[start.sector];
         const bool is_open = sector.floor.z < sector.ceiling.z;
         if (!is_open || (start.eye_z > sector.floor.z && start.eye_z < sector.ceiling.z)) return;
-        draft_.warning(draft_.file.player->place, "player-eye",
+        draft_.warning(*draft_.file.player, "z", "player-eye",
                        "expected the player's eye between the floor at " + number_text(sector.floor.z) +
                            " m and the ceiling at " + number_text(sector.ceiling.z) +
                            " m, found z = " + number_text(start.eye_z));
@@ -153,7 +161,7 @@ void check_thing_names(Draft& draft) {
     for (std::uint32_t i = 0; i < draft.file.things.size(); ++i)
         if (!draft.file.things[i].name.empty()) names.push_back({0, draft.file.things[i].name, i});
     for (const auto& [first, again] : NameIndex(std::move(names)).duplicates())
-        draft.error(draft.file.things[again].place, "duplicate-thing",
+        draft.error(draft.file.things[again], "name", "duplicate-thing",
                     "expected a name no other thing has, found " + quoted(draft.file.things[again].name) + " again");
 }
 

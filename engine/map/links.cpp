@@ -79,7 +79,7 @@ double rise_of(const Draft& draft, WallId id) {
 void check_lengths(Draft& draft, WallId id) {
     const Wall &wall = draft.map[id], &exit = draft.map[wall.exit];
     if (lengths_agree(wall, exit)) return;
-    draft.error(draft.walls[id.index].place, "link-lengths",
+    draft.error(*draft.walls[id.index].record, "via", "link-lengths",
                 "expected linked walls of one length, found " + number_text(wall.length) + " m here and " +
                     number_text(exit.length) + " m at " + quoted(draft.walls[id.index].record->via) + " of sector " +
                     quoted(draft.map[wall.behind].name) + "; a link cannot stretch what passes");
@@ -90,7 +90,7 @@ void check_rises(Draft& draft, WallId id) {
     const auto back = draft.walls[draft.map[id].exit.index].record->rise;
     const bool is_later = draft.map[id].exit <= id;  // one of the two is enough
     if (!is_later || !is_two_way(draft, id) || !there || !back || *there == -*back) return;
-    draft.error(draft.walls[id.index].place, "link-rise",
+    draft.error(*draft.walls[id.index].record, "rise", "link-rise",
                 "the way back is the way there reversed: this wall says rise = " + number_text(*there) +
                     " and its other side rise = " + number_text(*back) + ", expected " + number_text(-*there) +
                     "; give rise on one side only");
@@ -103,7 +103,7 @@ void check_opening(Draft& draft, WallId id, double rise) {
     const double floor = there.floor.z - rise, ceiling = there.ceiling.z - rise;
     const bool both_open = here.floor.z < here.ceiling.z && floor < ceiling;
     if (!both_open || (floor < here.ceiling.z && ceiling > here.floor.z)) return;
-    draft.warning(draft.walls[id.index].place, "link-closed",
+    draft.warning(*draft.walls[id.index].record, draft.walls[id.index].record->rise ? "rise" : "via", "link-closed",
                   "nothing fits through this link: the room here is open from " + number_text(here.floor.z) + " to " +
                       number_text(here.ceiling.z) + " m, the one behind, seen from here, from " + number_text(floor) +
                       " to " + number_text(ceiling) + " m; check rise");

@@ -40,11 +40,11 @@ void leave_out_things(MapFile& file, int skill) {
 void note_exits(const std::vector<TriggerRecord>& triggers, std::vector<NamedFile>& next_maps) {
     for (const TriggerRecord& trigger : triggers)
         if (trigger.deed == Deed::exit && !trigger.targets.empty())
-            next_maps.push_back({trigger.targets.front(), trigger.place});
+            next_maps.push_back({trigger.targets.front(), key_place(trigger, "target")});
 }
 
 void note_named_files(const MapFile& file, LoadedMap& loaded) {
-    for (const SoundRecord& sound : file.sounds) loaded.sounds.push_back({sound.file, sound.place});
+    for (const SoundRecord& sound : file.sounds) loaded.sounds.push_back({sound.file, key_place(sound, "file")});
     for (const SectorRecord& sector : file.sectors) {
         note_exits(sector.triggers, loaded.next_maps);
         for (const PanelRecord& panel : sector.panels) note_exits(panel.triggers, loaded.next_maps);

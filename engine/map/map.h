@@ -127,7 +127,8 @@ struct SpriteFrame {
     /// By the eighth of a turn from which it is seen: 0 from the front, then going round to the thing's own left. One
     /// picture for all directions is there eight times; none: nothing is shown.
     std::array<TextureId, 8> views;
-    Vec2 origin_m;       ///< from the picture's upper left corner to the place of the thing, right and down [m]
+    /// From each picture's upper left corner to the place of the thing, right and down [m].
+    std::array<Vec2, 8> origins_m;
     double until_s = 0;  ///< when the next frame follows, counted from the start of the first; the last one's may be
                          ///< infinity: it stays
 };

@@ -15,7 +15,7 @@ void note_animation(Draft& draft, const AnimationRecord& record) {
     for (const TextureId id : animation.frames) {
         std::uint32_t& owner = pictures.animation_of[id.index];
         if (owner != PictureChanges::kNone && owner != number)
-            draft.error(record.place, "animated-twice",
+            draft.error(record, "frames", "animated-twice",
                         "the picture " + quoted(draft.textures[id].name) +
                             " belongs to another animation already; a picture can only be in one");
         owner = number;

@@ -16,12 +16,12 @@ public:
 
     void place_on(TriggerRange range, const std::vector<TriggerRecord>& records) {
         for (std::uint32_t i = 0; i < range.count; ++i)
-            map_.triggers[range.first + i].key = key_of(records[i].key, records[i].place);
+            map_.triggers[range.first + i].key = key_of(records[i].key, key_place(records[i], "key"));
     }
 
     void place_on(Thing& thing, const ThingRecord& record) {
         place_on(thing.triggers, record.triggers);
-        thing.gives_key = key_of(record.gives_key, record.place);
+        thing.gives_key = key_of(record.gives_key, key_place(record, "gives_key"));
     }
 
     /// A key that triggers ask for and no thing gives opens nothing.

@@ -54,7 +54,7 @@ public:
 
     void check() {
         for (std::size_t i = 0; i < panels_.size(); ++i)
-            if (panels_[i].a != panels_[i].b) check(i);
+            if (panels_[i].a != panels_[i].b && records_[i].places.is_sound("v")) check(i);
     }
 
 private:
@@ -63,7 +63,7 @@ private:
         const std::span<const Wall> before = std::span<const Wall>(panels_).first(i);
         if (const Wall* other = crossed_by(panels_[i], before)) return report_crossing(i, "the panel", *other);
         if (!is_within(panels_[i]))
-            draft_.error(records_[i].place, "panel-outside",
+            draft_.error(records_[i], "v", "panel-outside",
                          "the panel " + edge_text(panels_[i].a, panels_[i].b) + " is not inside sector " +
                              quoted(sector_.name) + "; move it, or list it under the sector it stands in");
     }
@@ -76,7 +76,7 @@ private:
     }
 
     void report_crossing(std::size_t i, const char* what, const Wall& other) {
-        draft_.error(records_[i].place, "panel-crosses",
+        draft_.error(records_[i], "v", "panel-crosses",
                      "the panel " + edge_text(panels_[i].a, panels_[i].b) + " of sector " + quoted(sector_.name) +
                          " crosses " + what + " " + edge_text(other.a, other.b) +
                          "; a panel may touch walls and panels, but not pass through them: cut it in two there");
@@ -108,11 +108,11 @@ private:
 
 void check_record(Draft& draft, const SectorRecord& sector, const PanelRecord& record, const Panel& panel) {
     if (panel.a == panel.b)
-        draft.error(record.place, "zero-length",
+        draft.error(record, "v", "zero-length",
                     "both ends of this panel of sector " + quoted(sector.name) + " are at " + point_text(panel.a) +
                         " on the grid of 1/1024 m; move them apart");
-    if (panel.top < panel.bottom)
-        draft.error(record.place, "panel-upside-down",
+    if (panel.top < panel.bottom && record.places.is_sound("bottom"))
+        draft.error(record, "top", "panel-upside-down",
                     "the top of this panel of sector " + quoted(sector.name) + " at " + number_text(panel.top) +
                         " m is below its bottom at " + number_text(panel.bottom) + " m; swap them");
 }
@@ -147,7 +147,7 @@ void place_panels(Draft& draft) {
         PanelShapes shapes(draft, SectorId(i));
         comparisons += shapes.comparisons();
         if (comparisons > kMostComparisons)
-            return draft.error(draft.sectors[i].record->place, "too-many-panels",
+            return draft.error(*draft.sectors[i].record, "panels", "too-many-panels",
                                "the panels of sector " + quoted(draft.map.sectors[i].name) +
                                    " are too many for a room of so many walls; divide the room");
         shapes.check();

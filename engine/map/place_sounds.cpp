@@ -26,7 +26,7 @@ public:
         }
         for (const auto& [first, again] : names_.duplicates())
             draft_.error(
-                draft_.file.sounds[again].place, "duplicate-sound",
+                draft_.file.sounds[again], "name", "duplicate-sound",
                 "expected a name no other sound has, found " + quoted(draft_.file.sounds[again].name) + " again");
     }
 
@@ -34,9 +34,10 @@ public:
         for (std::size_t i = 0; i < map_.sectors.size(); ++i) {
             const SectorRecord& record = *draft_.sectors[i].record;
             Sector& sector = map_.sectors[i];
-            sector.up_sound = found(record.move_sound, record.place);
-            sector.down_sound = record.down_sound.empty() ? sector.up_sound : found(record.down_sound, record.place);
-            sector.stop_sound = found(record.stop_sound, record.place);
+            sector.up_sound = found(record, "move_sound", record.move_sound);
+            sector.down_sound =
+                record.down_sound.empty() ? sector.up_sound : found(record, "down_sound", record.down_sound);
+            sector.stop_sound = found(record, "stop_sound", record.stop_sound);
             place_on_triggers(sector.triggers, record.triggers, [&](Trigger& t) { t.on_sector = SectorId(i); });
         }
     }
@@ -57,7 +58,7 @@ public:
         for (std::size_t i = 0; i < map_.things.size(); ++i) {
             const ThingRecord& record = *draft_.things[i];
             Thing& thing = map_.things[i];
-            thing.sound = found(record.sound, record.place);
+            thing.sound = found(record, "sound", record.sound);
             if (thing.sound) map_.sounding_things.push_back(ThingId(i));
             place_on_triggers(thing.triggers, record.triggers, [&](Trigger& t) { t.on_thing = ThingId(i); });
         }
@@ -66,12 +67,15 @@ public:
     }
 
 private:
-    /// None where the record names none.
-    SoundId found(const std::string& name, TextPlace place) {
+    /// The sound that the record's key names; none where it names none.
+    template <class Record>
+    SoundId found(const Record& record, std::string_view key, const std::string& name) {
         if (name.empty()) return {};
         const auto number = names_.find(0, name);
         if (number) return SoundId(*number);
-        draft_.error(place, "unknown-sound",
+        const bool has_nameless = std::ranges::any_of(draft_.file.sounds, &std::string::empty, &SoundRecord::name);
+        if (has_nameless) return {};  // it may be meant for one whose name the reader could not make out
+        draft_.error(record, key, "unknown-sound",
                      "expected the name of a sound, found " + quoted(name) + names_.suggestion(0, name));
         return {};
     }
@@ -80,9 +84,9 @@ private:
     void place_on_triggers(TriggerRange range, const std::vector<TriggerRecord>& records, PutOn put_on) {
         for (std::uint32_t i = 0; i < range.count; ++i) {
             Trigger& trigger = map_.triggers[range.first + i];
-            trigger.sound = found(records[i].sound, records[i].place);
+            trigger.sound = found(records[i], "sound", records[i].sound);
             if (trigger.sound) put_on(trigger);
-            if (trigger.deed == Deed::sound && records[i].sound.empty())
+            if (trigger.deed == Deed::sound && records[i].sound.empty() && records[i].places.is_sound())
                 draft_.error(records[i].place, "needs-sound", "expected 'sound', which says what is heard; found none");
         }
     }

@@ -72,18 +72,19 @@ private:
         const bool was_within = set_off <= kMostSetOff;
         set_off += draft_.map.triggers.back().targets.count;
         if (was_within && set_off > kMostSetOff)
-            draft_.error(record.place, "too-many-targets",
+            draft_.error(record, "target", "too-many-targets",
                          "expected triggers that change at most " + std::to_string(kMostSetOff) +
                              " sectors when they go off together, found " + std::to_string(set_off) +
                              " with this one; give them fewer targets, or leave out triggers that do the same");
     }
 
     void check(const TriggerRecord& record, Bearer bearer) {
+        if (!record.places.is_sound()) return;
         if (!can_be_set_off(record.on, bearer))
-            draft_.error(record.place, "trigger-occasion",
+            draft_.error(record, "on", "trigger-occasion",
                          std::string(name_of(bearer)) + " cannot have a trigger on " + quoted(to_word(record.on)));
         if (record.deed == Deed::light && !record.light && record.light_of == LightLevel::given && !record.effect)
-            draft_.error(record.place, "light-without-level",
+            draft_.error(record, "do", "light-without-level",
                          "expected light, light_of or effect, which say how the light changes; found none of them");
         check_goal(record);
     }
@@ -93,11 +94,11 @@ private:
         const bool goes = record.deed == Deed::floor || record.deed == Deed::ceiling;
         const bool has_goal = record.z || record.to != Level::here || !record.like.empty() || record.by != 0;
         if (goes && !has_goal && record.texture.empty() && !record.heals)
-            draft_.error(record.place, "move-without-goal",
+            draft_.error(record, "do", "move-without-goal",
                          "expected z, to, like or by, which say where the " + std::string(to_word(record.deed)) +
                              " goes; found none, so it would stay where it is");
         if (record.deed == Deed::stairs && record.step == 0)
-            draft_.error(record.place, "move-without-goal",
+            draft_.error(record, "step", "move-without-goal",
                          "expected a step that is higher or lower than 0 m, found 0: these stairs would stay level");
     }
 
@@ -130,7 +131,7 @@ private:
     void find_model(const TriggerRecord& record, Trigger& trigger) {
         if (record.like.empty()) return;
         trigger.like = lists_.first_of(record.like);
-        if (!trigger.like) unknown(record, "sector", record.like, lists_.suggestion(record.like));
+        if (!trigger.like) unknown(record, "like", "sector", record.like, lists_.suggestion(record.like));
     }
 
     void find_targets(const TriggerRecord& record, SectorId usual, Trigger& trigger) {
@@ -142,7 +143,7 @@ private:
         } else if (!record.targets.empty()) {
             trigger.targets = lists_.list_of(record);
             for (const std::string& name : record.targets)
-                if (!lists_.first_of(name)) unknown(record, "sector", name, lists_.suggestion(name));
+                if (!lists_.first_of(name)) unknown(record, "target", "sector", name, lists_.suggestion(name));
         } else if (usual) {
             trigger.targets = lists_.list_of(usual);
         } else {
@@ -154,19 +155,22 @@ private:
         if (record.targets.size() != 1) return needs_target(record, "the name of a thing, to stand where it is");
         const std::string& name = record.targets.front();
         const auto found = things_.find(0, name);
-        if (!found) return unknown(record, "thing", name, things_.suggestion(0, name));
+        if (!found) return unknown(record, "target", "thing", name, things_.suggestion(0, name));
         trigger.destination = ThingId(*found);
     }
 
-    void unknown(const TriggerRecord& record, const char* kind, const std::string& name,
+    void unknown(const TriggerRecord& record, const char* key, const char* kind, const std::string& name,
                  const std::string& suggestion) {
-        draft_.error(record.place, "unknown-target",
-                     "expected the name " + std::string(kind == std::string_view("sector") ? "or tag " : "") + "of a " +
-                         kind + ", found " + quoted(name) + suggestion);
+        const bool is_sector = kind == std::string_view("sector");
+        if (is_sector && draft_.has_nameless_sectors) return;
+        draft_.error(record, key, "unknown-target",
+                     "expected the name " + std::string(is_sector ? "or tag " : "") + "of a " + kind + ", found " +
+                         quoted(name) + suggestion);
     }
 
     void needs_target(const TriggerRecord& record, const char* what) {
-        draft_.error(record.place, "needs-target",
+        if (!record.places.is_sound()) return;
+        draft_.error(record, "do", "needs-target",
                      quoted(to_word(record.deed)) + " needs a target, " + std::string(what));
     }
 
@@ -198,9 +202,12 @@ void place_triggers(Draft& draft) {
         draft.map.sectors[i].triggers = placer.place(draft.sectors[i].record->triggers, Bearer::sector, SectorId(i));
     for (std::size_t i = 0; i < draft.map.walls.size(); ++i) {
         Wall& wall = draft.map.walls[i];
-        const Bearer bearer = wall.kind == WallKind::portal ? Bearer::portal : Bearer::wall;
-        if (!draft.walls[i].record->triggers.empty())
-            wall.triggers = placer.place(draft.walls[i].record->triggers, bearer, wall.behind);
+        const WallRecord& record = *draft.walls[i].record;
+        // What is meant as a portal and could not be made one is refused for that, and not for its triggers.
+        const bool is_lost = wall.kind == WallKind::solid && !record.next.empty();
+        const Bearer bearer = wall.kind == WallKind::portal || is_lost ? Bearer::portal : Bearer::wall;
+        const SectorId usual = is_lost ? wall.sector : wall.behind;
+        if (!record.triggers.empty()) wall.triggers = placer.place(record.triggers, bearer, usual);
     }
     for (std::size_t i = 0; i < draft.map.panels.size(); ++i) {
         Panel& panel = draft.map.panels[i];

@@ -21,8 +21,8 @@ bool check_count(Draft& draft, const SectorRecord& sector, const LoopRecord& loo
     ENFILADE_CHECK(loop.vertices.size() == loop.walls.size());
     const std::size_t count = loop.vertices.size();
     if (count >= 3) return true;
-    if (count == 0 && !draft.was_sound) return false;  // the reader could not make vertices of what it found
-    draft.error(loop.place.line != 0 ? loop.place : sector.place, "too-few-vertices",
+    if (!loop.is_whole || (count == 0 && !draft.was_sound)) return false;  // the reader could not make it out
+    draft.error(known(key_place(loop, "v"), sector.place), "too-few-vertices",
                 "expected at least 3 vertices in a loop, found " + std::to_string(count) + " in sector " +
                     quoted(sector.name) + "; use a panel for a wall without thickness");
     return false;
@@ -35,14 +35,15 @@ Vec2 placed(Vec2 vertex) {
     return v;
 }
 
-void check_length(Draft& draft, const SectorRecord& sector, const LoopRecord& loop, std::size_t i, const Wall& wall) {
-    if (wall.a != wall.b) return;
+bool check_length(Draft& draft, const SectorRecord& sector, const LoopRecord& loop, std::size_t i, const Wall& wall) {
+    if (wall.a != wall.b) return true;
     const std::size_t next = (i + 1) % loop.vertices.size();
     const bool was_rounded = loop.vertices[i] != loop.vertices[next];
     draft.error(place_of_vertex(sector, loop, i), "zero-length",
                 "two neighbouring vertices of sector " + quoted(sector.name) + " are both at " + point_text(wall.a) +
                     (was_rounded ? " after rounding to the grid of 1/1024 m; drop one or move them apart"
                                  : "; drop one of them (the last wall closes the loop by itself)"));
+    return false;
 }
 
 /// The loop's walls, closed into a ring.
@@ -72,7 +73,7 @@ void add_bounds(Sector& sector, const std::vector<Wall>& walls) {
     }
 }
 
-/// True where all its loops can be measured.
+/// True where nothing is wrong with any of its loops so far.
 bool add_loops(Draft& draft, SectorId id, const SectorRecord& record) {
     bool all = !record.loops.empty();
     for (const LoopRecord& loop : record.loops) {
@@ -83,7 +84,8 @@ bool add_loops(Draft& draft, SectorId id, const SectorRecord& record) {
         add_loop(draft, id, record, loop);
         const Loop& added = draft.loops.back();
         for (std::uint32_t i = 0; i < added.wall_count; ++i)
-            check_length(draft, record, loop, i, draft.map.walls[added.first_wall + i]);
+            all = check_length(draft, record, loop, i, draft.map.walls[added.first_wall + i]) && all;
+        all = all && loop.is_whole;
     }
     return all;
 }
@@ -106,6 +108,7 @@ void add_sector(Draft& draft, const SectorRecord& record) {
     parts.loop_count = static_cast<std::uint32_t>(draft.loops.size()) - parts.first_loop;
     sector.wall_count = static_cast<std::uint32_t>(draft.map.walls.size()) - sector.first_wall;
     add_bounds(sector, draft.map.walls);
+    draft.has_nameless_sectors |= record.name.empty();
     draft.map.sectors.push_back(std::move(sector));
     draft.sectors.push_back(parts);
 }

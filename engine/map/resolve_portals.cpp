@@ -1,4 +1,5 @@
 // Portals: which sector each leads into, and which of its walls one comes out of.
+#include <algorithm>
 #include <vector>
 
 #include "formats/quoted.h"
@@ -25,8 +26,6 @@ NameIndex wall_names(const Draft& draft) {
     return NameIndex(std::move(names));
 }
 
-TextPlace known(TextPlace place, TextPlace otherwise) { return place.line != 0 ? place : otherwise; }
-
 /// One pass over all portals with the indexes it needs.
 class Resolver {
 public:
@@ -41,6 +40,7 @@ public:
         Wall& wall = draft_.map.walls[id.index];
         wall.behind = sector_behind(id);
         if (wall.behind.is_none() || !draft_.sectors[wall.behind.index].measurable) return;
+        if (!draft_.sectors[wall.sector.index].measurable) return;
         wall.kind = WallKind::portal;
         if (record.via.empty())
             wall.exit = twin_of(id);
@@ -53,8 +53,8 @@ private:
         Wall& wall = draft_.map.walls[id.index];
         const WallDraft& written = draft_.walls[id.index];
         if (!written.record->next.empty() || !written.record->via.empty())
-            draft_.error(written.place, "mirror-portal",
-                         "a wall is a mirror or a portal, this one is both; drop mirror or next");
+            draft_.error(std::max(key_place(*written.record, "mirror"), key_place(*written.record, "next")),
+                         "mirror-portal", "a wall is a mirror or a portal, this one is both; drop mirror or next");
         wall.kind = WallKind::mirror;
         wall.behind = wall.sector;
         wall.exit = id;
@@ -64,7 +64,7 @@ private:
     void refuse_stray_rise(WallId id) {
         const WallDraft& written = draft_.walls[id.index];
         if (written.record->rise && written.record->via.empty())
-            draft_.error(written.place, "rise-without-via",
+            draft_.error(*written.record, "rise", "rise-without-via",
                          "rise is what a link adds to heights, but this wall has no via; drop rise, or name the wall "
                          "to come out of in via");
     }
@@ -72,7 +72,7 @@ private:
     void refuse_stray_link(WallId id) {
         const WallDraft& written = draft_.walls[id.index];
         if (!written.record->via.empty())
-            draft_.error(known(written.record->via_place, written.place), "via-without-next",
+            draft_.error(*written.record, "via", "via-without-next",
                          "via names a wall of the sector in next, but there is no next; add next = \"its sector\"");
     }
 
@@ -80,7 +80,8 @@ private:
         const WallDraft& written = draft_.walls[id.index];
         const std::string& name = written.record->next;
         if (const auto found = sectors_.find(0, name)) return SectorId(*found);
-        draft_.error(known(written.record->next_place, written.place), "unknown-sector",
+        if (draft_.has_nameless_sectors) return {};
+        draft_.error(*written.record, "next", "unknown-sector",
                      "expected the name of a sector in next, found " + quoted(name) + sectors_.suggestion(0, name));
         return {};
     }
@@ -90,7 +91,7 @@ private:
         const WallDraft& written = draft_.walls[id.index];
         const std::string& name = written.record->via;
         if (const auto found = walls_.find(behind.index, name)) return WallId(*found);
-        draft_.error(known(written.record->via_place, written.place), "unknown-wall",
+        draft_.error(*written.record, "via", "unknown-wall",
                      "expected the name of a wall of sector " + quoted(draft_.map[behind].name) + " in via, found " +
                          quoted(name) + walls_.suggestion(behind.index, name));
         return {};
@@ -98,11 +99,10 @@ private:
 
     WallId twin_of(WallId id) {
         const Wall& wall = draft_.map[id];
-        if (wall.a == wall.b) return {};
         if (const WallId twin = twins_.find(wall.behind, wall.a, wall.b)) return twin;
         // The tutorial never looks at the neighbour's edge; one that is longer still takes whoever passes in.
         const WallId longer = draft_.is_strict() ? WallId() : twins_.covering(wall.behind, wall.a, wall.b);
-        report_missing_twin(id, longer);
+        if (draft_.sectors[wall.behind.index].is_only_one) report_missing_twin(id, longer);
         return longer;
     }
 
@@ -136,7 +136,7 @@ void check_way_back(Draft& draft, WallId id) {
     if (exit.kind != WallKind::solid || !written.record->next.empty() || exit.a != wall.b) return;
     const std::string here = quoted(draft.map[wall.sector].name);
     const std::string line = from.place.line != 0 ? " in line " + std::to_string(from.place.line) : std::string();
-    draft.warning(written.place, "open-one-way",
+    draft.warning(known(written.record->place, written.place), "open-one-way",
                   "sector " + here + " opens onto this edge " + edge_text(exit.a, exit.b) + " of sector " +
                       quoted(draft.map[exit.sector].name) + line +
                       ", but from here it is a solid wall: one looks and gets in there, and not back; give it next = " +

@@ -70,7 +70,7 @@ bool TargetLists::has_room_for(const TriggerRecord& record, std::span<const std:
     const bool had_room = listed_ <= kMostListed;
     for (const auto part : parts) listed_ += part.size();
     if (had_room && listed_ > kMostListed)
-        draft_.error(record.place, "too-many-targets",
+        draft_.error(record, "target", "too-many-targets",
                      "with this trigger the different lists of targets of the map have more than " +
                          std::to_string(kMostListed) +
                          " sectors together; give triggers that are about the same sectors the same targets");

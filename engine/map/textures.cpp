@@ -44,7 +44,7 @@ void note(Names& names, const std::optional<TextureSpec>& spec) {
 /// The pictures of one frame: one, or one for each of eight directions.
 void note(Names& names, const ThingRecord& thing, const SpriteFrameRecord& frame) {
     for (int view = 0; view < thing.rotations; ++view)
-        note(names, TextureSpec{sprite_picture_name(thing, frame, view), {}, {}, thing.place});
+        note(names, TextureSpec{sprite_picture_name(thing, frame, view), {}, {}, key_place(frame, "texture")});
 }
 
 void note(Names& names, const FlatRecord& flat) {
@@ -53,14 +53,18 @@ void note(Names& names, const FlatRecord& flat) {
 }
 
 void note(Names& names, const std::vector<TriggerRecord>& triggers) {
-    for (const TriggerRecord& trigger : triggers) note(names, TextureSpec{trigger.texture, {}, {}, trigger.place});
+    for (const TriggerRecord& trigger : triggers)
+        note(names, TextureSpec{trigger.texture, {}, {}, key_place(trigger, "texture")});
 }
 
 void note_changes(Names& names, const MapFile& file) {
     for (const AnimationRecord& animation : file.animations)
-        for (const std::string& frame : animation.frames) note(names, TextureSpec{frame, {}, {}, animation.place});
-    for (const SwitchRecord& faces : file.switches)
-        for (const std::string& face : {faces.off, faces.on}) note(names, TextureSpec{face, {}, {}, faces.place});
+        for (const std::string& frame : animation.frames)
+            note(names, TextureSpec{frame, {}, {}, key_place(animation, "frames")});
+    for (const SwitchRecord& faces : file.switches) {
+        note(names, TextureSpec{faces.off, {}, {}, key_place(faces, "off")});
+        note(names, TextureSpec{faces.on, {}, {}, key_place(faces, "on")});
+    }
 }
 
 Names names_used(const MapFile& file) {

@@ -14,9 +14,17 @@ namespace {
 /// How far a frame's pictures reach to either side of the thing [m].
 double reach_of(const SpriteFrame& frame, const TextureSet& textures, double texels_per_m) {
     double reach = 0;
-    for (const TextureId view : frame.views)
-        if (view) reach = std::max({reach, frame.origin_m.x, textures[view].width / texels_per_m - frame.origin_m.x});
+    for (std::size_t view = 0; view < frame.views.size(); ++view) {
+        const TextureId picture = frame.views[view];
+        const double left = frame.origins_m[view].x;
+        if (picture) reach = std::max({reach, left, textures[picture].width / texels_per_m - left});
+    }
     return reach;
+}
+
+/// Who gives no origin lets the picture stand.
+Vec2 origin_of(const SpriteFrameRecord& record, const Texture& picture) {
+    return record.origin_tx.value_or(Vec2{picture.width * 0.5, double(picture.height)});
 }
 
 Sprite sprite_from(const ThingRecord& thing, const TextureSet& textures) {
@@ -25,9 +33,10 @@ Sprite sprite_from(const ThingRecord& thing, const TextureSet& textures) {
     double time_s = 0;
     for (const SpriteFrameRecord& record : thing.frames) {
         SpriteFrame frame;
-        for (int view = 0; view < 8; ++view)
+        for (int view = 0; view < 8; ++view) {
             if (record.texture != "-") frame.views[view] = textures.find(sprite_picture_name(thing, record, view));
-        frame.origin_m = record.origin_tx * (1 / thing.size);
+            frame.origins_m[view] = origin_of(record, textures[frame.views[view]]) * (1 / thing.size);
+        }
         time_s = record.seconds > 0 ? time_s + record.seconds : std::numeric_limits<double>::infinity();
         frame.until_s = time_s;
         sprite.reach_m = std::max(sprite.reach_m, reach_of(frame, textures, thing.size));
@@ -41,19 +50,50 @@ void check_frames(Draft& draft, const ThingRecord& thing) {
     const auto stays = [](const SpriteFrameRecord& frame) { return frame.seconds == 0; };
     const auto last = std::find_if(thing.frames.begin(), thing.frames.end(), stays);
     if (last == thing.frames.end() || last + 1 == thing.frames.end()) return;
-    draft.warning(thing.place, "unseen-frame",
+    draft.warning(*(last + 1), "texture", "unseen-frame",
                   "the frame " + quoted(last->texture) + " of this thing is shown for ever, so " +
                       quoted((last + 1)->texture) + " after it never is; give it seconds");
 }
 
-void check_height(Draft& draft, const Thing& thing, TextPlace place) {
+void check_height(Draft& draft, const Thing& thing, const ThingRecord& record) {
     const Sector& sector = draft.map[thing.sector];
     const bool is_open = sector.floor.z < sector.ceiling.z;
     if (!is_open || (thing.z < sector.ceiling.z && thing.z + thing.height > sector.floor.z)) return;
-    draft.warning(place, "thing-hidden",
+    draft.warning(record, "z", "thing-hidden",
                   "expected the thing between the floor at " + number_text(sector.floor.z) + " m and the ceiling at " +
                       number_text(sector.ceiling.z) + " m of sector " + quoted(sector.name) + ", found it from " +
                       number_text(thing.z) + " m to " + number_text(thing.z + thing.height) + " m; nobody will see it");
+}
+
+/// How far the lowest edge of a frame's pictures lies below the thing's foot [m], and whether that is more than a
+/// quarter of the picture.
+std::optional<double> sunk_depth(const SpriteFrame& frame, const TextureSet& textures, double texels_per_m) {
+    constexpr double kMostSunkPart = 0.25;
+    std::optional<double> deepest;
+    for (std::size_t view = 0; view < frame.views.size(); ++view) {
+        const double height = textures[frame.views[view]].height / texels_per_m;
+        const double depth = height - frame.origins_m[view].y;
+        if (frame.views[view] && depth > height * kMostSunkPart) deepest = std::max(depth, deepest.value_or(depth));
+    }
+    return deepest;
+}
+
+/// A picture that hangs into the floor, because its origin is not at its foot. Doom's corpses and pools lie a few
+/// texels deep: up to 0.25 m, and then less than a quarter of them.
+void check_footing(Draft& draft, const Thing& thing, const ThingRecord& record) {
+    constexpr double kMostSunk = 0.25;  // [m]
+    const Sector& sector = draft.map[thing.sector];
+    if (!thing.sprite || thing.footing == Footing::ceiling || sector.floor.z >= sector.ceiling.z) return;
+    const Sprite& sprite = draft.map[thing.sprite];
+    for (std::size_t i = 0; i < sprite.frames.size(); ++i) {
+        const auto depth = sunk_depth(sprite.frames[i], draft.textures, sprite.texels_per_m);
+        const double below = depth.value_or(0) - (thing.z - sector.floor.z);
+        if (depth && below > kMostSunk)
+            return draft.warning(record.frames[i], "origin", "thing-sunk",
+                                 "expected an origin at the foot of the picture " + quoted(record.frames[i].texture) +
+                                     ", found one that lets it hang " + number_text(below) +
+                                     " m into the floor; leave origin out, and the picture stands on its bottom");
+    }
 }
 
 }  // namespace
@@ -62,7 +102,8 @@ SpriteId SpriteShelf::sprite_of(const ThingRecord& thing) {
     if (thing.frames.empty()) return {};
     std::vector<FrameKey> frames;
     for (const SpriteFrameRecord& frame : thing.frames)
-        frames.emplace_back(frame.texture, frame.seconds, frame.origin_tx.x, frame.origin_tx.y);
+        frames.emplace_back(frame.texture, frame.seconds,
+                            frame.origin_tx ? OriginKey({frame.origin_tx->x, frame.origin_tx->y}) : OriginKey());
     std::vector<Sprite>& sprites = draft_.map.sprites;
     const auto [it, is_new] = known_.try_emplace({thing.rotations, thing.size, std::move(frames)}, sprites.size());
     if (is_new) sprites.push_back(sprite_from(thing, draft_.textures));
@@ -87,7 +128,8 @@ void add_thing(Draft& draft, const ThingRecord& record, SectorId sector, SpriteS
     thing.sprite = sprites.sprite_of(record);
     thing.gives_health = record.gives_health;
     check_frames(draft, record);
-    if (thing.footing == Footing::fixed) check_height(draft, thing, record.place);
+    if (thing.footing == Footing::fixed) check_height(draft, thing, record);
+    check_footing(draft, thing, record);
     draft.map.things.push_back(std::move(thing));
     draft.things.push_back(&record);
 }

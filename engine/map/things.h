@@ -1,8 +1,10 @@
 // Things and what they look like: from records to values. Private to map/.
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "map/draft.h"
@@ -18,8 +20,9 @@ public:
     SpriteId sprite_of(const ThingRecord& thing);
 
 private:
-    using FrameKey = std::tuple<std::string, double, double, double>;  ///< picture, seconds, origin
-    using Key = std::tuple<int, double, std::vector<FrameKey>>;        ///< rotations, size, frames
+    using OriginKey = std::optional<std::pair<double, double>>;
+    using FrameKey = std::tuple<std::string, double, OriginKey>;  ///< picture, seconds, origin
+    using Key = std::tuple<int, double, std::vector<FrameKey>>;   ///< rotations, size, frames
 
     Draft& draft_;
     std::map<Key, SpriteId> known_;

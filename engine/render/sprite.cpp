@@ -30,11 +30,12 @@ SpritePicture picture_of(const Map& map, const TextureSet& textures, const Snaps
     const bool is_round = frame.views[0] == frame.views[1];
     SpritePicture picture;
     if (std::binary_search(snapshot.taken.begin(), snapshot.taken.end(), presence.thing)) return picture;
-    picture.texture = frame.views[is_round ? 0 : view_from(eye, presence, thing.yaw)];
+    const std::size_t view = is_round ? 0 : view_from(eye, presence, thing.yaw);
+    picture.texture = frame.views[view];
     if (!picture.texture) return picture;
     const Texture& texture = textures[picture.texture];
     picture.size_m = Vec2{double(texture.width), double(texture.height)} * (1 / sprite.texels_per_m);
-    picture.origin_m = frame.origin_m;
+    picture.origin_m = frame.origins_m[view];
     picture.foot_z = presence.passage.apply_height(now.z);
     picture.light = now.light;
     return picture;

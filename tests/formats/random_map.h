@@ -191,7 +191,7 @@ private:
         flat.parallax = flip();
         if (flip()) flat.scroll = {number(-9, 9), number(-9, 9)};
         flat.carries = flip();
-        for (int i = whole(0, 2); i > 0; --i) flat.layers.push_back({spec(), number(-9, 9), {}});
+        for (int i = whole(0, 2); i > 0; --i) flat.layers.push_back({spec(), number(-9, 9), {}, {}});
         return flat;
     }
 
@@ -203,8 +203,18 @@ private:
         if (flip()) sector.ceiling = flat();
         for (int i = whole(1, 3); i > 0; --i) sector.loops.push_back(loop());
         for (int i = whole(0, 2); i > 0; --i)
-            sector.panels.push_back(
-                {point(), point(), number(-9, 9), number(-9, 9), spec(), {}, flip(), flip(), triggers(), doom(), {}});
+            sector.panels.push_back({point(),
+                                     point(),
+                                     number(-9, 9),
+                                     number(-9, 9),
+                                     spec(),
+                                     {},
+                                     flip(),
+                                     flip(),
+                                     triggers(),
+                                     doom(),
+                                     {},
+                                     {}});
         if (flip()) sector.tags = {text(), text()};
         sector.group = maybe_text();
         sector.triggers = triggers();
@@ -233,7 +243,7 @@ private:
         thing.hanging = flip();
         thing.rotations = flip() ? 8 : 1;
         for (int i = whole(0, 3); i > 0; --i)
-            thing.frames.push_back({file_name(), number(0, 3), {number(-64, 64), number(-64, 64)}});
+            thing.frames.push_back({file_name(), number(0, 3), Vec2{number(-64, 64), number(-64, 64)}, {}, {}});
         thing.size = number(1, 64);
         thing.light = maybe(0, 1);
         thing.triggers = triggers();
@@ -277,13 +287,14 @@ inline MapFile without_places(MapFile map) {
             loop.vertex_places.clear();
             for (WallRecord& wall : loop.walls) {
                 forget_triggers(wall.triggers);
-                wall.place = wall.next_place = wall.via_place = {};
+                wall.place = {};
                 for (auto* spec : {&wall.texture, &wall.upper, &wall.lower, &wall.middle}) forget(*spec);
             }
         }
     }
     for (ThingRecord& thing : map.things) {
         thing.place = {};
+        for (SpriteFrameRecord& frame : thing.frames) frame.place = {};
         forget_triggers(thing.triggers);
     }
     for (PointLightRecord& light : map.lights) {

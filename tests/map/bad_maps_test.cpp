@@ -1,5 +1,6 @@
 // Every finding has a map in tests/data/bad_maps that shows it. The first line of each says which finding is expected
-// and where: "# expect: edges-cross at line 17". Line 0 is the file as a whole.
+// and where: "# expect: edges-cross at 17:5", the line and column of the key's value that is wrong, or of the record
+// that lacks a key. 0:0 is the file as a whole.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -37,8 +38,10 @@ Result<Bytes> read_map_or_picture(const std::string& path) {
     return write_png({1, 1, {0xFF808080u}});
 }
 
-/// "edges-cross at line 17"
-std::string in_short(const Finding& finding) { return finding.code + " at line " + std::to_string(finding.place.line); }
+/// "edges-cross at 17:5"
+std::string in_short(const Finding& finding) {
+    return finding.code + " at " + std::to_string(finding.place.line) + ":" + std::to_string(finding.place.column);
+}
 
 std::string expectation_of(const std::string& path) {
     const std::string text = text_in(path), start = "# expect: ";
@@ -83,8 +86,9 @@ const std::set<std::string> kShownElsewhere{"too-large",         "too-many-findi
                                             "too-many-warnings", "too-many-panels",   "too-many-lights",
                                             "too-many-targets",  "too-many-keys",     "too-many-pictures"};
 
-/// Files in engine/formats that read something else than maps, by the start of their names.
-constexpr std::string_view kOtherReaders[] = {"script", "tape", "views", "frame_hashes"};
+/// Files in engine/formats that read something else than maps, or have words that only look like codes, by the start of
+/// their names.
+constexpr std::string_view kOtherReaders[] = {"script", "tape", "views", "frame_hashes", "toml_words"};
 
 bool is_about_maps(const std::string& path) {
     const std::string name = std::filesystem::path(path).filename().string();

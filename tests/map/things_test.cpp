@@ -112,7 +112,7 @@ TEST(Sprite, HasAPictureForEachEighthOfATurn) {
 
 TEST(Sprite, ReachesAsFarAsItsWiderHalf) {
     ThingRecord flag = thing_at({1, 1});
-    flag.frames = {{"flag", 0, {48, 0}}};  // the picture is 64 texels wide, 2 m
+    flag.frames = {{"flag", 0, Vec2{48, 0}}};  // the picture is 64 texels wide, 2 m
     EXPECT_EQ(built(rooms_with({flag})).sprites[0].reach_m, 1.5);
 }
 
