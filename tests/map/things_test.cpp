@@ -116,6 +116,22 @@ TEST(Sprite, ReachesAsFarAsItsWiderHalf) {
     EXPECT_EQ(built(rooms_with({flag})).sprites[0].reach_m, 1.5);
 }
 
+TEST(Sprite, WithoutAnOriginStandsOnTheBottomMiddleOfEachPicture) {
+    ThingRecord statue = thing_at({1, 1});
+    statue.rotations = 8;
+    statue.frames = {frame("statue")};
+    const MapFile file = rooms_with({statue});
+    TextureSet textures = textures_for(file);
+    Texture& from_behind = textures.textures[textures.find("statue5").index];
+    from_behind.width = 32;
+    from_behind.height = 96;
+    Findings findings;
+    const SpriteFrame shown = build_map(file, textures, findings)->sprites[0].frames[0];
+    EXPECT_EQ(shown.origins_m[0], (Vec2{1, 2}));  // 64 texels each way, 32 a metre
+    EXPECT_EQ(shown.origins_m[4], (Vec2{0.5, 3}));
+    EXPECT_EQ(text_of(findings).find("thing-sunk"), std::string::npos);
+}
+
 TEST(Sprite, WithADashShowsNothing) {
     ThingRecord ghost = thing_at({1, 1});
     ghost.rotations = 8;
