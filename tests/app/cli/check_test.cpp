@@ -151,8 +151,8 @@ TEST(Check, PointsAtFilesThatAreMissingBesideTheMap) {
                       "y = 3\ntriggers = [{ on = \"touch\", do = \"exit\", target = \"cellar\" }]\n");
     const Ended ended = program.run({"check", "map.toml"});
     EXPECT_EQ(ended.exit_code, 0);
-    EXPECT_THAT(ended.out, HasSubstr("map.toml:28:1: warning: sound 'hum' is silent"));
-    EXPECT_THAT(ended.out, HasSubstr("map.toml:38:13: warning: expected a map in cellar.toml"));
+    EXPECT_THAT(ended.out, HasSubstr("map.toml:30:8: warning: sound 'hum' is silent"));
+    EXPECT_THAT(ended.out, HasSubstr("map.toml:38:51: warning: expected a map in cellar.toml"));
     EXPECT_THAT(ended.out, HasSubstr("4 warnings"));
 }
 
