@@ -43,14 +43,14 @@ void check_uses(Draft& draft, const SectorRecord& first, const SectorRecord& oth
     if (can_be_used(first) == can_be_used(other)) return;
     const SectorRecord& with = can_be_used(first) ? first : other;
     const SectorRecord& without = can_be_used(first) ? other : first;
-    draft.warning(without.place, "group-use",
+    draft.warning(without, "group", "group-use",
                   "sector " + quoted(with.name) + " of the group " + quoted(with.group) +
                       " has a trigger on \"use\", sector " + quoted(without.name) +
                       " has none; give it the same one, or nothing happens to who uses it from that side");
 }
 
 void check_lonely(Draft& draft, const SectorRecord& sector) {
-    draft.warning(sector.place, "group-of-one",
+    draft.warning(sector, "group", "group-of-one",
                   "expected two sectors or more in the group " + quoted(sector.group) + ", found only " +
                       quoted(sector.name) + "; give another one the same group, or take it out");
 }

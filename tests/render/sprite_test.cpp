@@ -75,7 +75,7 @@ TEST(PictureOfAThing, IsAsLargeAsItsTexelsSay) {
     ThingRecord barrel;
     barrel.position = {1, 1};
     barrel.size = 16;
-    barrel.frames = {{"barrel", 0, {32, 60}}};
+    barrel.frames = {{"barrel", 0, Vec2{32, 60}}};
     file.things = {barrel};
     const Map map = built(file);
     const Snapshot snapshot = at_rest(map);

@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 ThingRecord tree_at(Vec2 position) {
     ThingRecord thing;
     thing.position = position;
-    thing.frames = {{"tree", 0, {32, 64}}};
+    thing.frames = {{"tree", 0, Vec2{32, 64}}};
     return thing;
 }
 

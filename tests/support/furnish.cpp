@@ -50,7 +50,7 @@ void scatter_things(MapFile& file, int count, std::uint64_t seed) {
         ThingRecord thing;
         thing.position = p;
         thing.sector = sector.name;
-        thing.frames = {{"lattice", 0, {31.3, 60}}};
+        thing.frames = {{"lattice", 0, Vec2{31.3, 60}}};
         thing.size = 40;
         file.things.push_back(thing);
         --count;

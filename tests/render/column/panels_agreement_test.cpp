@@ -151,7 +151,7 @@ MapFile room_with(PanelRecord record, Vec2 thing_place) {
     file.sectors[0].panels = {record};
     ThingRecord thing;
     thing.position = thing_place;
-    thing.frames = {{"figure", 0, {32, 64}}};
+    thing.frames = {{"figure", 0, Vec2{32, 64}}};
     file.things = {thing};
     return file;
 }

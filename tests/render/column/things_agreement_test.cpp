@@ -35,7 +35,7 @@ ThingRecord thing_at(Vec2 position, double yaw = 0, double size = 32) {
     thing.yaw_degrees = yaw;
     thing.rotations = 8;
     thing.size = size;
-    thing.frames = {{"ring", 0, {32, 60}}};  // four texels of it are below the floor it stands on
+    thing.frames = {{"ring", 0, Vec2{32, 60}}};  // four texels of it are below the floor it stands on
     return thing;
 }
 
@@ -117,7 +117,7 @@ TEST(ThingColumns, AgreeWithTheReferenceWhereAllThingsStandInDoorways) {
 TEST(ThingColumns, EndWithTheLastRowOfTheirPicture) {
     MapFile file = map_of({box_room("hall", 0, 0, 20, 4, 0, 3)});
     file.things.push_back(thing_at({9, 2}));
-    file.things[0].frames = {{"ring", 0, {32, 64}}};
+    file.things[0].frames = {{"ring", 0, Vec2{32, 64}}};
     World world(file);
     for (Texture& texture : world.textures.textures)
         for (std::size_t i = 0; i < texture.pixels.size(); ++i)

@@ -12,7 +12,7 @@ ThingRecord thing_at(Vec2 position) {
     ThingRecord thing;
     thing.position = position;
     thing.light = 1;
-    thing.frames = {{"tree", 0, {32, 64}}};
+    thing.frames = {{"tree", 0, Vec2{32, 64}}};
     return thing;
 }
 

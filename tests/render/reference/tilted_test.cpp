@@ -15,7 +15,7 @@ MapFile rooms() {
     ThingRecord thing;
     thing.position = {6, 4};
     thing.sector = "hall";
-    thing.frames = {{"figure", 0, {32, 64}}};
+    thing.frames = {{"figure", 0, Vec2{32, 64}}};
     file.things = {thing};
     return file;
 }

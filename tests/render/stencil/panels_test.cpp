@@ -120,7 +120,7 @@ TEST(StencilPanel, IsBeforeAThingInOneColumnAndBehindItInAnother) {
     file.sectors[0].panels = {slanting};
     ThingRecord thing;
     thing.position = {4, 4};
-    thing.frames = {{"figure", 0, {32, 64}}};
+    thing.frames = {{"figure", 0, Vec2{32, 64}}};
     file.things = {thing};
     const Furnished world(file);
     Sight sight(world.map, world.textures);

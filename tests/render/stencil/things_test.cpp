@@ -43,7 +43,7 @@ void scatter(MapFile& file, int count) {
         thing.position = p;
         thing.yaw_degrees = random.uniform(0, 360);
         thing.size = random.below(3) == 0 ? 100 : 40;
-        thing.frames = {{"ring", 0, {32, 60}}};
+        thing.frames = {{"ring", 0, Vec2{32, 60}}};
         if (random.below(4) == 0) thing.z = random.uniform(sector.floor.z - 1, sector.ceiling.z);
         file.things.push_back(thing);
         --count;
