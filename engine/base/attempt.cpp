@@ -1,5 +1,6 @@
 #include "base/attempt.h"
 
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -38,10 +39,12 @@ Error what_was_thrown() {
     }
 }
 
-/// "NAME: what" on stderr, without taking memory.
+iovec piece(const char* text) { return {const_cast<char*>(text), std::strlen(text)}; }
+
+/// "NAME: what" on stderr, without taking memory, and in one piece, whoever else writes there.
 void say_last_words(const char* name, const char* what) {
-    for (const char* words : {name, ": ", what, "\n"})
-        if (::write(STDERR_FILENO, words, std::strlen(words)) < 0) return;
+    const iovec pieces[] = {piece(name), piece(": "), piece(what), piece("\n")};
+    if (writev(STDERR_FILENO, pieces, 4) < 0) return;  // nobody is left to be told
 }
 
 const char* program_name = "";  // a terminate handler gets no arguments

@@ -84,9 +84,10 @@ std::pair<int, std::string> run_as_program(const std::function<int()>& work) {
         _exit(run_program("prog", work));
     }
     ::close(pipe_ends[1]);
-    std::string said(1000, '\0');
-    const ssize_t length = ::read(pipe_ends[0], said.data(), said.size());
-    said.resize(length > 0 ? std::size_t(length) : 0);
+    std::string said;
+    char part[100];
+    for (ssize_t length; (length = ::read(pipe_ends[0], part, sizeof part)) > 0;)
+        said.append(part, std::size_t(length));
     ::close(pipe_ends[0]);
     int status = 0;
     ::waitpid(child, &status, 0);
