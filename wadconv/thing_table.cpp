@@ -137,8 +137,8 @@ constexpr std::array kTypes = {
 static_assert(std::ranges::is_sorted(kTypes, {}, &ThingType::number));
 
 /// Monsters, the boss's brain and barrels.
-constexpr std::array kTargets = {7,  9,  16, 58, 64, 65,   66,   67,   68,   69,   71,  72,
-                                 84, 88, 2035, 3001, 3002, 3003, 3004, 3005, 3006};
+constexpr std::array kTargets = {7,  9,  16, 58,   64,   65,   66,   67,   68,   69,  71,
+                                 72, 84, 88, 2035, 3001, 3002, 3003, 3004, 3005, 3006};
 
 static_assert(std::ranges::is_sorted(kTargets));
 
