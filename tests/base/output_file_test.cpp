@@ -260,6 +260,7 @@ TEST(OutputFile, GoesWithASignalThatEndsTheProgram) {
         ASSERT_FALSE(write_file(folder.path("f"), "old"));
         const pid_t child = fork();
         if (child == 0) {
+            std::signal(signal, SIG_DFL);  // a shell lets what it starts in the background ignore SIGINT
             remove_temporary_files_on({SIGHUP, SIGINT, SIGTERM});
             auto file = OutputFile::open(folder.path("f"));
             (void)write_text(file.value(), "half");
