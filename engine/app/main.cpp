@@ -1,6 +1,7 @@
 // Where the program starts.
 #if defined(__GLIBC__) || __has_include(<malloc.h>)
 #include <malloc.h>
+#include <sys/resource.h>
 #endif
 
 #include "app/command_line.h"
@@ -10,9 +11,11 @@ namespace {
 
 /// Reading a large map takes and gives back some ten MiB in small pieces. By default every few KiB of it are a system
 /// call; this many bytes at once, kept until the end, make a map load in three quarters of the time. Memory that is
-/// not touched is not taken.
+/// not touched is not taken; but it counts where addresses are limited (ulimit -v), and there small pieces do.
 void take_memory_in_large_pieces() {
 #if defined(__GLIBC__)
+    rlimit addresses;
+    if (getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur != RLIM_INFINITY) return;
     constexpr int kMiB = 1 << 20;
     mallopt(M_TOP_PAD, 64 * kMiB);
     mallopt(M_TRIM_THRESHOLD, 1024 * kMiB);
