@@ -7,18 +7,19 @@
 namespace enfilade::test {
 
 SectorId sector_named(const Map& map, const std::string& name) {
-    for (std::size_t i = 0; i < map.sectors.size(); ++i)
-        if (map.sectors[i].name == name) return SectorId(i);
-    ENFILADE_CHECK(!"the map has a sector of that name");
-    return {};
+    std::size_t i = 0;
+    while (i < map.sectors.size() && map.sectors[i].name != name) ++i;
+    ENFILADE_CHECK(i < map.sectors.size());
+    return SectorId(i);
 }
 
 WallId wall_between(const Map& map, SectorId sector, Vec2 a, Vec2 b) {
     const Sector& s = map[sector];
-    for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i)
-        if (map.walls[i].a == a && map.walls[i].b == b) return WallId(i);
-    ENFILADE_CHECK(!"the sector has such a wall");
-    return {};
+    const std::uint32_t end = s.first_wall + s.wall_count;
+    std::uint32_t i = s.first_wall;
+    while (i < end && !(map.walls[i].a == a && map.walls[i].b == b)) ++i;
+    ENFILADE_CHECK(i < end);
+    return WallId(i);
 }
 
 View look_from(const Map& map, Vec2 eye, double eye_z, double yaw_degrees) {
