@@ -62,19 +62,21 @@ double height_of(const Instant& now, SectorId sector, Level level, double here) 
     return found_around(now, sector, level).value_or(here);
 }
 
-const LightEffectRecord* effect_of(const Instant& now, SectorId sector) {
+const LightEffectRecord* effect_of(const Instant& now, SectorId sector, const Change* light) {
     const std::optional<LightEffectRecord>& own = now.map[sector].light_effect;
     if (own && own->lasts) return &*own;
-    const Change* change = change_of(now, sector, Channel::light);
-    const std::optional<LightEffectRecord>& effect = change ? now.map[change->cause].effect : own;
+    const std::optional<LightEffectRecord>& effect = light ? now.map[light->cause].effect : own;
     return effect ? &*effect : nullptr;
 }
 
 double plain_light_of(const Instant& now, SectorId sector) {
+    return plain_light_of(now, sector, change_of(now, sector, Channel::light));
+}
+
+double plain_light_of(const Instant& now, SectorId sector, const Change* light) {
     const std::optional<LightEffectRecord>& own = now.map[sector].light_effect;
     if (own && own->lasts) return now.map[sector].light;
-    const Change* change = change_of(now, sector, Channel::light);
-    return change ? value_at(change->course, now.tick) : now.map[sector].light;
+    return light ? value_at(light->course, now.tick) : now.map[sector].light;
 }
 
 double light_of(const Instant& now, SectorId sector, LightLevel level) {

@@ -13,9 +13,13 @@ double height_of(const Instant& now, SectorId sector, Level level, double here);
 double light_of(const Instant& now, SectorId sector, LightLevel level);
 
 /// The effect that a sector's light has now, of the map, or null: it is steady.
-const LightEffectRecord* effect_of(const Instant& now, SectorId sector);
+/// light: the change that it now follows, or null.
+const LightEffectRecord* effect_of(const Instant& now, SectorId sector, const Change* light);
 
 /// The light of a sector without its effect, 0..1.
 double plain_light_of(const Instant& now, SectorId sector);
+
+/// The same where the change that the light now follows has been found; null: there is none.
+double plain_light_of(const Instant& now, SectorId sector, const Change* light);
 
 }  // namespace enfilade

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <limits>
 
 #include "base/hash.h"
 
@@ -12,6 +13,8 @@ template <class Sorted, class Value, class Less>
 auto place_in(Sorted& sorted, const Value& value, Less less) {
     return std::lower_bound(sorted.begin(), sorted.end(), value, less);
 }
+
+bool is_before(const ChangedSector& changed, SectorId sector) { return changed.sector < sector; }
 
 std::uint64_t mixed(std::uint64_t digest, std::initializer_list<std::uint64_t> words) {
     Hash hash;
@@ -42,32 +45,34 @@ std::uint64_t mixed(std::uint64_t digest, const Change& change) {
 
 }  // namespace
 
+const ChangedSector* History::changed(SectorId sector) const {
+    const auto it = place_in(changed_sectors_, sector, is_before);
+    return it == changed_sectors_.end() || it->sector != sector ? nullptr : &*it;
+}
+
 const Change* History::newest_of(SectorId sector, Channel channel) const {
-    const std::uint64_t key = key_of(sector, channel);
-    const auto it = place_in(newest_, key, [](const Newest& n, std::uint64_t k) { return n.key < k; });
-    return it == newest_.end() || it->key != key ? nullptr : &changes_[it->index];
+    return change_of(sector, channel, std::numeric_limits<double>::infinity());
 }
 
 const Change* History::change_of(SectorId sector, Channel channel, double tick) const {
-    const Change* change = newest_of(sector, channel);
-    while (change && static_cast<double>(change->course.start) > tick)
-        change = change->before == Change::kNone ? nullptr : &changes_[change->before];
-    return change;
+    const ChangedSector* found = changed(sector);
+    return found ? change_of(*found, channel, tick) : nullptr;
+}
+
+const Change* History::change_of(const ChangedSector& sector, Channel channel, double tick) const {
+    std::uint32_t index = sector.newest[static_cast<std::size_t>(channel)];
+    while (index != Change::kNone && static_cast<double>(changes_[index].course.start) > tick)
+        index = changes_[index].before;
+    return index == Change::kNone ? nullptr : &changes_[index];
 }
 
 void History::add(Change change) {
-    const std::uint64_t key = key_of(change.sector, change.channel);
-    const auto index = static_cast<std::uint32_t>(changes_.size());
-    const auto it = place_in(newest_, key, [](const Newest& n, std::uint64_t k) { return n.key < k; });
-    if (it != newest_.end() && it->key == key) {
-        change.before = it->index;
-        it->index = index;
-    } else {
-        newest_.insert(it, {key, index});
-        const auto sector = place_in(changed_sectors_, change.sector, std::less<>());
-        if (sector == changed_sectors_.end() || *sector != change.sector)
-            changed_sectors_.insert(sector, change.sector);
-    }
+    auto it = place_in(changed_sectors_, change.sector, is_before);
+    if (it == changed_sectors_.end() || it->sector != change.sector)
+        it = changed_sectors_.insert(it, {change.sector, {Change::kNone, Change::kNone, Change::kNone}});
+    std::uint32_t& newest = it->newest[static_cast<std::size_t>(change.channel)];
+    change.before = newest;
+    newest = static_cast<std::uint32_t>(changes_.size());
     changes_digest_ = mixed(changes_digest_, change);
     changes_.push_back(change);
 }

@@ -1,6 +1,7 @@
 // What has happened in a world: a list of changes in the order they came. Everything that moves or changes its light is
 // a function of this list and the time, and of nothing else.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -12,6 +13,7 @@ namespace enfilade {
 
 /// What of a sector a course is about.
 enum class Channel : std::uint8_t { floor, ceiling, light };
+inline constexpr std::size_t kChannels = 3;
 
 /// From the start of its course on, a value of a sector follows it instead of the one before.
 struct Change {
@@ -21,6 +23,12 @@ struct Change {
     TriggerId cause;
     std::uint32_t before = kNone;  ///< index of the change of the same value that this one ends, or kNone
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+};
+
+/// A sector of which something ever changed, and the newest change of each of its values.
+struct ChangedSector {
+    SectorId sector;                              ///< that leads its group
+    std::array<std::uint32_t, kChannels> newest;  ///< by channel: index into History::changes, or Change::kNone
 };
 
 /// A trigger that went off.
@@ -41,12 +49,18 @@ struct Taking {
 class History {
 public:
     /// The newest change of a value that has begun by `tick`, or null: it is as in the map. A change that begins later
-    /// counts only then, and not at all if a newer one came before. Cost: log of the values that ever changed, and the
-    /// newer changes of this one.
+    /// counts only then, and not at all if a newer one came before. Cost: log of the sectors that ever changed, and the
+    /// newer changes of this value.
     const Change* change_of(SectorId sector, Channel channel, double tick) const;
 
     /// The newest change, whether it has begun or not, or null.
     const Change* newest_of(SectorId sector, Channel channel) const;
+
+    /// The sector's record, or null: nothing of it ever changed. Cost: log of the sectors that ever changed.
+    const ChangedSector* changed(SectorId sector) const;
+
+    /// change_of, of a record that was found before. Cost: the newer changes of this value.
+    const Change* change_of(const ChangedSector& sector, Channel channel, double tick) const;
 
     /// Sets the change's `before`.
     void add(Change change);
@@ -61,7 +75,7 @@ public:
     bool is_taken(ThingId thing, double tick) const;
 
     /// Sectors of which something ever changed, of a group its leader, in the order of their numbers, each once.
-    const std::vector<SectorId>& changed_sectors() const { return changed_sectors_; }
+    const std::vector<ChangedSector>& changed_sectors() const { return changed_sectors_; }
     const std::vector<Change>& changes() const { return changes_; }
     const std::vector<Firing>& firings() const { return firings_; }
     const std::vector<Taking>& takings() const { return takings_; }
@@ -79,18 +93,8 @@ public:
     History beginning(const Length& length) const;
 
 private:
-    /// A value of a sector as one number to sort by.
-    static std::uint64_t key_of(SectorId sector, Channel channel) {
-        return std::uint64_t{sector.index} << 2 | static_cast<std::uint64_t>(channel);
-    }
-    struct Newest {
-        std::uint64_t key;
-        std::uint32_t index;  ///< into changes_
-    };
-
     std::vector<Change> changes_;
-    std::vector<Newest> newest_;  ///< by key
-    std::vector<SectorId> changed_sectors_;
+    std::vector<ChangedSector> changed_sectors_;
     std::vector<Firing> firings_;            ///< in the order they came
     std::vector<std::uint32_t> by_trigger_;  ///< the first of each trigger, by trigger
     std::vector<std::uint32_t> by_wall_;     ///< those with a wall, by wall, then by time

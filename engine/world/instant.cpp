@@ -5,15 +5,14 @@
 namespace enfilade {
 namespace {
 
-double value_of(const Instant& now, SectorId sector, Channel channel, double at_rest) {
-    const Change* change = change_of(now, sector, channel);
+double value_of(const Instant& now, const Change* change, double at_rest) {
     return change ? value_at(change->course, now.tick) : at_rest;
 }
 
-/// The newest change that gave the floor what `gives` looks for: a rising floor has it at once, another on arrival.
+/// What gave a floor what `gives` looks for, the change it follows or one before: a rising floor has it at once,
+/// another on arrival.
 template <class Gives>
-const Trigger* giver_of(const Instant& now, SectorId sector, Gives gives) {
-    const Change* change = change_of(now, sector, Channel::floor);
+const Trigger* giver_of(const Instant& now, const Change* change, Gives gives) {
     while (change) {
         const Course& course = change->course;
         const bool rises = course.count > 0 && course.stops[0].value > course.from;
@@ -30,12 +29,23 @@ const Change* change_of(const Instant& now, SectorId sector, Channel channel) {
     return now.history ? now.history->change_of(now.map[sector].leader, channel, now.tick) : nullptr;
 }
 
+ChangesNow changes_of(const Instant& now, const ChangedSector& sector) {
+    const auto of = [&](Channel channel) { return now.history->change_of(sector, channel, now.tick); };
+    return {of(Channel::floor), of(Channel::ceiling), of(Channel::light)};
+}
+
 Heights heights_of(const Instant& now, SectorId id) {
     const Sector& sector = now.map[id];
-    if (!now.history) return {sector.floor.z, sector.ceiling.z};
-    const double floor_z = value_of(now, id, Channel::floor, sector.floor.z);
+    const ChangedSector* changed = now.history ? now.history->changed(sector.leader) : nullptr;
+    if (!changed) return {sector.floor.z, sector.ceiling.z};
+    return heights_of(now, id, changes_of(now, *changed));
+}
+
+Heights heights_of(const Instant& now, SectorId id, const ChangesNow& changes) {
+    const Sector& sector = now.map[id];
+    const double floor_z = value_of(now, changes.floor, sector.floor.z);
     // Both may be on their way towards each other: where they meet, the floor carries the ceiling.
-    return {floor_z, std::max(floor_z, value_of(now, id, Channel::ceiling, sector.ceiling.z))};
+    return {floor_z, std::max(floor_z, value_of(now, changes.ceiling, sector.ceiling.z))};
 }
 
 bool is_open(const Instant& now, const Wall& portal) {
@@ -52,11 +62,12 @@ double foot_of(const Instant& now, ThingId id) {
 }
 
 int damage_of(const Instant& now, SectorId sector) {
-    return giver_of(now, sector, [](const Trigger& t) { return t.heals; }) ? 0 : now.map[sector].damage;
+    const Change* floor = change_of(now, sector, Channel::floor);
+    return giver_of(now, floor, [](const Trigger& t) { return t.heals; }) ? 0 : now.map[sector].damage;
 }
 
-TextureId changed_floor_picture(const Instant& now, SectorId sector) {
-    const Trigger* giver = giver_of(now, sector, [](const Trigger& t) { return bool(t.texture); });
+TextureId changed_floor_picture(const Instant& now, const Change* floor) {
+    const Trigger* giver = giver_of(now, floor, [](const Trigger& t) { return bool(t.texture); });
     return giver ? giver->texture : TextureId();
 }
 

@@ -26,8 +26,21 @@ struct Heights {
 /// Cost: History::change_of.
 const Change* change_of(const Instant& now, SectorId sector, Channel channel);
 
-/// Cost: that of two courses, and of finding them (History::change_of).
+/// The changes that the values of a sector now follow; null: as in the map.
+struct ChangesNow {
+    const Change* floor = nullptr;
+    const Change* ceiling = nullptr;
+    const Change* light = nullptr;
+};
+
+/// Of a record of the history of `now`. Cost: the newer changes of the sector.
+ChangesNow changes_of(const Instant& now, const ChangedSector& sector);
+
+/// Cost: that of two courses, and of finding them (History::changed).
 Heights heights_of(const Instant& now, SectorId sector);
+
+/// The same of a sector whose changes have been found.
+Heights heights_of(const Instant& now, SectorId sector, const ChangesNow& changes);
 
 /// Whether a portal is open by any gap: a hand can reach through, and sound passes.
 bool is_open(const Instant& now, const Wall& portal);
@@ -38,7 +51,8 @@ double foot_of(const Instant& now, ThingId thing);
 /// What a second on the sector's floor costs [points].
 int damage_of(const Instant& now, SectorId sector);
 
-/// The picture that a change gave the sector's floor; none: that of the map.
-TextureId changed_floor_picture(const Instant& now, SectorId sector);
+/// The picture that the change which a floor now follows, or one before it, gave it; none: that of the map.
+/// floor: may be null.
+TextureId changed_floor_picture(const Instant& now, const Change* floor);
 
 }  // namespace enfilade

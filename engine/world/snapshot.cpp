@@ -20,19 +20,29 @@ double foot_of(const Thing& thing, const SectorSnapshot& home) {
     return thing.z;
 }
 
-SectorSnapshot sector_now(const Instant& now, SectorId id) {
-    const Sector& sector = now.map[id];
-    const Heights heights = heights_of(now, id);
-    return {
-        heights.floor_z, heights.ceiling_z, plain_light_of(now, id), effect_of(now, id), changed_floor_picture(now, id),
-        sector.leader};
+SectorSnapshot sector_now(const Instant& now, SectorId id, const ChangesNow& changes) {
+    const Heights heights = heights_of(now, id, changes);
+    return {heights.floor_z,
+            heights.ceiling_z,
+            plain_light_of(now, id, changes.light),
+            effect_of(now, id, changes.light),
+            changed_floor_picture(now, changes.floor),
+            now.map[id].leader};
 }
 
-/// Those the history speaks of, and their groups.
-void find_changed(const Instant& now, std::vector<SectorId>& sectors) {
-    sectors.clear();
-    for (const SectorId leader : now.history->changed_sectors())
-        each_of_group(now.map, leader, [&](SectorId member) { sectors.push_back(member); });
+SectorSnapshot sector_at_rest(const Map& map, SectorId id) { return sector_now(map, id, {}); }
+
+/// Of those the history speaks of, and of their groups.
+void show_changed(const Instant& now, Snapshot& snapshot) {
+    for (const SectorId id : snapshot.changed) snapshot.sectors[id.index] = sector_at_rest(now.map, id);
+    snapshot.changed.clear();
+    for (const ChangedSector& changed : now.history->changed_sectors()) {
+        const ChangesNow changes = changes_of(now, changed);
+        each_of_group(now.map, changed.sector, [&](SectorId member) {
+            snapshot.sectors[member.index] = sector_now(now, member, changes);
+            snapshot.changed.push_back(member);
+        });
+    }
 }
 
 /// A trigger that works once turns its switch for ever, others for a moment.
@@ -54,7 +64,7 @@ void find_pressed(const Instant& now, std::vector<WallId>& walls) {
 Snapshot at_rest(const Map& map) {
     Snapshot snapshot;
     snapshot.sectors.reserve(map.sectors.size());
-    for (std::size_t i = 0; i < map.sectors.size(); ++i) snapshot.sectors.push_back(sector_now(map, SectorId(i)));
+    for (std::size_t i = 0; i < map.sectors.size(); ++i) snapshot.sectors.push_back(sector_at_rest(map, SectorId(i)));
     snapshot.things = presences_of(map);
     return snapshot;
 }
@@ -62,9 +72,7 @@ Snapshot at_rest(const Map& map) {
 void show(const Instant& now, Snapshot& snapshot) {
     snapshot.time_s = now.tick * kTickSeconds;
     if (!now.history) return;
-    for (const SectorId id : snapshot.changed) snapshot.sectors[id.index] = sector_now(now, id);
-    find_changed(now, snapshot.changed);
-    for (const SectorId id : snapshot.changed) snapshot.sectors[id.index] = sector_now(now, id);
+    show_changed(now, snapshot);
     find_pressed(now, snapshot.pressed);
     snapshot.taken.clear();
     for (const Taking& taking : now.history->takings())

@@ -90,8 +90,9 @@ void step_or_fall(Player& player, double floor_z) {
     if (player.on_ground) player.fall_speed = 0;
 }
 
-/// One tick of walking, and what it sets off.
+/// One tick of walking, and what it sets off. Who stands still crosses nothing.
 void go(const Map& map, World& world, Vec2 velocity, bool keeps_velocity) {
+    if (velocity == Vec2{}) return;
     const Walk walked = walk(now(map, world), body_of(now(map, world), world.player), velocity, kTickSeconds);
     const Vec2 own = walked.passage.turn(world.player.velocity);
     arrive(world.player, walked);

@@ -82,9 +82,9 @@ private:
     }
 
     void note_events(const History& history) {
-        for (const SectorId sector : history.changed_sectors()) {
-            note_mover(history, sector, Channel::floor);
-            note_mover(history, sector, Channel::ceiling);
+        for (const ChangedSector& changed : history.changed_sectors()) {
+            note_mover(history, changed.sector, Channel::floor);
+            note_mover(history, changed.sector, Channel::ceiling);
         }
         note_triggers(history);
     }
