@@ -44,8 +44,9 @@ struct WallRecord {
     std::string via;             ///< name of the wall of `next` it is linked to; empty: plain adjacency
     std::optional<double> rise;  ///< height added when passing the link [m]; absent: floor on floor
     bool mirror = false;
-    bool blocks = false;  ///< portal: nobody passes, though one looks through; given on one side it counts for both
-    Vec2 scroll;          ///< how fast its pictures move along it and up [m/s]
+    bool blocks = false;    ///< portal: nobody passes, though one looks through; given on one side it counts for both
+    bool way_back = false;  ///< one-way portal: whoever passes leaves a way back
+    Vec2 scroll;            ///< how fast its pictures move along it and up [m/s]
     std::vector<TriggerRecord> triggers;
     std::optional<DoomRecord> doom;
     TextPlace place;

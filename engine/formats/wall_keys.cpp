@@ -18,6 +18,7 @@ constexpr std::array kWallKeys{
     key<&WallRecord::rise>("rise", kNew, Need::optional, kHeights),
     key<&WallRecord::mirror>("mirror", kNew),
     key<&WallRecord::blocks>("blocks", kNew),
+    key<&WallRecord::way_back>("way_back", kNew),
     key<&WallRecord::upper>("upper", kBoth),
     key<&WallRecord::lower>("lower", kBoth),
     key<&WallRecord::middle>("middle", kNew),

@@ -60,7 +60,8 @@ void check_textures(Draft& draft) {
         const Wall& wall = draft.map.walls[i];
         if (wall.kind == WallKind::portal) check_steps(draft, WallId(i));
         // A portal whose next is wrong has been reported as that.
-        if (wall.kind == WallKind::solid && draft.walls[i].record->next.empty()) check_solid(draft, WallId(i));
+        const bool is_shown_whole = wall.kind == WallKind::solid || wall.kind == WallKind::way_back;
+        if (is_shown_whole && draft.walls[i].record->next.empty()) check_solid(draft, WallId(i));
     }
     for (const SectorDraft& sector : draft.sectors) {
         check_flat(draft, *sector.record, sector.record->floor, "floor");

@@ -123,11 +123,21 @@ void link_portal(Draft& draft, WallId id) {
     wall.link = add(draft.map, m, GridMap(m, middle(wall), middle(exit)));
 }
 
-/// Who comes out of a wall that does not lead back is in it for a while (world/one_way.h).
+/// A way back is the inverse of the way there.
+void link_way_back(Map& map, WallId id) {
+    Wall& wall = map.walls[id.index];
+    const Wall& there = map[wall.exit];
+    if (wall.kind != WallKind::way_back || there.link == Wall::kNoLink) return;
+    const Rigid m = inverse(map.links[there.link]);
+    wall.link = add(map, m, GridMap(m, middle(wall), middle(there)));
+}
+
+/// Who comes out of a wall that does not always lead back is in it for a while (world/one_way.h).
 void mark_one_way_exit(Map& map, WallId id) {
     const Wall& wall = map[id];
     if (wall.kind != WallKind::portal || wall.blocks || !wall.exit) return;
-    if (map[wall.exit].exit != id) map.walls[wall.exit.index].one_way_exit = true;
+    Wall& exit = map.walls[wall.exit.index];
+    if (exit.exit != id || exit.kind == WallKind::way_back) exit.one_way_exit = true;
 }
 
 void mark_screens(Map& map) {
@@ -145,6 +155,7 @@ void link_walls(Draft& draft) {
         if (wall.kind == WallKind::portal && wall.exit && !draft.walls[i].record->via.empty())
             link_portal(draft, WallId(i));
     }
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) link_way_back(draft.map, WallId(i));
     mark_screens(draft.map);
 }
 

@@ -32,7 +32,13 @@ struct Surface {
     Peg peg = Peg::ceiling;  ///< walls only
 };
 
-enum class WallKind : std::uint8_t { solid, portal, mirror };
+enum class WallKind : std::uint8_t {
+    solid,
+    portal,
+    mirror,
+    way_back,  ///< what a one-way portal leads to: itself a portal back while it stands open (world/history.h), else
+               ///< solid
+};
 
 /// A directed edge a -> b of a sector, the sector on its right.
 struct Wall {
@@ -43,16 +49,16 @@ struct Wall {
     WallId next;      ///< the wall that starts at b
     WallId previous;  ///< the wall that ends at a
     WallKind kind = WallKind::solid;
-    SectorId behind;               ///< portal: the sector it leads into; else none
-    WallId exit;                   ///< portal: the wall of `behind` one comes out of; equals -edge for plain adjacency
-    bool blocks = false;           ///< portal: looks pass, bodies do not
-    bool one_way_exit = false;     ///< bodies come out of it by a portal to which it does not lead back
+    SectorId behind;      ///< portal, way back: the sector it leads into; else none
+    WallId exit;          ///< portal, way back: the wall of `behind` one comes out of; equals -edge for plain adjacency
+    bool blocks = false;  ///< portal: looks pass, bodies do not
+    bool one_way_exit = false;     ///< bodies come out of it by a portal to which it does not, or not always, lead back
     std::uint32_t link = kNoLink;  ///< index into Map::links, or kNoLink where nothing is transformed
     /// Light by direction, so that corners can be seen. Smooth light: a factor, from 0.8 along x to 1 along y. Classic
     /// light: 0.8 exactly along x (one step darker), 1.2 exactly along y (one step brighter), else 1.
     double contrast = 1;
-    Surface texture;               ///< solid
-    Surface upper, lower, middle;  ///< portal
+    Surface texture;               ///< solid, way back
+    Surface upper, lower, middle;  ///< portal; the first two: way back, too
     Vec2 scroll;                   ///< how fast its pictures move along it and up [m/s]
     TriggerRange triggers;         ///< use, cross and start
     static constexpr std::uint32_t kNoLink = 0xFFFFFFFFu;
@@ -204,6 +210,7 @@ struct Map {
     std::vector<TriggerId> at_start;    ///< those that the start of the map sets off
     std::vector<Sound> sounds;
     std::vector<ThingId> sounding_things;  ///< by sector, each sector's in the order of their numbers
+    bool has_ways_back = false;            ///< some walls are one
     double farthest_sound_m = 0;           ///< largest reach among the sounds; 0: there are none
     std::vector<std::string> keys;         ///< names of the keys that triggers ask for or things give
     PictureChanges pictures;

@@ -205,7 +205,8 @@ void place_triggers(Draft& draft) {
         const WallRecord& record = *draft.walls[i].record;
         // What is meant as a portal and could not be made one is refused for that, and not for its triggers.
         const bool is_lost = wall.kind == WallKind::solid && !record.next.empty();
-        const Bearer bearer = wall.kind == WallKind::portal || is_lost ? Bearer::portal : Bearer::wall;
+        const bool is_passed = wall.kind == WallKind::portal || wall.kind == WallKind::way_back;
+        const Bearer bearer = is_passed || is_lost ? Bearer::portal : Bearer::wall;
         const SectorId usual = is_lost ? wall.sector : wall.behind;
         if (!record.triggers.empty()) wall.triggers = placer.place(record.triggers, bearer, usual);
     }

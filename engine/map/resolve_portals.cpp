@@ -127,8 +127,42 @@ private:
     TwinIndex twins_;
 };
 
+/// What keeps a wall from leaving a way back; empty: nothing does.
+std::string fault_of_way_back(const Draft& draft, WallId id) {
+    const Wall& wall = draft.map[id];
+    if (wall.kind != WallKind::portal)
+        return "way_back is for portals, and this wall is none; give it next, or drop way_back";
+    const Wall& exit = draft.map[wall.exit];
+    const std::string there = "the wall one comes out of, in sector " + quoted(draft.map[wall.behind].name) + ", ";
+    if (draft.walls[id.index].record->blocks) return "nobody passes a wall that blocks; drop blocks or way_back";
+    if (exit.exit == id) return there + "leads back already; drop way_back here, or next there";
+    if (exit.kind == WallKind::way_back)
+        return there + "is the way back to another wall; let each of the two have a wall of its own to come out of";
+    if (exit.kind != WallKind::solid || !draft.walls[wall.exit.index].record->next.empty())
+        return there + "must be a plain wall to become a way back; drop its next or its mirror, or way_back here";
+    if (draft.walls[id.index].record->via.empty() && (exit.a != wall.b || exit.b != wall.a))
+        return there + "is longer than this one; cut it at the ends of this wall";
+    return {};
+}
+
+void make_way_back(Draft& draft, WallId id) {
+    const WallRecord& record = *draft.walls[id.index].record;
+    const Wall& wall = draft.map[id];
+    // A portal whose other end was not found has been reported as that.
+    if (!record.way_back || !record.places.is_sound() ||
+        (wall.kind == WallKind::portal ? !wall.exit : !record.next.empty()))
+        return;
+    if (std::string fault = fault_of_way_back(draft, id); !fault.empty())
+        return draft.error(record, "way_back", "no-way-back", std::move(fault));
+    Wall& exit = draft.map.walls[wall.exit.index];
+    exit.kind = WallKind::way_back;
+    exit.behind = wall.sector;
+    exit.exit = id;
+    draft.map.has_ways_back = true;
+}
+
 /// A room that opens onto the solid wall of its neighbour: one gets in, and not back.
-void check_way_back(Draft& draft, WallId id) {
+void check_open_one_way(Draft& draft, WallId id) {
     const Wall& wall = draft.map[id];
     if (wall.kind != WallKind::portal || !wall.exit || !draft.walls[id.index].record->via.empty()) return;
     const Wall& exit = draft.map[wall.exit];
@@ -156,7 +190,8 @@ void block(Draft& draft, WallId id) {
 void resolve_portals(Draft& draft) {
     Resolver resolver(draft);
     for (std::size_t i = 0; i < draft.map.walls.size(); ++i) resolver.resolve(WallId(i));
-    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) check_way_back(draft, WallId(i));
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) make_way_back(draft, WallId(i));
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) check_open_one_way(draft, WallId(i));
     for (std::size_t i = 0; i < draft.map.walls.size(); ++i) block(draft, WallId(i));
 }
 

@@ -58,13 +58,11 @@ void lay_wall(Draft& draft, WallId id) {
     const Lay lay{draft.textures, record.size, draft.file.size};
     wall.scroll = record.scroll;
     if (wall.a != wall.b) wall.contrast = contrast_of(draft.file.render.light, wall.b - wall.a);
-    if (wall.kind != WallKind::portal) {
-        wall.texture = lay.surface(record.texture, record.texture_peg);
-        return;
-    }
+    if (wall.kind != WallKind::portal) wall.texture = lay.surface(record.texture, record.texture_peg);
+    if (wall.kind != WallKind::portal && wall.kind != WallKind::way_back) return;
     wall.upper = lay.surface(record.upper ? record.upper : record.texture, record.upper_peg);
     wall.lower = lay.surface(record.lower ? record.lower : record.texture, record.lower_peg);
-    wall.middle = lay.single(record.middle, record.middle_peg);
+    if (wall.kind == WallKind::portal) wall.middle = lay.single(record.middle, record.middle_peg);
 }
 
 /// sector's i-th panel.

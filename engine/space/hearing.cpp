@@ -135,9 +135,10 @@ void Hearing::pass(Glance glance, std::uint32_t edge, Vec2 nearest) {
         return keep(glance, way.length_m);
     }
     const Wall& wall = map_[id];
-    if (wall.kind != WallKind::portal) return;
-    touched_.push_back({wall.behind, way});
-    if (!is_open(id, glance.passage)) return;
+    const bool open = is_open(id, glance.passage);
+    // Behind a door that is shut its mover may sound.
+    if (wall.kind == WallKind::portal || open) touched_.push_back({wall.behind, way});
+    if (!open) return;
     glance.edge = tiling_.edge_of(wall.exit);
     if (wall.link != Wall::kNoLink) carry(glance, wall);
     keep(glance, way.length_m);
@@ -173,9 +174,7 @@ void Hearing::sort_out() {
     std::sort(sectors_.begin(), sectors_.end());
 }
 
-bool Hearing::is_open(WallId wall, const Rigid& passage) const {
-    return map_[wall].kind == WallKind::portal && (!may_pass_ || may_pass_(wall, passage));
-}
+bool Hearing::is_open(WallId wall, const Rigid& passage) const { return is_passable(map_, wall, passage, may_pass_); }
 
 /// Whether some wall stops there: only there a way can bend. At the ends of links space may have any angle.
 bool Hearing::is_corner(WallId corner, const Rigid& passage) const {

@@ -182,9 +182,7 @@ private:
         }
     }
 
-    bool is_open(WallId id, const Rigid& passage) const {
-        return map_[id].kind == WallKind::portal && (!may_pass_ || may_pass_(id, passage));
-    }
+    bool is_open(WallId id, const Rigid& passage) const { return is_passable(map_, id, passage, may_pass_); }
 
     /// Quick and exact: false only for walls that are too far away.
     bool box_is_near(const Face& wall, Vec2 p) const {

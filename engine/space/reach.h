@@ -40,7 +40,7 @@ struct Reach {
 /// is reached whole; a distance to a stretch of a wall is rounded.
 ///
 /// radius   : on the point grid [m]; 0 reaches the place's own sector only
-/// may_pass : asked for each portal the disc touches; empty: every portal may be passed
+/// may_pass : asked for each portal or way back the disc touches; empty: every portal may be passed, no way back
 /// Cost: the walls of the sectors overlapped, and their panels where some block, once for each look into one that shows
 /// more than those before; and once around each end of a portal that is touched, at most 256 rooms. Reach says how many
 /// walls that were. Takes no memory where they are few. Beyond kMaxReachedSectors looks, portals count as walls.

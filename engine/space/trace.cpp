@@ -102,8 +102,7 @@ Trace trace(const Map& map, const Place& from, Vec2 to, const MayPass& may_pass,
         const WallId wall = path.way_out();
         if (const MetPanel barrier = path.barrier_before(wall); barrier.panel) return path.stopped_by(barrier);
         if (!wall) return path.ended();
-        const bool open = map[wall].kind == WallKind::portal && (!may_pass || may_pass(wall, path.passage()));
-        if (!open || !path.pass(wall)) return path.stopped_by(wall);
+        if (!is_passable(map, wall, path.passage(), may_pass) || !path.pass(wall)) return path.stopped_by(wall);
     }
 }
 

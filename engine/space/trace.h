@@ -21,6 +21,13 @@ struct Place {
 /// from the space where the question started into that of the portal, so that a height there can be compared.
 using MayPass = std::function<bool(WallId portal, const Rigid& passage)>;
 
+/// Whether a path may go on through the wall. A way back is shut where nobody is asked.
+inline bool is_passable(const Map& map, WallId wall, const Rigid& passage, const MayPass& may_pass) {
+    const WallKind kind = map[wall].kind;
+    if (kind == WallKind::portal) return !may_pass || may_pass(wall, passage);
+    return kind == WallKind::way_back && may_pass && may_pass(wall, passage);
+}
+
 /// One portal passed by a path, or one panel.
 struct Crossing {
     WallId portal;     ///< none: a panel
@@ -54,7 +61,7 @@ struct Trace {
 ///
 /// from     : inside its sector
 /// to       : on the point grid, in the space of `from`, |coordinates| <= 2 * kWorldLimit
-/// may_pass : asked once for each portal met, in order; empty: every portal may be passed
+/// may_pass : asked once for each portal or way back met, in order; empty: every portal may be passed, no way back
 /// may_cross: asked for each panel met that blocks or has triggers (space/panels_met.h); empty: panels are nothing to
 ///            the path, and are not among its crossings
 /// Where the path is stopped, end is the last grid point found on the way that is inside, and stopped is the wall, or

@@ -38,7 +38,7 @@ Clearance clearance(const Instant& now, const Body& body, std::span<const Reache
 
 bool can_pass(const Instant& now, const Body& body, WallId portal, const Rigid& passage) {
     const Wall& wall = now.map[portal];
-    if (wall.blocks) return false;
+    if (wall.blocks || !is_portal(now, portal)) return false;
     const double rise = passage.rise, rise_behind = rise + now.map.passage(wall).rise;
     const Heights here = heights_of(now, wall.sector), behind = heights_of(now, wall.behind);
     const double floor_z = behind.floor_z - rise_behind;

@@ -25,10 +25,11 @@ Eye eye_between_ticks(const Map& map, const World& world, double part) {
     // In the space of the tick before; from there the eye goes its way again.
     const Rigid back = inverse(world.passage);
     const Vec2 way = back.apply(now.place.point) - before.place.point;
-    const Trace path = trace(map, before.place, snap_to_point_grid(before.place.point + way * part));
+    const Instant then{map, world.history, static_cast<double>(world.tick) - 1 + part};
+    const Trace path = trace(map, before.place, snap_to_point_grid(before.place.point + way * part),
+                             [&](WallId portal, const Rigid&) { return is_portal(then, portal); });
     const double z = between(before.eye_z, back.apply_height(now.eye_z), part) + path.passage.rise;
-    const double tick = static_cast<double>(world.tick) - 1 + part;
-    const Heights here = heights_of({map, world.history, tick}, path.end.sector);
+    const Heights here = heights_of(then, path.end.sector);
     return {path.end, std::max(here.floor_z, std::min(z, here.ceiling_z)),
             between(before.yaw, now.yaw - turn_of(world.passage), part) + turn_of(path.passage),
             static_cast<std::int32_t>(between(before.pitch_steps, now.pitch_steps, part))};

@@ -25,9 +25,13 @@ bool has_on(const Map& map, TriggerRange range, Occasion on) {
     return has;
 }
 
+/// The triggers of the sector behind, which one uses as well: not through a way back, which may be shut.
+TriggerRange triggers_behind(const Map& map, const Wall& wall) {
+    return wall.behind && wall.kind != WallKind::way_back ? map[wall.behind].triggers : TriggerRange();
+}
+
 bool can_be_used(const Map& map, const Wall& wall) {
-    return has_on(map, wall.triggers, Occasion::use) ||
-           (wall.behind && has_on(map, map[wall.behind].triggers, Occasion::use));
+    return has_on(map, wall.triggers, Occasion::use) || has_on(map, triggers_behind(map, wall), Occasion::use);
 }
 
 /// Whether a trigger of a panel works from the side that somebody comes from.
@@ -50,13 +54,34 @@ void fire_all(const Map& map, World& world, const MetPanel& met, Occasion on) {
 void use(const Map& map, World& world, WallId id) {
     const Wall& wall = map[id];
     each_on(map, wall.triggers, Occasion::use, [&](TriggerId trigger) { fire(map, world, trigger, id); });
-    if (wall.behind)
-        each_on(map, map[wall.behind].triggers, Occasion::use,
-                [&](TriggerId trigger) { fire(map, world, trigger, id); });
+    each_on(map, triggers_behind(map, wall), Occasion::use, [&](TriggerId trigger) { fire(map, world, trigger, id); });
+}
+
+/// Whether the portal leads elsewhere than to the next room, or nobody comes back by it.
+bool is_door(const Map& map, WallId id) {
+    const Wall& portal = map[id];
+    return portal.link != Wall::kNoLink || portal.kind == WallKind::way_back || !portal.exit ||
+           map[portal.exit].exit != id || map[portal.exit].kind == WallKind::way_back;
+}
+
+void shut_way_back(World& world) {
+    if (world.history.way_back(static_cast<double>(world.tick))) world.history.add(WayBack{{}, world.tick});
+}
+
+/// The way back that stood open is there no more when somebody has left by a door. The one that the door leaves is
+/// there from the beginning of the tick: an eye between the two ticks may be behind the door already.
+void open_way_back(const Map& map, World& world, WallId door) {
+    if (!map.has_ways_back || !is_door(map, door)) return;
+    const WallId exit = map[door].exit;
+    const bool leaves_one =
+        map[door].kind == WallKind::portal && exit && map[exit].kind == WallKind::way_back && map[exit].exit == door;
+    shut_way_back(world);
+    if (leaves_one) world.history.add(WayBack{exit, world.tick - 1});
 }
 
 void cross(const Map& map, World& world, WallId id) {
     const Wall& wall = map[id];
+    open_way_back(map, world, id);
     each_on(map, wall.triggers, Occasion::cross, [&](TriggerId trigger) { fire(map, world, trigger, id); });
     if (wall.exit)
         each_on(map, map[wall.exit].triggers, Occasion::cross, [&](TriggerId trigger) {
@@ -108,6 +133,7 @@ void teleport(const Map& map, World& world, ThingId destination) {
     const Player arrived = player_at(now(map, world), {there.sector, there.position, eye_z, there.yaw});
     world.player = world.before = arrived;
     world.passage = {};
+    shut_way_back(world);
     const ShortList<ThingId, 16> touched = things_touched(map, world);
     world.touched.assign(touched.begin(), touched.end());
 }
@@ -145,9 +171,7 @@ void use_what_is_ahead(const Map& map, World& world) {
     if (map.triggers.empty()) return;
     const Instant at = now(map, world);
     const Vec2 reach = direction(world.player.yaw) * kArm;
-    const auto may_reach = [&](WallId wall, const Rigid&) {
-        return !can_be_used(map, map[wall]) && is_open(at, map[wall]);
-    };
+    const auto may_reach = [&](WallId wall, const Rigid&) { return !can_be_used(map, map[wall]) && is_open(at, wall); };
     const auto may_reach_past = [&](const MetPanel& met) { return !can_be_used(map, met); };
     const Vec2 hand = snap_to_point_grid(world.player.place.point + reach);
     const Trace ahead = trace(map, world.player.place, hand, may_reach, may_reach_past);
@@ -156,7 +180,7 @@ void use_what_is_ahead(const Map& map, World& world) {
 }
 
 void pass(const Map& map, World& world, std::span<const Crossing> crossings) {
-    if (map.triggers.empty()) return;
+    if (map.triggers.empty() && !map.has_ways_back) return;
     for (const Crossing& crossing : crossings)
         if (!cross(map, world, crossing)) return;
 }

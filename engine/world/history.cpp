@@ -100,6 +100,12 @@ void History::add(const Taking& taking) {
     takings_digest_ = mixed(takings_digest_, {taking.tick, taking.thing.index});
 }
 
+void History::add(WayBack way_back) {
+    if (!ways_back_.empty()) way_back.tick = std::max(way_back.tick, ways_back_.back().tick);
+    ways_back_.push_back(way_back);
+    ways_back_digest_ = mixed(ways_back_digest_, {way_back.tick, way_back.wall.index});
+}
+
 bool History::has_fired(TriggerId trigger) const {
     const auto it =
         place_in(by_trigger_, trigger, [this](std::uint32_t i, TriggerId t) { return firings_[i].trigger < t; });
@@ -119,13 +125,24 @@ bool History::is_taken(ThingId thing, double tick) const {
     return it != by_thing_.end() && takings_[*it].thing == thing && static_cast<double>(takings_[*it].tick) <= tick;
 }
 
-std::uint64_t History::digest() const { return mixed(0, {changes_digest_, firings_digest_, takings_digest_}); }
+WallId History::way_back(double tick) const {
+    const auto later = std::upper_bound(ways_back_.begin(), ways_back_.end(), tick,
+                                        [](double t, const WayBack& w) { return t < static_cast<double>(w.tick); });
+    return later == ways_back_.begin() ? WallId() : std::prev(later)->wall;
+}
+
+std::uint64_t History::digest() const {
+    const std::uint64_t others = mixed(0, {changes_digest_, firings_digest_, takings_digest_});
+    // Only where it says anything: other histories keep the digests that are recorded.
+    return ways_back_.empty() ? others : mixed(others, {ways_back_digest_});
+}
 
 History History::beginning(const Length& length) const {
     History begun;
     for (std::size_t i = 0; i < length.changes; ++i) begun.add(changes_[i]);
     for (std::size_t i = 0; i < length.firings; ++i) begun.add(firings_[i]);
     for (std::size_t i = 0; i < length.takings; ++i) begun.add(takings_[i]);
+    for (std::size_t i = 0; i < length.ways_back; ++i) begun.add(ways_back_[i]);
     return begun;
 }
 

@@ -44,6 +44,12 @@ struct Taking {
     std::uint64_t tick = 0;
 };
 
+/// From a tick on, the one way back that stands open, which whoever passed a one-way portal last left behind; or none.
+struct WayBack {
+    WallId wall;  ///< a way back of the map, or none
+    std::uint64_t tick = 0;
+};
+
 /// A plain value: a copy is a state to come back to. It only ever grows, so that what it says of a moment in the past
 /// stays true.
 class History {
@@ -66,6 +72,8 @@ public:
     void add(Change change);
     void add(const Firing& firing);
     void add(const Taking& taking);
+    /// It counts from the tick of the one before, where that is later.
+    void add(WayBack way_back);
 
     /// Whether the trigger has gone off before. Cost: log of the triggers that have.
     bool has_fired(TriggerId trigger) const;
@@ -73,6 +81,9 @@ public:
     /// The last time a wall's switch was pressed by `tick`, or null. Cost: as has_fired.
     const Firing* pressed(WallId wall, double tick) const;
     bool is_taken(ThingId thing, double tick) const;
+
+    /// The way back that stands open, or none. Cost: log of the ways back that ever opened and shut.
+    WallId way_back(double tick) const;
 
     /// Sectors of which something ever changed, of a group its leader, in the order of their numbers, each once.
     const std::vector<ChangedSector>& changed_sectors() const { return changed_sectors_; }
@@ -85,9 +96,9 @@ public:
 
     /// How much had happened at some moment, to come back to it.
     struct Length {
-        std::size_t changes = 0, firings = 0, takings = 0;
+        std::size_t changes = 0, firings = 0, takings = 0, ways_back = 0;
     };
-    Length length() const { return {changes_.size(), firings_.size(), takings_.size()}; }
+    Length length() const { return {changes_.size(), firings_.size(), takings_.size(), ways_back_.size()}; }
 
     /// What had happened when it was that long. Equal, digest and all, to the history of then.
     History beginning(const Length& length) const;
@@ -100,7 +111,8 @@ private:
     std::vector<std::uint32_t> by_wall_;     ///< those with a wall, by wall, then by time
     std::vector<Taking> takings_;            ///< in the order they came
     std::vector<std::uint32_t> by_thing_;    ///< takings, by thing
-    std::uint64_t changes_digest_ = 0, firings_digest_ = 0, takings_digest_ = 0;
+    std::vector<WayBack> ways_back_;         ///< in the order they came
+    std::uint64_t changes_digest_ = 0, firings_digest_ = 0, takings_digest_ = 0, ways_back_digest_ = 0;
 };
 
 }  // namespace enfilade

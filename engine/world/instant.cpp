@@ -48,7 +48,15 @@ Heights heights_of(const Instant& now, SectorId id, const ChangesNow& changes) {
     return {floor_z, std::max(floor_z, value_of(now, changes.ceiling, sector.ceiling.z))};
 }
 
-bool is_open(const Instant& now, const Wall& portal) {
+bool is_portal(const Instant& now, WallId id) {
+    const WallKind kind = now.map[id].kind;
+    if (kind != WallKind::way_back) return kind == WallKind::portal;
+    return now.history && now.history->way_back(now.tick) == id;
+}
+
+bool is_open(const Instant& now, WallId id) {
+    if (!is_portal(now, id)) return false;
+    const Wall& portal = now.map[id];
     const Heights here = heights_of(now, portal.sector), behind = heights_of(now, portal.behind);
     const double rise = now.map.passage(portal).rise;
     return std::min(here.ceiling_z, behind.ceiling_z - rise) > std::max(here.floor_z, behind.floor_z - rise);

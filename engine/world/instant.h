@@ -42,8 +42,11 @@ Heights heights_of(const Instant& now, SectorId sector);
 /// The same of a sector whose changes have been found.
 Heights heights_of(const Instant& now, SectorId sector, const ChangesNow& changes);
 
-/// Whether a portal is open by any gap: a hand can reach through, and sound passes.
-bool is_open(const Instant& now, const Wall& portal);
+/// Whether the wall is a portal now, or a way back that stands open, which is one for as long.
+bool is_portal(const Instant& now, WallId wall);
+
+/// Whether a portal or way back is open by any gap: a hand can reach through, and sound passes.
+bool is_open(const Instant& now, WallId portal);
 
 /// Height of a thing's foot [m].
 double foot_of(const Instant& now, ThingId thing);

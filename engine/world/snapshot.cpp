@@ -73,6 +73,7 @@ void show(const Instant& now, Snapshot& snapshot) {
     snapshot.time_s = now.tick * kTickSeconds;
     if (!now.history) return;
     show_changed(now, snapshot);
+    snapshot.way_back = now.history->way_back(now.tick);
     find_pressed(now, snapshot.pressed);
     snapshot.taken.clear();
     for (const Taking& taking : now.history->takings())

@@ -26,6 +26,7 @@ struct Snapshot {
 
     std::vector<ThingId> taken;     ///< things that are gone, in the order of their numbers
     std::vector<SectorId> changed;  ///< sectors that are not, or lately were not, as at rest, each once
+    WallId way_back;                ///< the one that stands open, or none
     std::vector<WallId> pressed;    ///< walls that show the other face of their switch, in the order of their numbers
 
     const SectorSnapshot& operator[](SectorId id) const { return sectors[id.index]; }
@@ -37,6 +38,13 @@ Snapshot at_rest(const Map& map);
 /// Makes the snapshot that of another moment of its map. `snapshot` came from at_rest of the same map.
 /// Cost: what ever changed in the history, and what had changed in the snapshot, however large the map.
 void show(const Instant& now, Snapshot& snapshot);
+
+/// What the wall is at the moment: a way back is a portal or solid.
+inline WallKind kind_now(const Map& map, const Snapshot& snapshot, WallId wall) {
+    const WallKind kind = map[wall].kind;
+    if (kind != WallKind::way_back) return kind;
+    return snapshot.way_back == wall ? WallKind::portal : WallKind::solid;
+}
 
 /// The light of a sector with its effect, 0..1: worked out when somebody looks.
 double light_at(const Snapshot& snapshot, SectorId sector);

@@ -32,7 +32,7 @@ public:
     std::vector<Voice> run(const Place& ear) {
         const double reach_m = map_.sounding_things.empty() ? farthest_noted_m_ : map_.farthest_sound_m;
         if (reach_m == 0) return {};
-        hearing_.listen(ear, reach_m, [this](WallId wall, const Rigid&) { return is_open(now_, map_[wall]); });
+        hearing_.listen(ear, reach_m, [this](WallId wall, const Rigid&) { return is_open(now_, wall); });
         for (const SectorId sector : hearing_.sectors()) hear_things(sector);
         for (const Noted& noted : noted_)
             hear(noted.voice, noted.place ? hearing_.from(*noted.place) : from_group(noted.sector));

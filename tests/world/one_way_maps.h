@@ -14,6 +14,7 @@ namespace enfilade::test {
 struct OneWayPair {
     double width = 65.0 / 64;  ///< of the portal [m]; 65 is the hypotenuse of many whole triangles
     bool is_link = true;       ///< else the two are neighbours, which lie where they seem to
+    bool way_back = false;     ///< whoever passes leaves one
     Vec2 near_turn{65, 0};     ///< where +x of the pair points on the map, in 65ths: near room, far room
     Vec2 far_turn{65, 0};
     double near_bend[2] = {0, 0};  ///< x of the near room's corners beside the portal, at y = -3 and 3 [m]
@@ -47,6 +48,7 @@ public:
         file_ = map_of({near_room(half), far_room(half)});
         WallRecord& portal = wall_of("near", 2);
         portal.next = "far";
+        portal.way_back = pair.way_back;
         if (pair.is_link) {
             exit_of(half).name = "exit";
             portal.via = "exit";
@@ -58,6 +60,12 @@ public:
     void place(Vec2 local, double yaw_degrees = 0) {
         const double yaw = yaw_degrees + angle_of(pair_.near_turn).degrees();
         place_player(file_, "near", on_map(local, pair_.near_turn, {}), kEyeOnFloor, yaw);
+    }
+
+    /// The same into the far room.
+    void place_beyond(Vec2 local, double yaw_degrees) {
+        const double yaw = yaw_degrees + angle_of(far_turn()).degrees(), floor = pair_.rise - pair_.drop;
+        place_player(file_, "far", on_map(local, far_turn(), far_origin_), floor + kEyeOnFloor, yaw);
     }
 
     const MapFile& file() const { return file_; }

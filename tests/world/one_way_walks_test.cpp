@@ -1,5 +1,5 @@
-// Random walks through one-way portals: everybody gets through, nobody gets stuck, gets out of the world, or comes
-// back.
+// Random walks through one-way portals: everybody gets through, nobody gets stuck or gets out of the world, and nobody
+// comes back but by a way back.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -66,11 +66,14 @@ private:
 
     void check() {
         ASSERT_TRUE(game_.is_contained());
-        if (was_through_) {
+        if (was_through_ && !pair_.way_back) {
             ASSERT_TRUE(is_through()) << "nobody comes back";
         }
         was_through_ = is_through();
-        if (!was_through_) return;
+        if (pair_.way_back) {
+            ASSERT_EQ(bool(game_.world.history.way_back(static_cast<double>(game_.world.tick))), is_through());
+        }
+        if (!was_through_ || pair_.way_back) return;
         const Vec2 p = game_.point();
         ASSERT_FALSE(segment_is_nearer(exit_->a, exit_->b, p, kept_)) << "nobody gets deeper into the exit";
         const Vec2 to_exit = nearest_point({exit_->a, exit_->b}, p) - p;
@@ -104,6 +107,32 @@ TEST(OneWayWalks, AllGetThroughAndOutOfTheExit) {
         passage.go(90, &away);
         ASSERT_TRUE(passage.is_free()) << passage.local().x << ", " << passage.local().y;
     }
+}
+
+/// The same ways with a way back, to and fro.
+TEST(OneWayWalks, GoBackAndForthByAWayBack) {
+    const int walks = std::getenv("ENFILADE_LONG") ? 20'000 : 500;
+    int came_back = 0;
+    for (int i = 0; i < walks && !HasFatalFailure(); ++i) {
+        Random random(static_cast<std::uint64_t>(i));
+        OneWayPair pair = any_pair(random);
+        pair.way_back = true;
+        SCOPED_TRACE(testing::Message() << "walk " << i);
+        Passage passage(pair, random);
+        for (int turn = 0; turn < 3; ++turn) {
+            passage.walk_through(400);
+            ASSERT_TRUE(passage.is_through()) << passage.local().x << ", " << passage.local().y;
+            passage.go(20);
+            const Vec2 before{-1, 0};
+            for (int tick = 0; tick < 120 && passage.is_through(); ++tick) passage.go(1, &before);
+            came_back += !passage.is_through();
+            if (passage.is_through()) break;
+        }
+        const Vec2 away = passage.is_through() ? Vec2{2, 0} : Vec2{-2, 0};
+        passage.go(90, &away);
+        ASSERT_TRUE(passage.is_free()) << passage.local().x << ", " << passage.local().y;
+    }
+    EXPECT_GT(came_back, walks) << "the others stand below a step that is too high, or behind a jamb";
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ bool has_step(const Map& map, const Wall& wall) {
 }
 
 Color color_of(const Map& map, const Wall& wall) {
-    if (wall.kind == WallKind::solid) return kWall;
+    if (wall.kind == WallKind::solid || wall.kind == WallKind::way_back) return kWall;
     if (wall.kind == WallKind::mirror) return kMirror;
     if (wall.link != Wall::kNoLink) return kLink;
     return has_step(map, wall) ? kStep : kOpening;

@@ -69,7 +69,8 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
     const WallId id = nearest_.wall(wall_index).wall;
     const Wall& wall = scene.map[id];
     const double light = light_now(scene.snapshot, wall.sector);
-    is_portal_ = wall.kind != WallKind::solid;
+    const WallKind kind = kind_now(scene.map, scene.snapshot, id);
+    is_portal_ = kind != WallKind::solid;
     masked_ = kNoMasked;
     glow_ = scene.light_on(id);
     if (!is_portal_) {
@@ -78,7 +79,7 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
         middle_.light_up(glow_, wall.length, pose_.eye_z);
         return;
     }
-    if (built_in::kMirrors && wall.kind == WallKind::mirror) {
+    if (built_in::kMirrors && kind == WallKind::mirror) {
         behind_ = here_;
         upper_open_ = lower_open_ = false;
         return;

@@ -27,6 +27,7 @@ struct Arrival {
     const Scene& scene;
     const RayHit& hit;
     const Wall& wall;
+    WallKind kind;  ///< now
     const Sector& sector;
     const RayCourse& course;
     Opening own;
@@ -180,8 +181,8 @@ std::optional<Seen> end_of_ray(const Arrival& at) {
     if (!reaches(at, at.own.floor))
         return flat(at, floor_now(at.scene.map, at.scene.snapshot, sector), at.own.floor,
                     lights ? lights->on_floor(at.scene.map, at.scene.snapshot, sector) : nullptr, floor_id(sector));
-    if (at.wall.kind == WallKind::solid) return wall(at, at.wall.texture, WallPart::middle);
-    if (at.wall.kind == WallKind::portal) {
+    if (at.kind == WallKind::solid) return wall(at, at.wall.texture, WallPart::middle);
+    if (at.kind == WallKind::portal) {
         const bool above = reaches(at, at.behind.ceiling), below = !above && !reaches(at, at.behind.floor);
         if (above && has_upper_step(at.scene.map, at.wall)) return wall(at, at.wall.upper, WallPart::upper);
         if (below && has_lower_step(at.wall)) return wall(at, at.wall.lower, WallPart::lower);
@@ -195,8 +196,8 @@ std::optional<Seen> end_of_ray(const Arrival& at) {
 Arrival arrive(const Scene& scene, const RayHit& hit, const RayCourse& course) {
     const Wall& met = scene.map[hit.wall];
     const Opening own = opening_of(scene, hit.sector, hit.space.eye_z);
-    Arrival at{scene, hit, met, scene.map[hit.sector], course, own, own};
-    if (met.kind == WallKind::portal)
+    Arrival at{scene, hit, met, kind_now(scene.map, scene.snapshot, hit.wall), scene.map[hit.sector], course, own, own};
+    if (at.kind == WallKind::portal)
         at.behind = opening_of(scene, met.behind, scene.map.passage(met).apply_height(hit.space.eye_z));
     return at;
 }
@@ -223,7 +224,7 @@ Seen look(const Scene& scene, RayPath& path, const RayCourse& course) {
             seen.ambiguous = ambiguous;
             return seen;
         }
-        if (at.wall.kind != WallKind::portal || !at.wall.middle.texture) continue;
+        if (at.kind != WallKind::portal || !at.wall.middle.texture) continue;
         panes.push_back(pane(at));
         ambiguous |= panes.back().ambiguous;
     }

@@ -62,8 +62,7 @@ private:
     }
 
     SeenWall seen(const WallOnScreen& place) const {
-        return {layer_.pose, place,
-                parts_of(scene_.map(), scene_.world.snapshot, scene_.map()[place.wall], layer_.pose.eye_z)};
+        return {layer_.pose, place, parts_of(scene_.map(), scene_.world.snapshot, place.wall, layer_.pose.eye_z)};
     }
 
     using Ask = const LightGrid* (LightGrids::*)(const Map&, const Snapshot&, SectorId);
@@ -81,7 +80,7 @@ private:
         add_strip(place, {-kEverything, room.floor},
                   flat_look(scene_, seen_wall, floor_now(scene_.map(), scene_.world.snapshot, wall.sector), room.floor,
                             glow_on(&LightGrids::on_floor, wall.sector), floor_id(wall.sector)));
-        if (wall.kind == WallKind::solid)
+        if (kind_now(scene_.map(), scene_.world.snapshot, place.wall) == WallKind::solid)
             return add_strip(place, room, wall_look(scene_, seen_wall, wall.texture, WallPart::middle));
         add_steps(seen_wall, wall);
     }

@@ -80,7 +80,7 @@ private:
             panes_.note(layer, room_);
         }
         for (const WallOnScreen& wall : room_.walls())
-            if (map()[wall.wall].kind != WallKind::solid) look_through(layer, wall);
+            if (kind_now(map(), world_.snapshot, wall.wall) != WallKind::solid) look_through(layer, wall);
     }
 
     static void note_sector(Layer& layer, SectorId sector) {
@@ -90,7 +90,7 @@ private:
 
     void look_through(Layer& layer, const WallOnScreen& wall) {
         const Wall& portal = map()[wall.wall];
-        const Heights opening = parts_of(map(), world_.snapshot, portal, layer.pose.eye_z).opening;
+        const Heights opening = parts_of(map(), world_.snapshot, wall.wall, layer.pose.eye_z).opening;
         if (opening.is_empty()) return;
         double nearest = 0;
         Window beyond = room_.open_behind(wall, opening, nearest);
@@ -189,7 +189,7 @@ private:
         child.level = parent.level + 1;
         if (rays_.is_tilted) {
             child.opened = *in_view(map(), seen.exit.wall, parent.pose);
-            const Heights opening = parts_of(map(), world_.snapshot, portal, parent.pose.eye_z).opening;
+            const Heights opening = parts_of(map(), world_.snapshot, seen.exit.wall, parent.pose.eye_z).opening;
             child.box = common(parent.box, box_around(rays_, child.opened, opening));
         } else {
             child.box = box_around(seen.visits[0].window);

@@ -10,12 +10,14 @@ Heights heights_of(const Snapshot& snapshot, SectorId room, double eye_z) {
     return {snapshot[room].floor_z - eye_z, snapshot[room].ceiling_z - eye_z};
 }
 
-WallParts parts_of(const Map& map, const Snapshot& snapshot, const Wall& wall, double eye_z) {
+WallParts parts_of(const Map& map, const Snapshot& snapshot, WallId id, double eye_z) {
+    const Wall& wall = map[id];
+    const WallKind kind = kind_now(map, snapshot, id);
     WallParts parts;
     parts.room = parts.behind = heights_of(snapshot, wall.sector, eye_z);
-    if (wall.kind == WallKind::solid) return parts;
+    if (kind == WallKind::solid) return parts;
     parts.opening = parts.room;
-    if (wall.kind == WallKind::mirror) return parts;
+    if (kind == WallKind::mirror) return parts;
     parts.behind = heights_of(snapshot, wall.behind, map.passage(wall).apply_height(eye_z));
     parts.upper = has_upper_step(map, wall);
     parts.lower = has_lower_step(wall);

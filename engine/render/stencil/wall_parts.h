@@ -20,7 +20,7 @@ struct WallParts {
     Heights opening;                    ///< what one sees through: empty for a solid wall or a closed portal
     bool lower = false, upper = false;  ///< the steps that are drawn
 };
-WallParts parts_of(const Map& map, const Snapshot& snapshot, const Wall& wall, double eye_z);
+WallParts parts_of(const Map& map, const Snapshot& snapshot, WallId wall, double eye_z);
 
 /// A room's heights above the eye.
 Heights heights_of(const Snapshot& snapshot, SectorId room, double eye_z);
