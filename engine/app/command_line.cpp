@@ -62,6 +62,12 @@ void declare_true_pitch(CLI::App& command, bool& true_pitch) {
                      "lines converge. Drawn by stencil and reference");
 }
 
+void declare_left_out(CLI::App& command, LeftOut& left_out) {
+    command.add_flag("--no-things", left_out.things, "Draw no things");
+    command.add_flag("--still-light", left_out.light_effects,
+                     "Flickering and other effects of light stand: rooms and lamps have their own light");
+}
+
 CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     CLI::App* command = enfilade.add_subcommand("play", "Walk through a map in a window");
     command->add_option("MAP", request.map, "The map file (.toml); if none is given, the tour of Enfilade");
@@ -122,6 +128,7 @@ void declare_pictures(CLI::App& command, RenderRequest& request) {
     declare_threads(command, request.threads);
     declare_textures(command, request.texture_folders);
     declare_skill(command, request.skill);
+    declare_left_out(command, request.left_out);
     command.add_option("--out", request.out, "One picture (- for standard output), or a folder for 000000.png onward")
         ->type_name("FILE.png|DIR")
         ->required();
@@ -158,6 +165,7 @@ void declare_drawing(CLI::App& command, FlyRequest& request) {
     declare_threads(command, request.threads);
     declare_textures(command, request.texture_folders);
     declare_skill(command, request.skill);
+    declare_left_out(command, request.left_out);
 }
 
 void declare_tests(CLI::App& command, FlyRequest& request) {

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "map/load.h"
+#include "world/snapshot.h"
 
 namespace enfilade {
 
@@ -24,6 +25,7 @@ struct RenderRequest {
     std::size_t threads = hardware_threads();
     std::vector<std::string> texture_folders;
     int skill = kUsualSkill;
+    LeftOut left_out;
     std::string out, ids, timing;
 };
 
@@ -32,6 +34,7 @@ struct FlyRequest {
     std::vector<std::string> texture_folders;
     std::size_t threads = hardware_threads();
     int skill = kUsualSkill;
+    LeftOut left_out;
     std::optional<double> tolerance_percent;
     int keep_every = 0;
     bool check = false, record = false;

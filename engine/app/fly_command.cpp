@@ -46,6 +46,21 @@ Status check_out(const FlyRequest& request) {
     return refuse_other_kinds("--out", expected, request.out);
 }
 
+/// Recorded frames show all that the script's map has, so with a part left out they can only differ.
+Status check_left_out(const FlyRequest& request) {
+    if (!request.left_out.things && !request.left_out.light_effects) return {};
+    const char* const option = request.left_out.things ? "--no-things" : "--still-light";
+    if (request.record)
+        return Error{option,
+                     "--record writes down the whole flight, so that --check finds the same; leave out one of "
+                     "the two"};
+    if (request.check && request.against.empty())
+        return Error{option,
+                     "--check compares with recorded frames, from which nothing was left out; leave it out, or "
+                     "compare two renderers with --against"};
+    return {};
+}
+
 Status check_combination(const FlyRequest& request) {
     if (!request.check && !request.record && request.out.empty())
         return Error{"", "expected --out DIR, --out FILE.mp4 or FILE.y4m, --check or --record"};
@@ -60,6 +75,7 @@ Status check_combination(const FlyRequest& request) {
                      "needs --against: recorded frames are compared by their hashes, which are equal or not"};
     if (!request.against.empty() && !request.check) return Error{"--against", "needs --check"};
     if (request.keep_every > 0 && !request.record) return Error{"--keep", "needs --record"};
+    if (Status wrong = check_left_out(request)) return wrong;
     if (request.record && !request.frames.empty()) return Error{"--record", "records all frames; leave out --frames"};
     return {};
 }
@@ -163,8 +179,9 @@ Status work(const FlyRequest& request, const OpenFlight& open, const DrawPlan& p
 int run_fly(const FlyRequest& request) {
     const auto choices = choices_of(request);
     if (!choices.ok()) return refuse_usage(choices.error());
-    const auto open = open_flight(request.script, request.texture_folders, request.skill);
+    auto open = open_flight(request.script, request.texture_folders, request.skill);
     if (!open) return kFailed;
+    open->flight.leave_out(request.left_out);
     auto plan = plan_of(choices.value(), *open);
     if (!plan.ok()) return refuse_usage(plan.error());
     plan.value().workers = request.threads;

@@ -34,6 +34,7 @@ class Drawing {
 public:
     Drawing(const OpenMap& map, const PictureJob& job)
         : map_(map), job_(job), snapshot_(snapshot_at(map.map, job.time_s)), times_ns_(job.views.size()) {
+        leave_out(job.left_out, snapshot_);
         const bool side_by_side = job.timing.empty() && job.views.size() >= job.threads;
         desks_.resize(side_by_side ? job.threads : 1);
         threads_each_ = side_by_side ? 1 : job.threads;

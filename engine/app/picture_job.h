@@ -17,7 +17,8 @@ struct PictureJob {
     std::vector<View> views;
     PictureSize size;
     RendererKind renderer = RendererKind::column;
-    double time_s = 0;        ///< the moment that is shown
+    double time_s = 0;  ///< the moment that is shown
+    LeftOut left_out;
     std::size_t threads = 1;  ///< >= 1
     std::string out;          ///< a .png file for the one view, or a folder for 000000.png onward
     std::string ids;          ///< the same for pictures of surface ids

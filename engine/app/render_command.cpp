@@ -42,6 +42,7 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     job.size = size.value();
     job.renderer = renderer.value();
     job.time_s = request.time_s;
+    job.left_out = request.left_out;
     job.threads = request.threads;
     job.out = request.out;
     job.ids = request.ids;

@@ -30,6 +30,9 @@ public:
     /// The same for a script with a tape, which has been read; what TapePath refuses is a finding at the tape's name.
     static std::optional<Flight> plan(const ScriptFile& script, const Map& map, Tape tape, Findings& findings);
 
+    /// Leaves something out of every frame.
+    void leave_out(const LeftOut& what) { enfilade::leave_out(what, at_rest_); }
+
     /// From frame 0 at the start to the last at the very end, both included: >= 1.
     int frames() const { return frames_; }
 

@@ -81,9 +81,14 @@ void show(const Instant& now, Snapshot& snapshot) {
     std::sort(snapshot.taken.begin(), snapshot.taken.end());
 }
 
+void leave_out(const LeftOut& what, Snapshot& snapshot) {
+    if (what.things) snapshot.things = {};
+    snapshot.is_light_still |= what.light_effects;
+}
+
 double light_at(const Snapshot& snapshot, SectorId id) {
     const SectorSnapshot& sector = snapshot[id];
-    if (!sector.effect) return sector.light;
+    if (!sector.effect || snapshot.is_light_still) return sector.light;
     return level_of(*sector.effect, sector.light, sector.lot.index, std::max(snapshot.time_s, 0.0));
 }
 

@@ -28,6 +28,7 @@ struct Snapshot {
     std::vector<SectorId> changed;  ///< sectors that are not, or lately were not, as at rest, each once
     WallId way_back;                ///< the one that stands open, or none
     std::vector<WallId> pressed;    ///< walls that show the other face of their switch, in the order of their numbers
+    bool is_light_still = false;    ///< light effects, of sectors and of lamps, stand as if there were none
 
     const SectorSnapshot& operator[](SectorId id) const { return sectors[id.index]; }
 };
@@ -45,6 +46,15 @@ inline WallKind kind_now(const Map& map, const Snapshot& snapshot, WallId wall) 
     if (kind != WallKind::way_back) return kind;
     return snapshot.way_back == wall ? WallKind::portal : WallKind::solid;
 }
+
+/// What somebody wants to see a map without: what other engines, other moments and chance would draw elsewhere.
+struct LeftOut {
+    bool things = false;         ///< none is to be seen
+    bool light_effects = false;  ///< is_light_still
+};
+
+/// Takes it out of the snapshot, for good: show() brings none of it back.
+void leave_out(const LeftOut& what, Snapshot& snapshot);
 
 /// The light of a sector with its effect, 0..1: worked out when somebody looks.
 double light_at(const Snapshot& snapshot, SectorId sector);

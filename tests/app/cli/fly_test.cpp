@@ -52,6 +52,28 @@ TEST_F(Fly, DrawsAPartAsPartOfTheWhole) {
     EXPECT_EQ(program_.text("part/000004.png"), program_.text("all/000004.png"));
 }
 
+TEST_F(Fly, LeavesThingsOut) {
+    fly({"--out", "empty"});
+    program_.write("map.toml",
+                   test::kTwoRooms + std::string("\n[[things]]\nx = 4\ny = 3\nlight = 0.2\n"
+                                                 "frames = [{ texture = \"statue\", origin = [32, 64] }]\n"));
+    fly({"--out", "whole"});
+    EXPECT_EQ(fly({"--no-things", "--out", "without"}).exit_code, 0);
+    EXPECT_NE(program_.text("whole/000000.png"), program_.text("without/000000.png"));
+    EXPECT_EQ(program_.text("empty/000000.png"), program_.text("without/000000.png"));
+}
+
+TEST_F(Fly, HoldsOnlyWholeFramesToTheRecord) {
+    fly({"--record"});
+    for (const char* option : {"--no-things", "--still-light"}) {
+        EXPECT_EQ(fly({"--record", option}).exit_code, 2);
+        const Ended ended = fly({"--check", option});
+        EXPECT_EQ(ended.exit_code, 2);
+        EXPECT_THAT(ended.err, HasSubstr(option));
+        EXPECT_EQ(fly({"--check", option, "--against", "reference"}).exit_code, 0);
+    }
+}
+
 TEST_F(Fly, FilmsAsY4m) {
     EXPECT_EQ(fly({"--out", "walk.y4m"}).exit_code, 0);
     const std::string film = program_.text("walk.y4m");

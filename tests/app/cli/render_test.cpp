@@ -61,6 +61,27 @@ TEST_F(Render, DrawsTheThingsOfTheSkill) {
     EXPECT_EQ(render({"--skill", "6", "--out", "no.png"}).exit_code, 2);
 }
 
+TEST_F(Render, LeavesThingsOut) {
+    render({"--out", "empty.png"});
+    program_.write("map.toml",
+                   test::kTwoRooms + std::string("\n[[things]]\nx = 4\ny = 3\nlight = 0.2\n"
+                                                 "frames = [{ texture = \"statue\", origin = [32, 64] }]\n"));
+    render({"--out", "whole.png"});
+    EXPECT_EQ(render({"--no-things", "--out", "without.png"}).exit_code, 0);
+    EXPECT_NE(picture("whole.png").pixels, picture("without.png").pixels);
+    EXPECT_EQ(picture("empty.png").pixels, picture("without.png").pixels);
+}
+
+TEST_F(Render, LetsLightStandStill) {
+    program_.write("map.toml", test::kTwoRooms + std::string("\n[[lights]]\nx = 4\ny = 3\nz = 1\nbrightness = 0.5\n"
+                                                             "effect = { kind = \"glow\", dark = 0.1, dark_s = 1 }\n"));
+    render({"--time", "1", "--out", "dark.png"});
+    render({"--still-light", "--out", "first.png"});
+    EXPECT_EQ(render({"--still-light", "--time", "1", "--out", "later.png"}).exit_code, 0);
+    EXPECT_NE(picture("dark.png").pixels, picture("later.png").pixels);
+    EXPECT_EQ(picture("first.png").pixels, picture("later.png").pixels);
+}
+
 TEST_F(Render, DrawsAList) {
     program_.write("views.csv", "x,y,z,yaw,pitch,sector\n2,3,1.5,0,0,\n9,3,1.5,180,10,niche\n");
     EXPECT_EQ(render({"--views", "views.csv", "--out", "pictures/of/it"}).exit_code, 0);
