@@ -137,11 +137,28 @@ void declare_pictures(CLI::App& command, RenderRequest& request) {
     command.add_option("--timing", request.timing, "How long each view took to draw: view,ns")->type_name("FILE.csv");
 }
 
+void declare_outside(CLI::App& command, RenderRequest& request) {
+    command
+        .add_option("--from-above", request.from_above,
+                    "The same for pictures of the eye and the rooms it sees, from above: what it sees is bright, what "
+                    "lies behind linked doorways and in mirrors is where it appears")
+        ->type_name("FILE.png|DIR");
+    command.add_option("--from-behind", request.from_behind, "The same for pictures from behind the eye")
+        ->type_name("FILE.png|DIR");
+    command
+        .add_option("--reach", request.reach_m,
+                    "How many metres of ground --from-above shows, 24 if not given; --from-behind stands a fifth of it "
+                    "away")
+        ->type_name("M")
+        ->check(number_within(kLeastReach, kMostReach));
+}
+
 CLI::App* declare_render(CLI::App& enfilade, RenderRequest& request) {
     CLI::App* command = enfilade.add_subcommand("render", "Draw pictures of a map, without a window");
     command->add_option("MAP", request.map, "The map file (.toml)")->required();
     declare_places(*command, request);
     declare_pictures(*command, request);
+    declare_outside(*command, request);
     command->footer(
         "Examples:\n  enfilade render maps/enfilade.toml --out start.png\n  enfilade render "
         "maps/enfilade.toml --view 3,2,1.7,90,0 --size 640x400 --out door.png\n  enfilade render "

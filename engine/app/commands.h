@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "map/load.h"
+#include "render/outside/outside_camera.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
@@ -26,7 +27,8 @@ struct RenderRequest {
     std::vector<std::string> texture_folders;
     int skill = kUsualSkill;
     LeftOut left_out;
-    std::string out, ids, timing;
+    std::string out, ids, timing, from_above, from_behind;
+    double reach_m = kUsualReach;
 };
 
 struct FlyRequest {

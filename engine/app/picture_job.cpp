@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <memory>
 
@@ -16,6 +17,7 @@
 #include "formats/number_text.h"
 #include "platform/clock.h"
 #include "platform/gl_context.h"
+#include "render/outside/outside_renderer.h"
 #include "world/deed.h"
 #include "world/input.h"
 
@@ -27,8 +29,16 @@ struct Desk {
     std::unique_ptr<Renderer> renderer;
     Frame frame;
     FrameFacts facts;
+    OutsideRenderer outside;
+    Frame outside_frame;
     Status failed;
 };
+
+/// Where a job puts pictures, by argument; those that are not wanted are empty.
+std::array<std::pair<const char*, std::string>, 4> picture_outputs(const PictureJob& job) {
+    return {
+        {{"--out", job.out}, {"--ids", job.ids}, {"--from-above", job.from_above}, {"--from-behind", job.from_behind}}};
+}
 
 class Drawing {
 public:
@@ -51,6 +61,8 @@ public:
             Desk& desk = desks_[worker];
             desk.failed = draw(desk, i);
             if (!desk.failed) desk.failed = write(desk, i);
+            if (!desk.failed) desk.failed = draw_outside(desk, i, OutsideFrom::above, job_.from_above);
+            if (!desk.failed) desk.failed = draw_outside(desk, i, OutsideFrom::behind, job_.from_behind);
             if (desk.failed) stop_ = true;
             note.look_at(desk.frame);
             progress.step(worker);
@@ -88,12 +100,21 @@ private:
         return write(job_.ids, i, ids_image(desk.facts, desk.frame.width, desk.frame.height));
     }
 
+    Status draw_outside(Desk& desk, std::size_t i, OutsideFrom from, const std::string& out) const {
+        if (out.empty()) return {};
+        const auto [width, height] = job_.size;
+        desk.outside_frame.resize(width, height);
+        desk.outside.render(desk.outside_frame, map_.map, map_.textures, snapshot_, job_.views[i],
+                            {from, job_.reach_m, width, height}, threads_each_);
+        return write(out, i, image_of(desk.outside_frame));
+    }
+
     static Status write(const std::string& out, std::size_t i, const Image& image) {
         return names_picture(out) ? write_picture(out, image) : write_numbered_picture(out, i, image);
     }
 
     Status flush_folders() const {
-        for (const std::string& out : {job_.out, job_.ids})
+        for (const auto& [argument, out] : picture_outputs(job_))
             if (!out.empty() && !names_picture(out))
                 if (Status failed = flush_folder(out)) return failed;
         return {};
@@ -125,9 +146,12 @@ Snapshot snapshot_at(const Map& map, double time_s) {
 }
 
 Status check_outputs(const PictureJob& job) {
-    if ((job.out == "-") + (job.ids == "-") + (job.timing == "-") > 1)
-        return Error{"", "only one of --out, --ids and --timing can be '-', standard output"};
-    for (const auto& [argument, path] : {std::pair{"--out", job.out}, {"--ids", job.ids}}) {
+    const auto outputs = picture_outputs(job);
+    const auto is_standard_output = [](const auto& output) { return output.second == "-"; };
+    if (std::ranges::count_if(outputs, is_standard_output) + (job.timing == "-") > 1)
+        return Error{"",
+                     "only one of --out, --ids, --from-above, --from-behind and --timing can be '-', standard output"};
+    for (const auto& [argument, path] : outputs) {
         if (names_film(path) && !names_picture(path))
             return Error{argument, "render writes pictures; `enfilade fly` writes films"};
         const std::size_t count = job.views.size();
@@ -140,7 +164,7 @@ Status check_outputs(const PictureJob& job) {
 }
 
 Status draw_pictures(const OpenMap& map, const PictureJob& job) {
-    for (const std::string& path : {job.out, job.ids})
+    for (const auto& [argument, path] : picture_outputs(job))
         if (!path.empty() && !names_picture(path))
             if (Status failed = make_folder(path)) return failed;
     return Drawing(map, job).run();

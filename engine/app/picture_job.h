@@ -7,6 +7,7 @@
 #include "app/options.h"
 #include "base/result.h"
 #include "flight/renderer.h"
+#include "render/outside/outside_camera.h"
 #include "render/view.h"
 #include "world/snapshot.h"
 
@@ -19,10 +20,13 @@ struct PictureJob {
     RendererKind renderer = RendererKind::column;
     double time_s = 0;  ///< the moment that is shown
     LeftOut left_out;
-    std::size_t threads = 1;  ///< >= 1
-    std::string out;          ///< a .png file for the one view, or a folder for 000000.png onward
-    std::string ids;          ///< the same for pictures of surface ids
-    std::string timing;       ///< a CSV file `view,ns`
+    std::size_t threads = 1;       ///< >= 1
+    std::string out;               ///< a .png file for the one view, or a folder for 000000.png onward
+    std::string ids;               ///< the same for pictures of surface ids
+    std::string timing;            ///< a CSV file `view,ns`
+    std::string from_above;        ///< the same as `out` for pictures of the view from outside
+    std::string from_behind;       ///< and for those
+    double reach_m = kUsualReach;  ///< of both (render/outside/outside_camera.h) [m]
 };
 
 /// The map `time_s` after its start, when nobody has done anything.

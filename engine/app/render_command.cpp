@@ -47,6 +47,9 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     job.out = request.out;
     job.ids = request.ids;
     job.timing = request.timing;
+    job.from_above = request.from_above;
+    job.from_behind = request.from_behind;
+    job.reach_m = request.reach_m;
     return job;
 }
 

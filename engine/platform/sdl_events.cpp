@@ -27,6 +27,8 @@ Key key_of(SDL_Scancode code) {
         case SDL_SCANCODE_RSHIFT: return Key::right_shift;
         case SDL_SCANCODE_LCTRL: return Key::left_control;
         case SDL_SCANCODE_RCTRL: return Key::right_control;
+        case SDL_SCANCODE_LALT: return Key::left_alt;
+        case SDL_SCANCODE_RALT: return Key::right_alt;
         case SDL_SCANCODE_SPACE: return Key::space;
         case SDL_SCANCODE_TAB: return Key::tab;
         case SDL_SCANCODE_RETURN:
@@ -38,7 +40,11 @@ Key key_of(SDL_Scancode code) {
         case SDL_SCANCODE_KP_MINUS: return Key::minus;
         case SDL_SCANCODE_F2: return Key::f2;
         case SDL_SCANCODE_F3: return Key::f3;
+        case SDL_SCANCODE_F4: return Key::f4;
         case SDL_SCANCODE_F5: return Key::f5;
+        case SDL_SCANCODE_F6: return Key::f6;
+        case SDL_SCANCODE_F7: return Key::f7;
+        case SDL_SCANCODE_F8: return Key::f8;
         case SDL_SCANCODE_F9: return Key::f9;
         case SDL_SCANCODE_F11: return Key::f11;
         case SDL_SCANCODE_F12: return Key::f12;

@@ -15,11 +15,11 @@ struct Layer {
     std::string_view folder;
     int rank;
 };
-constexpr std::array kLayers{Layer{"base", 0},   Layer{"math", 1},          Layer{"formats", 2},
-                             Layer{"map", 3},    Layer{"space", 4},         Layer{"world", 5},
-                             Layer{"render", 6}, Layer{"render/column", 7}, Layer{"render/stencil", 7},
-                             Layer{"flight", 8}, Layer{"platform", 9},      Layer{"render/reference", 7},
-                             Layer{"app", 10}};
+constexpr std::array kLayers{
+    Layer{"base", 0},           Layer{"math", 1},   Layer{"formats", 2},  Layer{"map", 3},
+    Layer{"space", 4},          Layer{"world", 5},  Layer{"render", 6},   Layer{"render/column", 7},
+    Layer{"render/stencil", 7}, Layer{"flight", 8}, Layer{"platform", 9}, Layer{"render/reference", 7},
+    Layer{"render/outside", 7}, Layer{"app", 10}};
 constexpr int kHighestForWadconv = 3;
 
 /// The layer of a folder or of the nearest folder around it: app/play belongs to app.

@@ -82,6 +82,29 @@ TEST_F(Render, LetsLightStandStill) {
     EXPECT_EQ(picture("first.png").pixels, picture("later.png").pixels);
 }
 
+TEST_F(Render, DrawsViewsFromOutside) {
+    const Ended ended = render({"--out", "a.png", "--from-above", "above.png", "--from-behind", "behind"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(picture("above.png").width, 64u);
+    EXPECT_NE(picture("above.png").pixels, picture("a.png").pixels);
+    EXPECT_NE(picture("above.png").pixels, picture("behind/000000.png").pixels);
+    render({"--out", "a.png", "--from-above", "farther.png", "--reach", "60"});
+    EXPECT_NE(picture("above.png").pixels, picture("farther.png").pixels);
+}
+
+TEST_F(Render, RefusesOutsideViewsThatCannotBe) {
+    const Ended twice = render({"--out", "-", "--from-above", "-"});
+    EXPECT_EQ(twice.exit_code, 2);
+    EXPECT_THAT(twice.err, HasSubstr("only one of --out, --ids, --from-above, --from-behind and --timing"));
+    program_.write("views.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n2,3,1.5,9,0\n");
+    const Ended many = render({"--views", "views.csv", "--out", "all", "--from-behind", "one.png"});
+    EXPECT_EQ(many.exit_code, 2);
+    EXPECT_THAT(many.err, HasSubstr("--from-behind: expected a folder for 2 pictures"));
+    const Ended near = render({"--out", "a.png", "--from-above", "above.png", "--reach", "1"});
+    EXPECT_EQ(near.exit_code, 2);
+    EXPECT_THAT(near.err, HasSubstr("expected a number from 2 to 4096"));
+}
+
 TEST_F(Render, DrawsAList) {
     program_.write("views.csv", "x,y,z,yaw,pitch,sector\n2,3,1.5,0,0,\n9,3,1.5,180,10,niche\n");
     EXPECT_EQ(render({"--views", "views.csv", "--out", "pictures/of/it"}).exit_code, 0);

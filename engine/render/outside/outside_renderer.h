@@ -1,0 +1,31 @@
+// A picture of the world from outside, above the eye or behind it: what the eye sees, where it sees it, and through
+// which portals. Rooms behind links and in mirrors are where they appear to be.
+#pragma once
+#include "render/outside/room_facets.h"
+
+namespace enfilade {
+
+/// What to draw.
+struct OutsideLook {
+    OutsideFrom from = OutsideFrom::above;
+    double reach_m = kUsualReach;              ///< kLeastReach..kMostReach [m]
+    int seen_width = 1280, seen_height = 800;  ///< of the picture whose view is shown, 1..kMaxPictureSide [px]
+};
+
+/// Draws pictures from outside, one at a time. What is seen is bright, the rest of the rooms dim; where rooms lie on
+/// one another, what is seen comes before what is not. Roofs and walls that face away are left out.
+class OutsideRenderer {
+public:
+    /// Sets every pixel of the frame, whose size is the picture's. `view` is what the eye sees.
+    /// workers: threads, >= 1; the picture does not depend on them.
+    /// Cost: SeenRooms::look(), the walls of the rooms around, and the pixels that they cover.
+    void render(Frame& frame, const Map& map, const TextureSet& textures, const Snapshot& snapshot, const View& view,
+                const OutsideLook& look, std::size_t workers);
+
+private:
+    MapPieces pieces_;
+    SeenRooms rooms_;
+    std::vector<Facet> facets_;
+};
+
+}  // namespace enfilade
