@@ -191,11 +191,19 @@ void declare_tests(CLI::App& command, FlyRequest& request) {
                                    "and leave pictures of them in a report");
     command
         .add_flag("--record", request.record,
-                  "Record the hash of every frame in SCRIPT's .hashes file; draws no pictures for --out")
+                  "Record the hash of every frame in SCRIPT's .hashes file, and beside it small pictures of some in "
+                  "SCRIPT's .sheet.png, for the report of a later --check; draws no pictures for --out")
         ->excludes(check);
-    command.add_option("--keep", request.keep_every, "With --record: also keep every N-th frame as a picture")
-        ->type_name("N")
-        ->check(number_within(1, kMostFramesBetween));
+    auto* keep = command
+                     .add_option("--keep", request.keep_every,
+                                 "With --record: also keep every N-th frame in full size, in SCRIPT's .frames folder; "
+                                 "if not given, those that are there are drawn anew")
+                     ->type_name("N")
+                     ->check(number_within(1, kMostFramesBetween));
+    command
+        .add_flag("--no-pictures", request.no_pictures,
+                  "With --record: keep only hashes, and remove pictures that were kept")
+        ->excludes(keep);
     command.add_option("--against", request.against, "With --check: compare with another renderer instead")
         ->type_name("NAME");
     command

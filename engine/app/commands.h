@@ -39,7 +39,7 @@ struct FlyRequest {
     LeftOut left_out;
     std::optional<double> tolerance_percent;
     int keep_every = 0;
-    bool check = false, record = false;
+    bool check = false, record = false, no_pictures = false;
 };
 
 struct CheckRequest {

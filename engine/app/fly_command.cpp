@@ -76,6 +76,7 @@ Status check_combination(const FlyRequest& request) {
     if (!request.against.empty() && !request.check) return Error{"--against", "needs --check"};
     if (request.keep_every > 0 && !request.record) return Error{"--keep", "needs --record"};
     if (Status wrong = check_left_out(request)) return wrong;
+    if (request.no_pictures && !request.record) return Error{"--no-pictures", "needs --record"};
     if (request.record && !request.frames.empty()) return Error{"--record", "records all frames; leave out --frames"};
     return {};
 }
@@ -149,7 +150,7 @@ std::string report_folder(const FlyRequest& request) {
 Status record_or_check(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan,
                        const FlyChoices& choices) {
     const std::string report = report_folder(request);
-    if (request.record) return record_flight(scene, plan, request.script, request.keep_every);
+    if (request.record) return record_flight(scene, plan, request.script, {request.no_pictures, request.keep_every});
     if (choices.against)
         return compare_renderers(scene, plan, *choices.against, request.tolerance_percent.value_or(0) / 100, report);
     return check_flight(scene, plan, request.script, report);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/pictures.h"
+#include "flight/contact_sheet.h"
 
 namespace enfilade {
 namespace {
@@ -18,15 +19,16 @@ Result<std::string> add_picture(const std::string& folder, int frame, const char
 }
 
 Status add_difference(const std::string& folder, const BadFrame& bad, MismatchRow& row) {
-    auto expected = add_picture(folder, bad.mismatch.frame, "expected", bad.expected);
+    auto expected = add_picture(folder, bad.mismatch.frame, "expected", *bad.expected);
     if (!expected.ok()) return expected.error();
     row.expected_picture = expected.value();
-    if (bad.expected.width != bad.actual.width || bad.expected.height != bad.actual.height) return {};
-    const Difference difference = difference_of(bad.expected, bad.actual);
+    const Difference difference = difference_of(*bad.expected, reduced(bad.actual, bad.reduction));
     auto picture = add_picture(folder, bad.mismatch.frame, "difference", difference.picture);
     if (!picture.ok()) return picture.error();
     row.difference_picture = picture.value();
+    row.reduction = bad.reduction;
     row.pixels = difference.pixels;
+    row.of_pixels = difference.picture.pixels.size();
     row.largest = difference.largest;
     return {};
 }
@@ -38,15 +40,14 @@ Result<MismatchRow> add_row(const std::string& folder, const BadFrame& bad) {
     auto actual = add_picture(folder, bad.mismatch.frame, "actual", bad.actual);
     if (!actual.ok()) return actual.error();
     row.actual_picture = actual.value();
-    if (bad.expected.width > 0)
+    if (bad.expected)
         if (Status failed = add_difference(folder, bad, row)) return *failed;
     return row;
 }
 
 }  // namespace
 
-Status write_report(const std::string& folder, const std::string& title, const std::vector<BadFrame>& frames,
-                    std::size_t total) {
+Status write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames) {
     if (Status failed = make_folder(folder)) return failed;
     std::vector<MismatchRow> rows;
     for (const BadFrame& bad : frames) {
@@ -54,7 +55,7 @@ Status write_report(const std::string& folder, const std::string& title, const s
         if (!row.ok()) return row.error();
         rows.push_back(std::move(row).value());
     }
-    return write_file((std::filesystem::path(folder) / "index.html").string(), mismatch_page(title, rows, total));
+    return write_file((std::filesystem::path(folder) / "index.html").string(), mismatch_page(text, rows));
 }
 
 }  // namespace enfilade

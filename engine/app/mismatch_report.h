@@ -12,16 +12,16 @@ namespace enfilade {
 /// A frame that differs, with both its pictures.
 struct BadFrame {
     Mismatch mismatch;
-    Frame expected;  ///< of no size: there is none
+    std::optional<Frame> expected;  ///< none: nobody knows what it looked like
     Frame actual;
     std::string expected_origin;  ///< as in MismatchRow
+    int reduction = 1;            ///< of expected, which is compared with the actual picture reduced as much
 };
 
 /// Frames that a report shows; more would be more than anybody looks at.
 inline constexpr std::size_t kMostShown = 12;
 
 /// Writes the pictures and index.html into the folder, which is made where it is missing.
-Status write_report(const std::string& folder, const std::string& title, const std::vector<BadFrame>& frames,
-                    std::size_t total);
+Status write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames);
 
 }  // namespace enfilade

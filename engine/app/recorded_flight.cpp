@@ -6,22 +6,18 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/kept_pictures.h"
 #include "app/mismatch_report.h"
-#include "app/pictures.h"
 #include "app/progress.h"
 #include "base/files.h"
+#include "base/terminal.h"
 #include "formats/frame_hashes.h"
 #include "formats/number_text.h"
-#include "formats/png.h"
 
 namespace enfilade {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string with_ending(const std::string& script_path, const char* ending) {
-    return fs::path(script_path).replace_extension(ending).string();
-}
 
 std::size_t count_of(const DrawPlan& plan) { return std::size_t(plan.last - plan.first + 1); }
 
@@ -37,32 +33,6 @@ Result<std::vector<std::uint64_t>> hash_frames(const FlightScene& scene, const D
     });
     if (failed) return *failed;
     return hashes;
-}
-
-/// Numbers of the pictures in the folder, sorted.
-std::vector<int> kept_numbers(const std::string& folder) {
-    std::vector<int> numbers;
-    std::error_code unreadable;
-    for (const auto& entry : fs::directory_iterator(folder, unreadable)) {
-        int number = -1;
-        const bool numbered = std::sscanf(entry.path().stem().c_str(), "%d", &number) == 1;
-        if (numbered && entry.path().string() == numbered_picture(folder, std::size_t(number)))
-            numbers.push_back(number);
-    }
-    std::ranges::sort(numbers);
-    return numbers;
-}
-
-/// Which frames to keep as pictures; those that are not kept any more are removed.
-std::vector<int> choose_kept(const std::string& folder, const DrawPlan& plan, int keep_every) {
-    std::vector<int> chosen;
-    const auto before = kept_numbers(folder);
-    for (int number = 0; keep_every > 0 && number <= plan.last; number += keep_every) chosen.push_back(number);
-    if (keep_every <= 0)
-        std::ranges::copy_if(before, std::back_inserter(chosen), [&](int number) { return number <= plan.last; });
-    for (const int number : before)
-        if (!std::ranges::binary_search(chosen, number)) fs::remove(numbered_picture(folder, std::size_t(number)));
-    return chosen;
 }
 
 Result<FrameRecording> read_recorded(const std::string& script_path) {
@@ -105,14 +75,6 @@ Status other_frames(const std::vector<FrameHash>& recorded, int frames, const st
                                           counted(std::size_t(frames), "frame"), recorded.size())};
 }
 
-std::optional<Frame> kept_picture(const std::string& script_path, int number) {
-    const auto bytes = read_file(numbered_picture(kept_pictures_folder(script_path), std::size_t(number)));
-    if (!bytes.ok()) return {};
-    auto image = read_png(bytes.value());
-    if (!image.ok()) return {};
-    return Frame{int(image.value().width), int(image.value().height), std::move(image.value().pixels)};
-}
-
 Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPlan& plan, int number) {
     const auto renderer = make_renderer(kind, plan.workers, plan.open_gl);
     if (!renderer.ok()) return renderer.error();
@@ -122,25 +84,54 @@ Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPl
     return frame;
 }
 
-Status report_mismatches(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
-                         const std::vector<Mismatch>& found, const std::string& folder) {
-    std::vector<BadFrame> shown;
-    for (std::size_t i = 0; i < std::min(found.size(), kMostShown); ++i) {
-        const int number = found[i].frame;
-        auto actual = drawn_by(plan.renderer, scene, plan, number);
-        if (!actual.ok()) return actual.error();
-        BadFrame bad{found[i], {}, std::move(actual).value(), "as it was recorded"};
-        if (auto kept = kept_picture(script_path, number)) {
-            bad.expected = std::move(*kept);
-        } else {
-            auto expected = drawn_by(RendererKind::reference, scene, plan, number);
-            if (!expected.ok()) return expected.error();
-            bad.expected = std::move(expected).value();
-            bad.expected_origin = "not kept; here the reference renderer's picture of now";
-        }
-        shown.push_back(std::move(bad));
+/// Which of the frames found a report shows, growing: the first, those that a picture was kept of, and the next ones.
+std::vector<Mismatch> choose_shown(const std::vector<Mismatch>& found, const KeptPictures& kept) {
+    std::vector<Mismatch> shown{found.front()}, others;
+    for (std::size_t i = 1; i < found.size() && shown.size() < kMostShown; ++i) {
+        const bool has_picture = kept.of({static_cast<std::uint32_t>(found[i].frame), found[i].expected}).has_value();
+        (has_picture ? shown : others).push_back(found[i]);
     }
-    return write_report(folder, "Flythrough " + script_path, shown, found.size());
+    others.resize(std::min(others.size(), kMostShown - shown.size()));
+    shown.insert(shown.end(), others.begin(), others.end());
+    std::ranges::sort(shown, {}, &Mismatch::frame);
+    return shown;
+}
+
+BadFrame bad_frame(const Mismatch& mismatch, std::optional<KeptPicture> kept, Frame actual) {
+    BadFrame bad{mismatch, {}, std::move(actual), "no picture of this frame was kept", 1};
+    if (!kept) return bad;
+    bad.expected = std::move(kept->picture);
+    bad.reduction = kept->reduction;
+    bad.expected_origin = kept->reduction == 1 ? "as it was recorded"
+                                               : fmt::format("as it was recorded, {} times smaller", kept->reduction);
+    return bad;
+}
+
+/// What a reader of the report can do.
+std::string advice_on(const KeptPictures& kept, const std::string& script_path) {
+    std::string advice =
+        fmt::format("If the change was meant, record them again with `enfilade fly {} --record`.", script_path);
+    if (!kept.what_is_missing().empty())
+        advice += fmt::format(
+            " {} To see what was expected, run the same in the version that was right, and check again "
+            "with the recording that this makes.",
+            kept.what_is_missing());
+    return advice;
+}
+
+Status report_mismatches(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
+                         const FrameRecording& recording, const std::vector<Mismatch>& found,
+                         const std::string& folder) {
+    const KeptPictures kept(script_path, recording, plan);
+    std::vector<BadFrame> shown;
+    for (const Mismatch& mismatch : choose_shown(found, kept)) {
+        auto actual = drawn_by(plan.renderer, scene, plan, mismatch.frame);
+        if (!actual.ok()) return actual.error();
+        auto picture = kept.of({static_cast<std::uint32_t>(mismatch.frame), mismatch.expected});
+        shown.push_back(bad_frame(mismatch, std::move(picture), std::move(actual).value()));
+    }
+    if (!kept.what_is_missing().empty()) print_text(stderr, script_path + ": " + kept.what_is_missing() + "\n");
+    return write_report(folder, {"Flythrough " + script_path, advice_on(kept, script_path), found.size()}, shown);
 }
 
 Error differ(const std::string& where, std::size_t bad, std::size_t all, int first, const std::string& folder) {
@@ -180,22 +171,23 @@ Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan&
 
 }  // namespace
 
-std::string hashes_path(const std::string& script_path) { return with_ending(script_path, ".hashes"); }
+std::string hashes_path(const std::string& script_path) {
+    return fs::path(script_path).replace_extension(".hashes").string();
+}
 
-std::string kept_pictures_folder(const std::string& script_path) { return with_ending(script_path, ".frames"); }
-
-Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path, int keep_every) {
-    const std::string folder = kept_pictures_folder(script_path);
-    const std::vector<int> kept = choose_kept(folder, plan, keep_every);
-    if (!kept.empty())
-        if (Status failed = make_folder(folder)) return failed;
-    const auto hashes = hash_frames(scene, plan, [&](int number, const Frame& frame, std::size_t) -> Status {
-        if (!std::ranges::binary_search(kept, number)) return {};
-        return write_picture(numbered_picture(folder, std::size_t(number)), image_of(frame));
-    });
+Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
+                     const PictureKeeping& keeping) {
+    PictureKeeper keeper(script_path, plan, keeping);
+    if (Status failed = keeper.start()) return failed;
+    const auto hashes = hash_frames(
+        scene, plan, [&](int number, const Frame& frame, std::size_t) { return keeper.take(number, frame); });
     if (!hashes.ok()) return hashes.error();
+    const auto sheet = keeper.finish();
+    if (!sheet.ok()) return sheet.error();
     FrameRecording recording{
-        RecordedPictures{std::uint32_t(plan.width), std::uint32_t(plan.height), name_of(plan.renderer)}, {}};
+        RecordedPictures{std::uint32_t(plan.width), std::uint32_t(plan.height), name_of(plan.renderer)},
+        sheet.value(),
+        {}};
     for (const std::uint64_t hash : hashes.value())
         recording.frames.push_back({static_cast<std::uint32_t>(recording.frames.size()), hash});
     return write_file(hashes_path(script_path), write_frame_hashes(recording));
@@ -211,7 +203,8 @@ Status check_flight(const FlightScene& scene, const DrawPlan& plan, const std::s
     if (!hashes.ok()) return hashes.error();
     const auto found = mismatches(recorded.value().frames, plan.first, hashes.value());
     if (found.empty()) return {};
-    if (Status failed = report_mismatches(scene, plan, script_path, found, report_folder)) return failed;
+    if (Status failed = report_mismatches(scene, plan, script_path, recorded.value(), found, report_folder))
+        return failed;
     return differ(script_path, found.size(), hashes.value().size(), found.front().frame, report_folder);
 }
 
@@ -228,9 +221,10 @@ Status compare_renderers(const FlightScene& scene, const DrawPlan& plan, Rendere
         if (!actual.ok()) return actual.error();
         const Mismatch mismatch{found[i], hash_of(expected.value()), hash_of(actual.value())};
         shown.push_back(
-            {mismatch, std::move(expected).value(), std::move(actual).value(), "drawn by the other renderer"});
+            {mismatch, std::move(expected).value(), std::move(actual).value(), "drawn by the other renderer", 1});
     }
-    if (Status failed = write_report(report_folder, "Two renderers", shown, found.size())) return failed;
+    const ReportText text{"Two renderers", "What is expected was drawn by the other renderer.", found.size()};
+    if (Status failed = write_report(report_folder, text, shown)) return failed;
     return differ("", found.size(), count_of(plan), found.front(), report_folder);
 }
 

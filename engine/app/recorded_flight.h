@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "app/kept_pictures.h"
 #include "base/result.h"
 #include "flight/draw_frames.h"
 
@@ -10,17 +11,14 @@ namespace enfilade {
 /// The hashes beside a script: "tour.hashes" of "tour.toml".
 std::string hashes_path(const std::string& script_path);
 
-/// The folder of pictures that were kept for the human eye: "tour.frames".
-std::string kept_pictures_folder(const std::string& script_path);
-
-/// Draws all frames of the plan and writes their hashes. keep_every > 0: also keeps each so-many-th frame as a picture,
-/// instead of those kept before; 0: pictures that were kept are drawn anew.
-Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path, int keep_every);
+/// Draws all frames of the plan and writes their hashes, and beside them the pictures that shall be kept.
+Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
+                     const PictureKeeping& keeping);
 
 /// Draws the frames of the plan and compares each with its recorded hash. An error where frames of another number, size
-/// or renderer were recorded, or where some differ; of the last report_folder holds expected, actual and difference
-/// pictures of the first few and a page, index.html, that shows them. Expected is the kept picture, else what the
-/// reference draws.
+/// or renderer were recorded, or where some differ; of the last report_folder holds pictures of a few and a page,
+/// index.html, that shows them: expected, as it was kept when it was recorded, actual, and the difference. Nothing
+/// else is ever shown as expected; where nothing was kept, the page and stderr say so.
 Status check_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
                     const std::string& report_folder);
 

@@ -4,14 +4,14 @@
 #   enfilade_add_flythrough_test(NAME my_walk SCRIPT my_walk.toml)
 #
 # NAME      of the test
-# SCRIPT    the flythrough, relative to the calling CMakeLists.txt; its recorded pictures are in my_walk.hashes beside it
-#           (record them with: enfilade fly my_walk.toml --record)
+# SCRIPT    the flythrough, relative to the calling CMakeLists.txt; its recorded hashes are in my_walk.hashes beside it,
+#           small pictures of some frames in my_walk.sheet.png (record both with: enfilade fly my_walk.toml --record)
 # AGAINST   optional: compare with another renderer instead of the record, e.g. reference
 # OPTIONS   optional: more options of `enfilade fly`, e.g. --tolerance 0.1 --frames 0..59
 # LABELS    optional: labels of the test
 #
-# Where frames differ the test fails, and an HTML page with the expected, actual and difference pictures is left in the
-# build folder, flythroughs/NAME/. The command is the target `enfilade` where there is one, else the installed program.
+# Where frames differ the test fails, and an HTML page with the expected (as it was recorded), actual and difference
+# pictures is left in the build folder, flythroughs/NAME/. The command is the target `enfilade` where there is one, else the installed program.
 function(enfilade_add_flythrough_test)
   cmake_parse_arguments(arg "" "NAME;SCRIPT;AGAINST" "OPTIONS;LABELS" ${ARGN})
   foreach(needed NAME SCRIPT)

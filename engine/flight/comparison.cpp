@@ -50,17 +50,25 @@ std::string escaped(const std::string& text) {
 }
 
 std::string figure(const std::string& picture, const std::string& caption) {
-    if (picture.empty()) return "<td>none</td>";
-    return "<td><img src=\"" + escaped(picture) + "\"><br>" + escaped(caption) + "</td>";
+    const std::string image = picture.empty() ? "" : "<img src=\"" + escaped(picture) + "\"><br>";
+    return "<td>" + image + escaped(caption) + "</td>";
+}
+
+/// What the difference picture shows; nothing where there is none.
+std::string difference_text(const MismatchRow& row) {
+    if (row.difference_picture.empty()) return {};
+    std::string text = std::to_string(row.pixels) + " of " + std::to_string(row.of_pixels) + " pixels differ, by " +
+                       std::to_string(row.largest) + " of 255 at most";
+    if (row.reduction > 1) text += "; both pictures " + std::to_string(row.reduction) + " times smaller";
+    if (row.pixels == 0) text += ": the frames differ by less than such small pictures can show";
+    return text;
 }
 
 std::string row_text(const MismatchRow& row) {
     return "<tr><th>frame " + std::to_string(row.mismatch.frame) + "</th>" +
            figure(row.expected_picture, row.expected_origin + ", hash " + hex(row.mismatch.expected)) +
            figure(row.actual_picture, "hash " + hex(row.mismatch.actual)) +
-           figure(row.difference_picture, std::to_string(row.pixels) + " pixels differ, by " +
-                                              std::to_string(row.largest) + " of 255 at most") +
-           "</tr>\n";
+           figure(row.difference_picture, difference_text(row)) + "</tr>\n";
 }
 
 }  // namespace
@@ -88,15 +96,15 @@ std::vector<Mismatch> mismatches(const std::vector<FrameHash>& recorded, int fir
     return found;
 }
 
-std::string mismatch_page(const std::string& title, const std::vector<MismatchRow>& rows, std::size_t total) {
-    std::string page = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(title) +
+std::string mismatch_page(const ReportText& text, const std::vector<MismatchRow>& rows) {
+    std::string page = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
+                       escaped(text.title) +
                        "</title>\n<style>body{font-family:sans-serif;background:#222;color:#ddd}"
-                       "img{max-width:30vw;image-rendering:pixelated}td,th{padding:.5em;vertical-align:top}</style>"
+                       "img{width:28vw;image-rendering:pixelated}td,th{padding:.5em;vertical-align:top}</style>"
                        "</head>\n<body><h1>" +
-                       escaped(title) + "</h1>\n<p>" + std::to_string(total) +
-                       " frames differ from what was recorded; " + std::to_string(rows.size()) +
-                       " are shown. If the change was meant, record them again with <code>--record</code>.</p>\n"
-                       "<table><tr><th></th><th>expected</th><th>actual</th><th>difference</th></tr>\n";
+                       escaped(text.title) + "</h1>\n<p>" + std::to_string(text.total) + " frames differ; " +
+                       std::to_string(rows.size()) + " are shown. " + escaped(text.advice) +
+                       "</p>\n<table><tr><th></th><th>expected</th><th>actual</th><th>difference</th></tr>\n";
     for (const MismatchRow& row : rows) page += row_text(row);
     return page + "</table></body></html>\n";
 }

@@ -34,12 +34,21 @@ std::vector<Mismatch> mismatches(const std::vector<FrameHash>& recorded, int fir
 struct MismatchRow {
     Mismatch mismatch;
     std::string expected_picture, actual_picture, difference_picture;
-    std::string expected_origin;  ///< "recorded" or who drew it, e.g. "drawn by the reference renderer"
-    std::size_t pixels = 0;       ///< that differ between the two pictures shown
+    std::string expected_origin;  ///< where the expected picture is from, or why there is none
+    int reduction = 1;            ///< of the two pictures that were compared
+    std::size_t pixels = 0;       ///< that differ between these two
+    std::size_t of_pixels = 0;    ///< that each of them has
     int largest = 0;
 };
 
-/// A page of its own, without scripts or anything from elsewhere. total: all frames that differ; only some have rows.
-std::string mismatch_page(const std::string& title, const std::vector<MismatchRow>& rows, std::size_t total);
+/// What a page says beside its rows.
+struct ReportText {
+    std::string title;
+    std::string advice;     ///< sentences: what to do about it
+    std::size_t total = 0;  ///< all frames that differ; only some have rows
+};
+
+/// A page of its own, without scripts or anything from elsewhere.
+std::string mismatch_page(const ReportText& text, const std::vector<MismatchRow>& rows);
 
 }  // namespace enfilade

@@ -22,6 +22,14 @@ bool read_whole(std::string_view text, int base, Number& number) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
+Result<std::uint64_t> read_hash(const TextLine& line, std::size_t column) {
+    const std::string_view digits = line.text.substr(column);
+    std::uint64_t hash = 0;
+    if (digits.size() != kHashDigits || !read_whole(digits, 16, hash))
+        return bad_line(line, column, "expected 16 hexadecimal digits, found " + quoted(digits));
+    return hash;
+}
+
 Result<FrameHash> read_line(const TextLine& line) {
     const std::size_t blank = line.text.find(' ');
     if (blank == std::string_view::npos)
@@ -29,13 +37,13 @@ Result<FrameHash> read_line(const TextLine& line) {
     FrameHash entry;
     if (!read_whole(line.text.substr(0, blank), 10, entry.frame))
         return bad_line(line, 0, "expected a frame's number, found " + quoted(line.text.substr(0, blank)));
-    const std::string_view digits = line.text.substr(blank + 1);
-    if (digits.size() != kHashDigits || !read_whole(digits, 16, entry.hash))
-        return bad_line(line, blank + 1, "expected 16 hexadecimal digits, found " + quoted(digits));
+    const auto hash = read_hash(line, blank + 1);
+    if (!hash) return hash.error();
+    entry.hash = hash.value();
     return entry;
 }
 
-constexpr std::string_view kPictures = "picture ";
+constexpr std::string_view kPictures = "picture ", kSheet = "sheet ";
 
 /// The digits of a picture's width or height; no picture is 0 wide or high.
 bool read_side(std::string_view text, std::uint32_t& side) { return read_whole(text, 10, side) && side > 0; }
@@ -57,6 +65,29 @@ Result<RecordedPictures> read_pictures(const TextLine& line) {
     return pictures;
 }
 
+/// Reads a line about all frames into the recording; false where it is none of these, or the second of its kind.
+Result<bool> read_heading(const TextLine& line, FrameRecording& recording) {
+    if (!recording.pictures && line.text.starts_with(kPictures)) {
+        auto pictures = read_pictures(line);
+        if (!pictures) return pictures.error();
+        recording.pictures = std::move(pictures).value();
+        return true;
+    }
+    if (!recording.sheet && line.text.starts_with(kSheet)) {
+        const auto hash = read_hash(line, kSheet.size());
+        if (!hash) return hash.error();
+        recording.sheet = hash.value();
+        return true;
+    }
+    return false;
+}
+
+void add_hash(std::string& text, std::uint64_t hash) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(hash >> shift) & 15];
+    text += '\n';
+}
+
 }  // namespace
 
 Result<FrameRecording> read_frame_hashes(std::string_view text) {
@@ -64,11 +95,10 @@ Result<FrameRecording> read_frame_hashes(std::string_view text) {
     std::vector<FrameHash>& hashes = recording.frames;
     for (LineReader lines(text); const auto line = lines.next();) {
         if (line->text.empty() || line->text.starts_with('#')) continue;
-        if (hashes.empty() && !recording.pictures && line->text.starts_with(kPictures)) {
-            auto pictures = read_pictures(*line);
-            if (!pictures) return pictures.error();
-            recording.pictures = std::move(pictures).value();
-            continue;
+        if (hashes.empty()) {
+            const Result<bool> is_heading = read_heading(*line, recording);
+            if (!is_heading) return is_heading.error();
+            if (is_heading.value()) continue;
         }
         const Result<FrameHash> entry = read_line(*line);
         if (!entry) return entry.error();
@@ -82,16 +112,12 @@ Result<FrameRecording> read_frame_hashes(std::string_view text) {
 }
 
 std::string write_frame_hashes(const FrameRecording& recording) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
     std::string text = "# Frames and their hashes, written by 'enfilade fly SCRIPT --record'.\n";
     if (const auto& pictures = recording.pictures)
         text += std::string(kPictures) + std::to_string(pictures->width) + "x" + std::to_string(pictures->height) +
                 " " + pictures->renderer + "\n";
-    for (const FrameHash& entry : recording.frames) {
-        text += std::to_string(entry.frame) + ' ';
-        for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(entry.hash >> shift) & 15];
-        text += '\n';
-    }
+    if (recording.sheet) add_hash(text += kSheet, *recording.sheet);
+    for (const FrameHash& entry : recording.frames) add_hash(text += std::to_string(entry.frame) + ' ', entry.hash);
     return text;
 }
 

@@ -27,12 +27,14 @@ struct RecordedPictures {
 /// What a flythrough looked like.
 struct FrameRecording {
     std::optional<RecordedPictures> pictures;  ///< none: the recording does not say
+    std::optional<std::uint64_t> sheet;        ///< hash of the sheet of small pictures beside it; none: there is none
     std::vector<FrameHash> frames;
     bool operator==(const FrameRecording&) const = default;
 };
 
 /// Reads "FRAME HASH" lines, HASH as 16 hexadecimal digits, frames growing, and before them at most one line "picture
-/// WIDTHxHEIGHT RENDERER"; empty lines and lines that start with '#' are skipped. `where` of an error is "line:column".
+/// WIDTHxHEIGHT RENDERER" and one "sheet HASH"; empty lines and lines that start with '#' are skipped. `where` of an
+/// error is "line:column".
 Result<FrameRecording> read_frame_hashes(std::string_view text);
 
 /// The text that reads back as this, with a comment that says what it is. Frames must grow.

@@ -34,8 +34,14 @@ std::optional<ImageSize> png_size(std::span<const std::byte> bytes);
 /// memory is only taken for as many pixels as the bytes can hold.
 Result<Image> read_png(std::span<const std::byte> bytes);
 
+/// How much time is spent on making a file small.
+enum class PngEffort {
+    fast,      ///< a film writes a thousand: four times as fast, a fifth larger
+    smallest,  ///< for files that are kept
+};
+
 /// The same image always gives the same bytes. width, height >= 1.
-Bytes write_png(const Image& image);
+Bytes write_png(const Image& image, PngEffort effort = PngEffort::fast);
 
 /// Pixels by row, top row first, as numbers of palette entries, no padding.
 struct IndexedImage {

@@ -56,7 +56,7 @@ Workshop::Workshop() {
     put(path("walk.toml"), kScript);
     add_command("check", {"check", "map.toml"}, {});
     add_command("frame", {"render", "map.toml", "--size", "32x20", "--threads", "2", "--out", "x.png"}, {"x.png"});
-    add_command("record", {"fly", "walk.toml", "--record", "--threads", "2"}, {"walk.hashes"});
+    add_command("record", {"fly", "walk.toml", "--record", "--threads", "2"}, {"walk.hashes", "walk.sheet.png"});
     std::vector<std::string> pictures;
     for (int number = 0; number < 6; ++number) pictures.push_back(picture(number));
     add_command("pictures", {"fly", "walk.toml", "--out", "frames", "--threads", "2"}, pictures);

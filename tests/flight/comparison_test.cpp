@@ -56,10 +56,32 @@ TEST(MismatchPage, ShowsThreePicturesAndEscapesNames) {
     row.expected_picture = "e.png";
     row.actual_picture = "a.png";
     row.difference_picture = "d.png";
-    const std::string page = mismatch_page("<script>", {row}, 5);
+    const std::string page = mismatch_page({"<script>", "", 5}, {row});
     for (const char* part : {"e.png", "a.png", "d.png", "frame 7", "&lt;script&gt;", "5 frames differ"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     EXPECT_EQ(page.find("<script>"), std::string::npos);
+}
+
+TEST(MismatchPage, SaysWhenSmallPicturesCannotShowTheDifference) {
+    MismatchRow row;
+    row.difference_picture = "d.png";
+    row.reduction = 4;
+    row.of_pixels = 4000;
+    const std::string page = mismatch_page({"", "", 1}, {row});
+    EXPECT_NE(page.find("0 of 4000 pixels differ"), std::string::npos);
+    EXPECT_NE(page.find("less than such small pictures can show"), std::string::npos);
+    row.pixels = 1;
+    EXPECT_EQ(mismatch_page({"", "", 1}, {row}).find("less than"), std::string::npos);
+}
+
+TEST(MismatchPage, ShowsNoPictureWhereThereIsNone) {
+    MismatchRow row;
+    row.actual_picture = "a.png";
+    row.expected_origin = "no picture was kept";
+    const std::string page = mismatch_page({"", "", 1}, {row});
+    EXPECT_EQ(page.find("<img"), page.rfind("<img"));
+    EXPECT_NE(page.find("no picture was kept"), std::string::npos);
+    EXPECT_EQ(page.find("pixels differ"), std::string::npos);
 }
 
 }  // namespace

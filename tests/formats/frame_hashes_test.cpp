@@ -9,6 +9,7 @@ namespace enfilade {
 namespace {
 
 const FrameRecording kRecording{RecordedPictures{64, 40, "column"},
+                                0xFEDCBA9876543210,
                                 {{0, 0x0123456789ABCDEF}, {7, 0}, {4000000000, ~std::uint64_t{0}}}};
 
 std::string complaint(std::string_view text) {
@@ -25,7 +26,7 @@ TEST(FrameHashes, ReadBackWhatWasWritten) {
 TEST(FrameHashes, SkipCommentsEmptyLinesAndCarriageReturns) {
     const auto hashes = read_frame_hashes("# a\r\n\r\n3 0123456789abcdef\r\n");
     ASSERT_TRUE(hashes.ok());
-    EXPECT_EQ(hashes.value(), (FrameRecording{{}, {{3, 0x0123456789ABCDEF}}}));
+    EXPECT_EQ(hashes.value(), (FrameRecording{{}, {}, {{3, 0x0123456789ABCDEF}}}));
 }
 
 TEST(FrameHashes, SurviveBeingCutAnywhere) {
@@ -68,6 +69,12 @@ TEST(FrameHashes, NameARendererThatIsNone) {
 
 TEST(FrameHashes, NameASecondLineAboutPictures) {
     EXPECT_EQ(complaint("picture 7x8 column\npicture 7x8 column"), "2:1: expected a frame's number, found 'picture'");
+}
+
+TEST(FrameHashes, NameASheetWithoutAHash) {
+    EXPECT_EQ(complaint("sheet 0123"), "1:7: expected 16 hexadecimal digits, found '0123'");
+    EXPECT_EQ(complaint("sheet 0000000000000000\nsheet 0000000000000000"),
+              "2:1: expected a frame's number, found 'sheet'");
 }
 
 TEST(FrameHashes, RefuseANumberThatDoesNotFit) { EXPECT_NE(complaint("4294967296 0000000000000000"), ""); }

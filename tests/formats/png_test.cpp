@@ -47,6 +47,14 @@ TEST(Png, ReadsBackEveryPixel) {
     EXPECT_EQ(back.value().pixels, image.pixels);
 }
 
+TEST(Png, GetsSmallerWithMoreEffort) {
+    Image image{300, 200, std::vector<std::uint32_t>(300 * 200)};
+    for (std::uint32_t i = 0; i < 300 * 200; ++i) image.pixels[i] = 0xFF000000u | i % 300 / 3 << 8 | i / 300;
+    const Bytes small = write_png(image, PngEffort::smallest);
+    EXPECT_LT(small.size(), write_png(image).size());
+    EXPECT_EQ(read_png(small).value().pixels, image.pixels);
+}
+
 TEST(Png, GivesTheSameBytesAgain) { EXPECT_EQ(write_png(some_image(7, 5)), write_png(some_image(7, 5))); }
 
 // The file ends in an empty chunk of 12 bytes, which pixels do not need.

@@ -6,8 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "flight/contact_sheet.h"
 #include "flight/draw_frames.h"
 #include "formats/frame_hashes.h"
+#include "formats/png.h"
 #include "formats/script_toml.h"
 #include "map/load.h"
 
@@ -53,6 +55,27 @@ std::vector<std::uint32_t> other_frames(const FlightScene& scene, const ScriptFi
     return others;
 }
 
+/// The hash of the picture in a file; none where there is no picture.
+std::optional<std::uint64_t> hash_of_picture(const fs::path& path) {
+    const auto bytes = read_file(path.string());
+    auto image = bytes.ok() ? read_png(bytes.value()) : bytes.error();
+    if (!image.ok()) return {};
+    return hash_of(Frame{int(image.value().width), int(image.value().height), std::move(image.value().pixels)});
+}
+
+/// The hash of the sheet of small pictures as it is drawn now.
+std::uint64_t hash_of_sheet(const FlightScene& scene, const ScriptFile& script) {
+    ContactSheet sheet(scene.flight.frames(), script.width, script.height);
+    const auto renderer = make_renderer(RendererKind::column, 1, {});
+    Frame frame;
+    frame.resize(script.width, script.height);
+    for (const int number : frames_on_sheet(scene.flight.frames())) {
+        EXPECT_FALSE(draw_frame(scene, number, *renderer.value(), frame));
+        sheet.put(number, frame);
+    }
+    return hash_of(sheet.image());
+}
+
 class RecordedFlythrough : public testing::TestWithParam<fs::path> {};
 
 TEST_P(RecordedFlythrough, IsDrawnAsItWasRecorded) {
@@ -68,7 +91,10 @@ TEST_P(RecordedFlythrough, IsDrawnAsItWasRecorded) {
     ASSERT_TRUE(recorded.ok());
     const auto& hashes = recorded.value().frames;
     ASSERT_EQ(hashes.size(), static_cast<std::size_t>(flight->frames()));
-    EXPECT_THAT(other_frames({*flight, *loaded.map, loaded.textures}, reading.script, hashes), testing::IsEmpty());
+    const FlightScene scene{*flight, *loaded.map, loaded.textures};
+    EXPECT_THAT(other_frames(scene, reading.script, hashes), testing::IsEmpty());
+    EXPECT_EQ(recorded.value().sheet, hash_of_sheet(scene, reading.script));
+    EXPECT_EQ(recorded.value().sheet, hash_of_picture(fs::path(path).replace_extension(".sheet.png")));
 }
 
 std::string name_of(const testing::TestParamInfo<fs::path>& info) {

@@ -129,6 +129,77 @@ TEST_F(Fly, ReportsFramesThatChanged) {
         EXPECT_TRUE(program_.exists("report/000005-" + std::string(what) + ".png")) << what;
 }
 
+/// kTwoRooms with its walls' picture at another size.
+std::string other_walls() {
+    std::string map = test::kTwoRooms;
+    for (std::size_t at = 0; (at = map.find("\"wall\"", at)) != std::string::npos;) map.replace(at, 6, "\"wall 3,3\"");
+    return map;
+}
+
+TEST_F(Fly, ShowsWhatAChangedMapLookedLike) {
+    fly({"--record"});
+    EXPECT_TRUE(program_.exists("walk.sheet.png"));
+    program_.write("map.toml", other_walls());
+    const Ended ended = fly({"--check", "--out", "report"});
+    EXPECT_THAT(ended.err, HasSubstr("11 of 11 frames differ, frame 0 first"));
+    const std::string page = program_.text("report/index.html");
+    EXPECT_THAT(page, HasSubstr("as it was recorded"));
+    EXPECT_THAT(page, ::testing::Not(HasSubstr(">0 of ")));
+    EXPECT_NE(program_.text("report/000005-expected.png"), program_.text("report/000005-actual.png"));
+}
+
+TEST_F(Fly, ShowsSmallPicturesOfLargeFrames) {
+    fly({"--record", "--size", "320x200"});
+    program_.write("map.toml", other_walls());
+    fly({"--check", "--size", "320x200", "--out", "report"});
+    const std::string page = program_.text("report/index.html");
+    EXPECT_THAT(page, HasSubstr("as it was recorded, 4 times smaller"));
+    EXPECT_THAT(page, HasSubstr(" of 4000 pixels differ"));
+    EXPECT_LT(program_.text("report/000005-expected.png").size(), program_.text("report/000005-actual.png").size());
+}
+
+TEST_F(Fly, ChecksARecordingWithoutPicturesAndSaysWhatIsMissing) {
+    fly({"--record", "--no-pictures"});
+    EXPECT_FALSE(program_.exists("walk.sheet.png"));
+    EXPECT_EQ(fly({"--check"}).exit_code, 0);
+    program_.write("map.toml", other_walls());
+    const Ended ended = fly({"--check", "--out", "report"});
+    EXPECT_THAT(ended.err, HasSubstr("The recording has no small pictures of its frames."));
+    EXPECT_THAT(program_.text("report/index.html"), HasSubstr("no picture of this frame was kept"));
+    EXPECT_TRUE(program_.exists("report/000003-actual.png"));
+    EXPECT_FALSE(program_.exists("report/000003-expected.png"));
+}
+
+TEST_F(Fly, RemovesPicturesThatAreNotWantedAnyMore) {
+    fly({"--record", "--keep", "5"});
+    fly({"--record", "--no-pictures"});
+    EXPECT_FALSE(program_.exists("walk.sheet.png"));
+    EXPECT_FALSE(program_.exists("walk.frames/000005.png"));
+}
+
+TEST_F(Fly, TakesNoPictureOfAnotherRecordingForExpected) {
+    fly({"--record", "--keep", "5"});
+    const std::string sheet = program_.text("walk.sheet.png"), frame = program_.text("walk.frames/000005.png");
+    program_.write("walk.toml", std::string(kWalk) + "pitch = 10\n");
+    fly({"--record"});
+    program_.write("walk.sheet.png", sheet);
+    program_.write("walk.frames/000005.png", frame);
+    program_.write("map.toml", other_walls());
+    const Ended ended = fly({"--check", "--out", "report"});
+    EXPECT_THAT(ended.err, HasSubstr("walk.sheet.png are of another recording"));
+    EXPECT_FALSE(program_.exists("report/000005-expected.png"));
+    EXPECT_TRUE(program_.exists("report/000010-expected.png"));
+}
+
+TEST_F(Fly, SaysWhichPicturesItCannotRead) {
+    fly({"--record"});
+    program_.write("walk.sheet.png", "no picture");
+    program_.write("map.toml", other_walls());
+    const Ended ended = fly({"--check", "--out", "report"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("walk.sheet.png: not a PNG image"));
+}
+
 TEST_F(Fly, KeepsPicturesForTheEyeAndRenewsThem) {
     fly({"--record", "--keep", "5"});
     const std::string before = program_.text("walk.frames/000010.png");
@@ -211,6 +282,8 @@ TEST_F(Fly, RefusesWhatMakesNoSense) {
                                                       {"--check", "--record"},
                                                       {"--against", "reference", "--out", "f"},
                                                       {"--keep", "3", "--out", "f"},
+                                                      {"--no-pictures", "--out", "f"},
+                                                      {"--record", "--keep", "3", "--no-pictures"},
                                                       {"--record", "--frames", "1..2"},
                                                       {"--record", "--out", "f"},
                                                       {"--check", "--tolerance", "1"},

@@ -121,7 +121,8 @@ TEST_P(HostileRecordings, AreToldInLetters) {
 
 INSTANTIATE_TEST_SUITE_P(Recordings, HostileRecordings,
                          ::testing::Values(kRaw, "picture 16x10 " + kRaw, "picture " + kRaw + " column",
-                                           "picture 16x10 column\n0 " + kRaw, kRaw + " 0123456789abcdef"));
+                                           "picture 16x10 column\n0 " + kRaw, "sheet " + kRaw,
+                                           kRaw + " 0123456789abcdef"));
 
 /// Views that are read from a file.
 class HostileViews : public HostileWords {};
