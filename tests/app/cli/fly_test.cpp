@@ -158,6 +158,16 @@ TEST_F(Fly, ShowsSmallPicturesOfLargeFrames) {
     EXPECT_LT(program_.text("report/000005-expected.png").size(), program_.text("report/000005-actual.png").size());
 }
 
+TEST_F(Fly, SaysWhenSmallPicturesAreAlikeThoughFramesDiffer) {
+    fly({"--record", "--size", "320x200"});
+    std::string hashes = program_.text("walk.hashes");
+    const std::size_t first_hash = hashes.find("\n0 ") + 3;
+    hashes[first_hash] = hashes[first_hash] == '0' ? '1' : '0';
+    program_.write("walk.hashes", hashes);
+    EXPECT_THAT(fly({"--check", "--size", "320x200", "--out", "report"}).err, HasSubstr("1 of 11 frames differ"));
+    EXPECT_THAT(program_.text("report/index.html"), HasSubstr(">0 of 4000 pixels differ"));
+}
+
 TEST_F(Fly, ChecksARecordingWithoutPicturesAndSaysWhatIsMissing) {
     fly({"--record", "--no-pictures"});
     EXPECT_FALSE(program_.exists("walk.sheet.png"));
