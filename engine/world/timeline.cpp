@@ -9,9 +9,9 @@ namespace enfilade {
 Timeline::Timeline(World start) : world_(std::move(start)) { keep(); }
 
 void Timeline::keep() {
-    const History history = std::exchange(world_.history, {});
+    History history = std::exchange(world_.history, {});
     kept_.push_back({world_, history.length()});
-    world_.history = history;
+    world_.history = std::move(history);
 }
 
 void Timeline::play(const Map& map, const TickInput& input) {
