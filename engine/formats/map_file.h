@@ -197,6 +197,12 @@ struct PlayerRecord {
 
 enum class LightModel : std::uint8_t { smooth, classic };
 
+/// How the rows of a sky's picture lie on the screen: round as on a cylinder about the eye, or straight.
+enum class SkyRows : std::uint8_t { round, straight };
+
+/// Whether the floors, ceilings and walls that a thing's picture reaches into cut it.
+enum class ThingEdges : std::uint8_t { cut, whole };
+
 struct RenderRecord {
     double stretch = 1;
     LightModel light = LightModel::smooth;
@@ -204,6 +210,11 @@ struct RenderRecord {
     int max_depth = 64;                        ///< links followed in one chain
     std::uint32_t fog_color = 0xC0C8D0;        ///< 0xRRGGBB
     double fog_reach = 0;                      ///< depth at which fog hides half of everything but sky; 0: no fog [m]
+    SkyRows sky = SkyRows::round;
+    ThingEdges things = ThingEdges::cut;
+    std::string color_table;  ///< picture of what becomes of colours in the dark (map/color_table.h); empty: none
+    TextPlace place{};
+    KeyPlaces places{};
     bool operator==(const RenderRecord&) const = default;
 };
 

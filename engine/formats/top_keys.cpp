@@ -41,6 +41,9 @@ constexpr std::array kRenderKeys{
     key<&RenderRecord::max_depth>("max_depth", kNew, Need::optional, {0, 1024}),
     color_key<&RenderRecord::fog_color>("fog_color", kNew),
     key<&RenderRecord::fog_reach>("fog_reach", kNew, Need::optional, {0, kWorldLimit}),
+    key<&RenderRecord::sky>("sky", kNew),
+    key<&RenderRecord::things>("things", kNew),
+    file_key<&RenderRecord::color_table>("color_table", kNew),
 };
 
 void read_format(Reading& reading, const NamedValue& value, Range, MapFile& map) {

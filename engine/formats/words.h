@@ -12,6 +12,8 @@ namespace enfilade {
 // Each list is in the order of the enumeration's values.
 inline constexpr std::array<std::string_view, 4> kPegWords{"ceiling", "floor", "opening_top", "opening_bottom"};
 inline constexpr std::array<std::string_view, 2> kLightModelWords{"smooth", "classic"};
+inline constexpr std::array<std::string_view, 2> kSkyRowsWords{"round", "straight"};
+inline constexpr std::array<std::string_view, 2> kThingEdgesWords{"cut", "whole"};
 inline constexpr std::array<std::string_view, 2> kEaseWords{"smooth", "linear"};
 inline constexpr std::array<std::string_view, 2> kPressWords{"none", "use"};
 inline constexpr std::array<std::string_view, 3> kRendererWords{"column", "stencil", "reference"};
@@ -28,6 +30,8 @@ inline constexpr std::array<std::string_view, 3> kHoldsUpWords{"all", "all_but_c
 
 constexpr const auto& words_of(Peg) { return kPegWords; }
 constexpr const auto& words_of(LightModel) { return kLightModelWords; }
+constexpr const auto& words_of(SkyRows) { return kSkyRowsWords; }
+constexpr const auto& words_of(ThingEdges) { return kThingEdgesWords; }
 constexpr const auto& words_of(Ease) { return kEaseWords; }
 constexpr const auto& words_of(Press) { return kPressWords; }
 constexpr const auto& words_of(RendererChoice) { return kRendererWords; }

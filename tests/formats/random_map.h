@@ -24,7 +24,10 @@ public:
                       static_cast<std::uint32_t>(random_.below(1 << 24)),
                       whole(0, 1024),
                       static_cast<std::uint32_t>(random_.below(1 << 24)),
-                      number(0, 99)};
+                      number(0, 99),
+                      flip() ? SkyRows::straight : SkyRows::round,
+                      flip() ? ThingEdges::whole : ThingEdges::cut,
+                      flip() ? file_name() : ""};
         for (int i = whole(1, 4); i > 0; --i) map.sectors.push_back(sector());
         if (flip()) map.player = PlayerRecord{text(), point(), number(-100, 100), number(-360, 360), {}};
         for (int i = whole(0, 3); i > 0; --i) map.things.push_back(thing());
@@ -270,6 +273,7 @@ inline MapFile without_places(MapFile map) {
             if (trigger.effect) trigger.effect->place = {};
         }
     };
+    map.render.place = {};
     for (SectorRecord& sector : map.sectors) {
         forget_triggers(sector.triggers);
         if (sector.light_effect) sector.light_effect->place = {};
