@@ -110,9 +110,16 @@ constexpr std::uint32_t texel_of(TilePlace place, std::uint32_t size_px) {
     return static_cast<std::uint32_t>(std::uint64_t{place} * size_px >> 32);
 }
 
+/// How the rows of the sky lie in a picture. Straight ones go by what a ray climbs per metre of depth, so that a row of
+/// the screen is a row of the sky, as in Doom; round ones by what it climbs per metre along the ground. A tilted
+/// picture has no rows of one climb: its sky is round.
+constexpr SkyRows sky_rows(const RenderRecord& render, bool is_tilted) {
+    return is_tilted ? SkyRows::round : render.sky;
+}
+
 /// Where on the sky picture a ray looks, around which it is repeated. turns: turn_of(direction in the plane).
-/// elevation: tangent of the angle above the horizon. The picture's foot is at the horizon; below it and above its top
-/// its last row goes on.
+/// elevation: tangent of the angle above the horizon, or where rows are straight what the ray climbs per depth. The
+/// picture's foot is at the horizon; below it and above its top its last row goes on.
 struct SkyTexel {
     double u;  ///< [0, 1)
     double v;  ///< [0, 1]

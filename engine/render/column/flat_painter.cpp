@@ -10,9 +10,12 @@
 namespace enfilade::column {
 namespace {
 
-/// What a ray climbs from one row to the next, per metre along the ground: per metre of depth it climbs more, by the
-/// length of `ray`.
-double rise_per_row(const Scene& scene, Vec2 ray) { return 1 / (scene.screen.focal_y * std::sqrt(dot(ray, ray))); }
+/// What a ray climbs from one row to the next: where the sky's rows are straight, per metre of depth; else per metre
+/// along the ground, which is longer by the length of `ray`.
+double rise_per_row(const Scene& scene, Vec2 ray) {
+    if (sky_rows(scene.map.render, false) == SkyRows::straight) return 1 / scene.screen.focal_y;
+    return 1 / (scene.screen.focal_y * std::sqrt(dot(ray, ray)));
+}
 
 }  // namespace
 

@@ -74,7 +74,9 @@ Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, 
 
 /// Where on the picture the ray looks.
 SkyTexel sky_texel_of(const Arrival& at, const Surface& surface) {
-    const double elevation = at.course.climb / std::sqrt(1 + at.course.slope * at.course.slope);
+    const bool is_round = sky_rows(at.scene.map.render, at.scene.is_tilted) == SkyRows::round;
+    const double ground = is_round ? std::sqrt(1 + at.course.slope * at.course.slope) : 1;
+    const double elevation = at.course.climb / ground;
     const double turns = turn_of(at.hit.space.direction(at.course.slope));
     return sky_texel(surface.tile_m, surface.offset_tiles, turns, elevation);
 }

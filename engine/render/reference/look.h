@@ -17,6 +17,7 @@ struct Scene {
     const TextureSet& textures;
     const Snapshot& snapshot;
     LightGrids* lights = nullptr;  ///< null: the map has no point lights
+    bool is_tilted = false;        ///< the picture
 };
 
 /// What a ray ends on.

@@ -125,7 +125,7 @@ void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const Tex
     const Projection projection(view, frame.width, frame.height);
     const Projection fine(view, frame.width * options.samples, frame.height * options.samples);
     LightGrids own_lights, &lights = options.lights ? *options.lights : own_lights;
-    const Scene scene{map, textures, snapshot, lights.start(map) ? &lights : nullptr};
+    const Scene scene{map, textures, snapshot, lights.start(map) ? &lights : nullptr, view.tilt.has_value()};
     frame.resize(frame.width, frame.height);
     if (facts) reset(*facts, frame.width, frame.height);
     std::vector<char> cut_short(static_cast<std::size_t>(frame.width));

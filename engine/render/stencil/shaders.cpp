@@ -87,6 +87,7 @@ uniform vec3 entry_span;  // there, per column, per row
 uniform vec2 level;  // a point at or near the horizon, so that rows next to it keep their precision
 uniform vec3 climb;  // what the ray climbs there, per column, per row
 uniform int is_classic;
+uniform int is_sky_round;
 uniform vec4 fog;  // its colour, 0 to 255, and the depth where it hides half; 0: no fog
 uniform uint least_alpha;  // that is shown; 0: whatever it is, the picture is opaque
 uniform usampler2D texels;
@@ -222,7 +223,7 @@ void main() {
     } else if (paint == kSky) {
         vec2 ahead = vec2(even(a.xyz, t), even(b.xyz, t));
         float turns = part(atan(ahead.y, ahead.x) * 0.15915494309189535);
-        float elevation = up / length(ahead);
+        float elevation = is_sky_round != 0 ? up / length(ahead) : up;
         tile = sky_tile(turns, elevation, c.xy, c.zw);
         color = texel(tile);
 #ifdef LAYERED_SKY
@@ -307,6 +308,7 @@ Status build(SurfaceProgram& surface, Kind kind) {
     surface.level = uniform(surface.program, "level");
     surface.climb = uniform(surface.program, "climb");
     surface.is_classic = uniform(surface.program, "is_classic");
+    surface.is_sky_round = uniform(surface.program, "is_sky_round");
     surface.fog = uniform(surface.program, "fog");
     surface.least_alpha = uniform(surface.program, "least_alpha");
     surface.texels = uniform(surface.program, "texels");

@@ -14,6 +14,7 @@ struct SurfaceProgram {
     GLint level = -1;                   ///< a point at or near the horizon [px]
     GLint climb = -1;                   ///< what the ray climbs there, per column, per row
     GLint is_classic = -1;              ///< light model
+    GLint is_sky_round = -1;            ///< its rows are
     GLint fog = -1;                     ///< its colour and reach
     GLint least_alpha = -1;  ///< pixels of a picture with less are left out, 0..255; 0: the picture is opaque
     GLint texels = -1;

@@ -8,6 +8,7 @@
 #include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
 #include "render/column/strips.h"
+#include "space/locate.h"
 #include "support/furnish.h"
 
 namespace enfilade {
@@ -87,6 +88,44 @@ TEST(ColumnRenderer, AgreesWithTheReferenceUnderSkiesWithLayers) {
     world.textures.textures[world.textures.find("lattice").index] = lattice();
     world.snapshot.time_s = 17.3;
     expect_agreement(world, 9, 100);
+}
+
+TEST(ColumnRenderer, AgreesWithTheReferenceUnderASkyWithStraightRows) {
+    MapFile file = palace();
+    file.render.sky = SkyRows::straight;
+    sector(file, "yard").ceiling.layers = {{TextureSpec{"haze", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}}};
+    expect_agreement(World(file), 10, 100);
+}
+
+/// The least and the greatest v that row 0, all sky, shows from the middle of the yard, looking askew.
+std::pair<float, float> range_of_sky_in_row_0(SkyRows rows) {
+    MapFile file = palace();
+    file.render.sky = rows;
+    sector(file, "yard").ceiling.texture->tile_m = Vec2{1, 4};
+    const World world(file);
+    View view;
+    view.sector = locate(world.map, {20, 6});
+    view.eye = {20, 6};
+    view.eye_z = 6.75;
+    view.forward = direction(Angle::from_degrees(33));
+    view.pitch_tangent = 1;
+    Frame frame;
+    frame.resize(160, 100);
+    FrameFacts facts;
+    reset(facts, 160, 100);
+    ColumnRenderer().render(frame, &facts, world.map, world.textures, world.snapshot, view);
+    std::pair<float, float> range{1, 0};
+    for (std::size_t x = 0; x < 160; ++x) {
+        EXPECT_EQ(facts.depths[x], std::numeric_limits<double>::infinity());
+        range = {std::min(range.first, facts.texels[x].v), std::max(range.second, facts.texels[x].v)};
+    }
+    return range;
+}
+
+TEST(ColumnRenderer, ShowsARowOfASkyWithStraightRowsInARow) {
+    const auto straight = range_of_sky_in_row_0(SkyRows::straight), round = range_of_sky_in_row_0(SkyRows::round);
+    EXPECT_EQ(straight.first, straight.second);
+    EXPECT_LT(round.first, round.second);
 }
 
 /// Rooms of half light with lamps, things, panels and fences.
