@@ -69,6 +69,8 @@ void note_changes(Names& names, const MapFile& file) {
 
 Names names_used(const MapFile& file) {
     Names names;
+    if (!file.render.color_table.empty())
+        note(names, TextureSpec{file.render.color_table, {}, {}, key_place(file.render, "color_table")});
     note_changes(names, file);
     for (const SectorRecord& sector : file.sectors) {
         note(names, sector.floor);
@@ -151,6 +153,8 @@ TextureLoader::TextureLoader(const MapFile& file, const std::vector<std::string>
         if (picture.bytes) make_room_for(picture);
     }
     const auto is_missing = [](const Picture& picture) { return !picture.bytes; };
+    table_place_ = key_place(file.render, "color_table");
+    if (!file.render.color_table.empty()) read_color_table(lower_case(file.render.color_table));
     if (list && std::any_of(pictures_.begin(), pictures_.end(), is_missing)) suggest_names(folders, list);
 }
 
@@ -160,6 +164,16 @@ void TextureLoader::make_room_for(Picture& picture) {
     bytes_needed_ += picture.bytes->size() + unpacked;
     picture.is_over = bytes_needed_ > kMostTextureBytes;
     if (picture.is_over) picture.bytes = Bytes();
+}
+
+/// Before all others, which are to be looked up in it.
+void TextureLoader::read_color_table(const std::string& name) {
+    const auto picture = std::ranges::find(pictures_, name, &Picture::name);
+    if (picture == pictures_.end()) return;
+    picture->is_color_table = true;
+    if (!picture->bytes) return;
+    if (const Result<Image> image = read_png(*picture->bytes))
+        color_table_ = ColorTable::read(by_columns(image.value()), table_fault_);
 }
 
 void TextureLoader::suggest_names(const std::vector<std::string>& folders, const FolderLister& list) {
@@ -200,16 +214,26 @@ void TextureLoader::unpack(std::size_t i) {
         picture.bytes = Bytes();
     }
     picture.texture.missing = !picture.bytes;
+    if (!color_table_.is_empty()) picture.texture.numbers = color_table_.numbers_in(picture.texture);
     picture.texture.name = picture.name;
 }
 
 void TextureLoader::report(const Picture& picture, Findings& findings) {
     if (!picture.bytes)
-        findings.push_back({picture.place, Severity::warning, "missing-texture",
-                            "texture " + quoted(picture.written) +
-                                " is in none of the texture folders; a placeholder is drawn" + picture.near});
+        findings.push_back(
+            {picture.place, Severity::warning, "missing-texture",
+             (picture.is_color_table ? "color table " : "texture ") + quoted(picture.written) +
+                 " is in none of the texture folders; " +
+                 (picture.is_color_table ? "all colors are darkened in proportion" : "a placeholder is drawn") +
+                 picture.near});
     if (!picture.fault.empty())
         findings.push_back({picture.place, Severity::error, "bad-texture", picture.path + ": " + picture.fault});
+}
+
+void TextureLoader::report_color_table(Findings& findings) const {
+    if (table_fault_.empty()) return;
+    findings.push_back(
+        {table_place_, Severity::error, "bad-color-table", "the color table is no such table: " + table_fault_});
 }
 
 void TextureLoader::report_shortage(Findings& findings) const {
@@ -226,6 +250,8 @@ void TextureLoader::report_shortage(Findings& findings) const {
 TextureSet TextureLoader::take(Findings& findings) {
     TextureSet set;
     report_shortage(findings);
+    report_color_table(findings);
+    set.color_table = std::move(color_table_);
     set.placeholder = make_placeholder();
     for (Picture& picture : pictures_) {
         report(picture, findings);

@@ -10,6 +10,7 @@
 #include "base/finding.h"
 #include "base/id.h"
 #include "formats/map_file.h"
+#include "map/color_table.h"
 
 namespace enfilade {
 
@@ -20,9 +21,11 @@ struct Texture {
     std::uint32_t width = 1;   ///< >= 1 [px]
     std::uint32_t height = 1;  ///< >= 1 [px]
     std::vector<std::uint32_t> pixels;
-    bool has_holes = false;         ///< some pixel is not opaque
-    bool missing = false;           ///< a placeholder for a file that was not found
-    std::uint64_t fingerprint = 0;  ///< of the file it was read from
+    std::vector<std::uint8_t> numbers;  ///< of their colours in the map's color table, by which the picture is then
+                                        ///< darkened; empty: there is none, or it lacks one of the colours
+    bool has_holes = false;             ///< some pixel is not opaque
+    bool missing = false;               ///< a placeholder for a file that was not found
+    std::uint64_t fingerprint = 0;      ///< of the file it was read from
 
     std::uint32_t at(std::uint32_t x, std::uint32_t y) const { return pixels[std::size_t{x} * height + y]; }
 };
@@ -30,7 +33,8 @@ struct Texture {
 /// Indexed by TextureId; sorted by name.
 struct TextureSet {
     std::vector<Texture> textures;
-    Texture placeholder;  ///< stands in for "no texture" where something must be drawn
+    Texture placeholder;     ///< stands in for "no texture" where something must be drawn
+    ColorTable color_table;  ///< empty: all pictures are darkened in proportion
 
     const Texture& operator[](TextureId id) const { return id ? textures[id.index] : placeholder; }
     /// none where there is no such name; upper and lower case are the same.
@@ -77,19 +81,25 @@ private:
         TextPlace place;             ///< of its first use
         std::string path;            ///< where it was found
         std::optional<Bytes> bytes;  ///< of its file; none: in no folder
-        bool is_over = false;        ///< there is no room for it; bytes are empty
+        bool is_color_table = false;
+        bool is_over = false;  ///< there is no room for it; bytes are empty
         Texture texture;
         std::string fault;  ///< why it is not an image; empty: it is one
         std::string near;   ///< "; did you mean 'X'?" where it is missing and another one is called nearly so
     };
     void suggest_names(const std::vector<std::string>& folders, const FolderLister& list);
+    void read_color_table(const std::string& name);
     /// Counts what it takes, and drops its bytes where that is too much.
     void make_room_for(Picture& picture);
     static void report(const Picture& picture, Findings& findings);
+    void report_color_table(Findings& findings) const;
     void report_shortage(Findings& findings) const;
 
     std::uint64_t bytes_needed_ = 0;  ///< by all pictures
     std::vector<Picture> pictures_;   ///< sorted by name
+    ColorTable color_table_;
+    TextPlace table_place_;
+    std::string table_fault_;  ///< what is wrong with it
 };
 
 /// All of it, on all cores.

@@ -53,6 +53,19 @@ constexpr std::uint32_t lit(std::uint32_t color, Shade shade, LightCell light) {
     return result;
 }
 
+/// The colour in a light that comes on top of what it has without, which is `darkened`: as much is added as lit() would
+/// add to the shade. Alpha becomes opaque.
+constexpr std::uint32_t lit_above(std::uint32_t darkened, std::uint32_t color, Shade shade, LightCell light) {
+    std::uint32_t result = 0xFF000000u;
+    for (int channel = 0; channel < 3; ++channel) {
+        const std::uint32_t more = lane(light, channel) / kLightSteps, most = kBrightest - shade;
+        const std::uint32_t added = (color >> 8 * channel & 0xFF) * (more < most ? more : most) >> 8;
+        const std::uint32_t bright = (darkened >> 8 * channel & 0xFF) + added;
+        result |= (bright < 255 ? bright : 255) << 8 * channel;
+    }
+    return result;
+}
+
 /// Distance of neighbouring points of a grid [m]: a lamp's pool of light is round, and a room has a few thousand.
 inline constexpr double kLightCell = 0.25;
 

@@ -33,6 +33,14 @@ constexpr std::uint32_t shaded(std::uint32_t color, Shade shade) {
     return 0xFF000000u | red_blue | green;
 }
 
+/// The colours of a color table in this shade, by their numbers: its 32 levels stand for 256, 248 to 8, and a shade
+/// between two of them has the brighter one's.
+inline const std::uint32_t* darkened_colors(const ColorTable& table, Shade shade) {
+    constexpr Shade kFull = 256, kPerLevel = kFull / ColorTable::kLevels;
+    const Shade missing = shade < kFull ? kFull - shade : 0;
+    return table.at_level(std::min<std::size_t>(missing / kPerLevel, ColorTable::kLevels - 1));
+}
+
 /// How much of a colour fog hides, in 1/256: 0 nothing, 256 all.
 using Mist = std::uint32_t;
 

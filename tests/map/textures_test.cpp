@@ -55,6 +55,44 @@ TEST(Textures, AreOnePictureHoweverTheirNameIsWritten) {
     EXPECT_TRUE(set.find("b") && set.find("a/b"));
 }
 
+/// A room with two pictures and a color table, which is the picture given.
+TextureSet with_color_table(const Image& table, Findings& findings) {
+    MapFile file = map_with({"plain", "foreign"});
+    file.render.color_table = "Colors";
+    const FileReader read = [&](const std::string& path) -> Result<Bytes> {
+        if (path == "pictures/Colors.png") return write_png(table);
+        const std::uint32_t second = path.ends_with("/plain.png") ? 0x00123456u : 0xFF000003u;
+        return write_png({3, 1, {0xFF000002u, second, 0x80000001u}});
+    };
+    return load_textures(file, {"pictures"}, read, findings);
+}
+
+TEST(Textures, HaveTheNumbersOfTheirColorsInTheColorTable) {
+    Image table{4, 33, std::vector<std::uint32_t>(std::size_t{4} * 33, 0xFF000000u)};
+    for (std::uint32_t x = 0; x < 3; ++x) table.pixels[x] = 0xFF000000u | x;
+    table.pixels[3] = 0xFF000002u;
+    Findings findings;
+    const TextureSet set = with_color_table(table, findings);
+    EXPECT_EQ(text_of(findings), "");
+    EXPECT_FALSE(set.color_table.is_empty());
+    EXPECT_THAT(set[set.find("plain")].numbers, ElementsAre(2, 0, 1));
+    EXPECT_THAT(set[set.find("foreign")].numbers, ElementsAre());
+}
+
+TEST(Textures, SayWhatIsWrongWithAColorTable) {
+    const auto complaint_about = [](const Image& table) {
+        Findings findings;
+        EXPECT_TRUE(with_color_table(table, findings).color_table.is_empty());
+        return text_of(findings);
+    };
+    const auto image = [](std::uint32_t width, std::uint32_t height, std::uint32_t pixel) {
+        return Image{width, height, std::vector<std::uint32_t>(std::size_t{width} * height, pixel)};
+    };
+    EXPECT_THAT(complaint_about(image(257, 33, 0xFF000000u)), HasSubstr("found 257 x 33"));
+    EXPECT_THAT(complaint_about(image(256, 32, 0xFF000000u)), HasSubstr("found 256 x 32"));
+    EXPECT_THAT(complaint_about(image(256, 33, 0x80000000u)), HasSubstr("with holes"));
+}
+
 TEST(Textures, TogetherFillNoMoreThanTheirBudget) {
     const FileReader read = [](const std::string&) -> Result<Bytes> { return header_of(8192, 4096); };
     const auto complaint_about = [&](std::vector<std::string> names) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/random.h"
+#include "render/light_grid.h"
 #include "render/picture_now.h"
 
 namespace enfilade {
@@ -194,6 +195,30 @@ TEST(SkyLayer, TurnsByItsOwnSpeed) {
     EXPECT_EQ(layer_now(Map{}, snapshot, layer).offset_tiles, (Vec2{0.75, 0.125}));
     snapshot.time_s = 5;  // half a wrap
     EXPECT_EQ(layer_now(Map{}, snapshot, layer).offset_tiles, (Vec2{0.25, 0.125}));
+}
+
+TEST(ColorTable, HasALevelForEveryThirtySecondOfAShade) {
+    Texture picture;
+    picture.width = 2;
+    picture.height = ColorTable::kLevels + 1;
+    for (std::uint32_t x = 0; x < 2; ++x)
+        for (std::uint32_t y = 0; y < picture.height; ++y) picture.pixels.push_back(0xFF000000u | x << 8 | y);
+    std::string fault;
+    const ColorTable table = ColorTable::read(picture, fault);
+    ASSERT_EQ(fault, "");
+    EXPECT_EQ(darkened_colors(table, 256)[0], 0xFF000001u);
+    EXPECT_EQ(darkened_colors(table, 249)[0], 0xFF000001u);
+    EXPECT_EQ(darkened_colors(table, 248)[1], 0xFF000102u);
+    EXPECT_EQ(darkened_colors(table, 8)[0], 0xFF000020u);
+    EXPECT_EQ(darkened_colors(table, 0)[0], 0xFF000020u);
+}
+
+TEST(ColorTable, AddsTheLightOfLampsToWhatWasLookedUp) {
+    const LightCell light = light_cell(64 * kLightSteps, 0, 500 * kLightSteps);
+    EXPECT_EQ(lit_above(0xFF102030u, 0xFF8080C0u, 128, 0), 0xFF102030u);
+    EXPECT_EQ(lit_above(0xFF102030u, 0xFF8080C0u, 128, light),
+              0xFF102030u + (0xC0u * 64 >> 8) + (0x80u * 384 >> 8 << 16));
+    EXPECT_EQ(lit_above(0xFFFFFFFFu, 0xFF8080C0u, 128, light), 0xFFFFFFFFu);
 }
 
 }  // namespace

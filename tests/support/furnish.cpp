@@ -77,6 +77,27 @@ void scatter_lights(MapFile& file, int count, std::uint64_t seed) {
     }
 }
 
+void paint_by_table(TextureSet& textures) {
+    Random random(5);
+    Texture table;
+    table.width = ColorTable::kMostColors;
+    table.height = ColorTable::kLevels + 1;
+    for (std::size_t i = 0; i < std::size_t{table.width} * table.height; ++i)
+        table.pixels.push_back(0xFF000000u | static_cast<std::uint32_t>(random.below(1 << 24)));
+    std::string fault;
+    textures.color_table = ColorTable::read(table, fault);
+    for (std::size_t i = 0; i < textures.textures.size(); i += 2) {
+        Texture& picture = textures.textures[i];
+        for (std::uint32_t x = 0; x < picture.width; ++x)
+            for (std::uint32_t y = 0; y < picture.height; ++y) {
+                std::uint32_t& pixel = picture.pixels[std::size_t{x} * picture.height + y];
+                const std::uint32_t number = (x / 16 * 7 + y / 16 + static_cast<std::uint32_t>(i) * 37) % table.width;
+                pixel = (pixel & 0xFF000000u) | (table.at(number, 0) & 0x00FFFFFFu);
+            }
+        picture.numbers = textures.color_table.numbers_in(picture);
+    }
+}
+
 Texture lattice() {
     Texture texture;
     texture.name = "lattice";

@@ -17,6 +17,9 @@ void scatter_things(MapFile& file, int count, std::uint64_t seed);
 /// Lamps of all colours, some of them restless, anywhere in the rooms.
 void scatter_lights(MapFile& file, int count, std::uint64_t seed);
 
+/// Paints every other picture, holes aside, in squares of the colours of a table that darkens them to quite other ones.
+void paint_by_table(TextureSet& textures);
+
 /// A lattice: every other square of 8 x 8 is a hole, some squares are coloured glass.
 Texture lattice();
 

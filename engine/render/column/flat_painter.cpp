@@ -69,7 +69,8 @@ void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, do
                        row_depths_.data(),
                        row_shades_.data(),
                        is_there(fog_) ? row_mists_.data() : nullptr,
-                       fog_.color};
+                       fog_.color,
+                       texture_->numbers.empty() ? nullptr : &scene.textures.color_table};
     const Run run = scene.canvas.run(x, top, bottom);
     if (built_in::kPointLights && glow_)
         fill_lit(run, flat, ray);

@@ -16,9 +16,11 @@ TileSteps first_of(const Run& run, const WallRun& wall) {
     return wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row) + kHalfPlace;
 }
 
-std::uint32_t texel_at(const WallRun& wall, TileSteps v) {
-    return wall.texels[texel_of(static_cast<TilePlace>(v >> 32), wall.height)];
+std::uint32_t texel_row(const WallRun& wall, TileSteps v) {
+    return texel_of(static_cast<TilePlace>(v >> 32), wall.height);
 }
+
+std::uint32_t texel_at(const WallRun& wall, TileSteps v) { return wall.texels[texel_row(wall, v)]; }
 
 template <bool kLit>
 void fill_wall_as(const Run& run, const WallRun& wall) {
@@ -38,6 +40,16 @@ void fill_wall_as(const Run& run, const WallRun& wall) {
     }
 }
 
+/// Where colours are looked up.
+template <bool kHasFog>
+[[gnu::noinline]] void fill_wall_by_table(const Run& run, const WallRun& wall) {
+    TileSteps v = first_of(run, wall);
+    for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
+        const std::uint32_t color = wall.darkened[wall.numbers[texel_row(wall, v)]];
+        run.pixels[i] = kHasFog ? misted(color, wall.fog, wall.mist) : color;
+    }
+}
+
 /// The light at a position among the cells, which is counted on even where it is far outside them.
 LightCell glow_at(const WallGlow& glow, std::uint64_t position) {
     const std::int64_t last = (std::int64_t{glow.count - 1} << 32) - 1;
@@ -50,27 +62,42 @@ bool is_dark(const WallGlow& glow) {
     return std::all_of(glow.cells, glow.cells + glow.count, [](LightCell cell) { return enfilade::is_dark(cell); });
 }
 
-template <bool kHasFog, bool kIsOver>
+template <bool kHasFog, bool kIsOver, bool kByTable>
 void paint_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
     TileSteps v = first_of(run, wall);
     std::uint64_t position = glow.at_row_0 + glow.per_row * static_cast<std::uint64_t>(run.first_row);
     for (int i = 0; i < run.count; ++i, v += wall.v_per_row, position += glow.per_row) {
         const std::uint32_t texel = texel_at(wall, v);
         if (kIsOver && texel >> 24 == 0) continue;
-        std::uint32_t color = lit(texel, wall.shade, glow_at(glow, position));
+        const LightCell light = glow_at(glow, position);
+        std::uint32_t color = kByTable
+                                  ? lit_above(wall.darkened[wall.numbers[texel_row(wall, v)]], texel, wall.shade, light)
+                                  : lit(texel, wall.shade, light);
         if (kHasFog) color = misted(color, wall.fog, wall.mist);
         run.pixels[i] = kIsOver ? laid_over(run.pixels[i], (color & 0x00FFFFFFu) | (texel & 0xFF000000u)) : color;
     }
 }
 
-template <bool kHasFog>
+template <bool kIsOver>
+void paint_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
+    const bool has_fog = built_in::kFog && wall.mist != 0;
+    if (wall.numbers)
+        has_fog ? paint_lit_wall<true, kIsOver, true>(run, wall, glow)
+                : paint_lit_wall<false, kIsOver, true>(run, wall, glow);
+    else
+        has_fog ? paint_lit_wall<true, kIsOver, false>(run, wall, glow)
+                : paint_lit_wall<false, kIsOver, false>(run, wall, glow);
+}
+
+template <bool kHasFog, bool kByTable>
 void lay_wall_as(const Run& run, const WallRun& wall) {
     TileSteps v = first_of(run, wall);
     for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
         const std::uint32_t texel = texel_at(wall, v);
         const std::uint32_t alpha = texel & 0xFF000000u;
         if (alpha == 0) continue;
-        const std::uint32_t clear = shaded(texel, wall.shade);
+        const std::uint32_t clear =
+            kByTable ? wall.darkened[wall.numbers[texel_row(wall, v)]] : shaded(texel, wall.shade);
         const std::uint32_t color = kHasFog ? misted(clear, wall.fog, wall.mist) : clear;
         run.pixels[i] = laid_over(run.pixels[i], (color & 0x00FFFFFFu) | alpha);
     }
@@ -83,7 +110,7 @@ bool is_near(const FlatRun& flat) {
     return 1 + flat.farthest * most <= kNearTiles;
 }
 
-/// color_at(texel, row, depth): what a pixel shows, without fog.
+/// color_at(texel, number of the texel, row, depth): what a pixel shows, without fog.
 template <bool kHasFog, bool kIsNear, class ColorAt>
 void fill_flat_by(const Run& run, const FlatRun& flat, ColorAt color_at) {
     const Texture& texture = *flat.texture;
@@ -94,7 +121,8 @@ void fill_flat_by(const Run& run, const FlatRun& flat, ColorAt color_at) {
         const double depth = std::min(flat.row_depths[row], flat.farthest);
         const std::uint32_t u = texel_of(place(flat.base_u + depth * flat.step_u), texture.width);
         const std::uint32_t v = texel_of(place(flat.base_v + depth * flat.step_v), texture.height);
-        const std::uint32_t color = color_at(texels[std::size_t{u} * texture.height + v], row, depth);
+        const std::size_t number = std::size_t{u} * texture.height + v;
+        const std::uint32_t color = color_at(texels[number], number, row, depth);
         run.pixels[i] = kHasFog ? misted(color, flat.fog, flat.row_mists[row]) : color;
     }
 }
@@ -115,17 +143,31 @@ void fill_flat_with(const Run& run, const FlatRun& flat, ColorAt color_at) {
 
 template <bool kHasFog>
 void fill_flat_as(const Run& run, const FlatRun& flat) {
-    fill_flat_with<kHasFog>(
-        run, flat, [&flat](std::uint32_t texel, int row, double) { return shaded(texel, flat.row_shades[row]); });
+    fill_flat_with<kHasFog>(run, flat, [&flat](std::uint32_t texel, std::size_t, int row, double) {
+        return shaded(texel, flat.row_shades[row]);
+    });
 }
 
+/// Where colours are looked up.
 template <bool kHasFog>
+[[gnu::noinline]] void fill_flat_by_table(const Run& run, const FlatRun& flat) {
+    const std::uint8_t* numbers = flat.texture->numbers.data();
+    fill_flat_with<kHasFog>(run, flat, [&flat, numbers](std::uint32_t, std::size_t number, int row, double) {
+        return darkened_colors(*flat.color_table, flat.row_shades[row])[numbers[number]];
+    });
+}
+
+template <bool kHasFog, bool kByTable>
 void fill_lit_flat_as(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
     const LightGrid& grid = *glow.grid;
-    fill_flat_with<kHasFog>(run, flat, [&](std::uint32_t texel, int row, double depth) {
+    fill_flat_with<kHasFog>(run, flat, [&](std::uint32_t texel, std::size_t number, int row, double depth) {
         const GridStep across = grid_step(glow.base_u + depth * glow.step_u, grid.columns);
         const GridStep along = grid_step(glow.base_v + depth * glow.step_v, grid.rows);
-        return lit(texel, flat.row_shades[row], light_between(grid, across, along));
+        const Shade shade = flat.row_shades[row];
+        const LightCell light = light_between(grid, across, along);
+        if constexpr (!kByTable) return lit(texel, shade, light);
+        const std::uint32_t* darkened = darkened_colors(*flat.color_table, shade);
+        return lit_above(darkened[flat.texture->numbers[number]], texel, shade, light);
     });
 }
 
@@ -153,7 +195,10 @@ Run part_of(const Run& run, int first, int end) { return {run.pixels + first, ru
 TileSteps tile_steps(double tiles) { return static_cast<TileSteps>(fraction(tiles) * 0x1p64); }
 
 void fill_wall(const Run& run, const WallRun& wall) {
-    if (built_in::kFog && wall.mist != 0)
+    const bool has_fog = built_in::kFog && wall.mist != 0;
+    if (wall.numbers)
+        has_fog ? fill_wall_by_table<true>(run, wall) : fill_wall_by_table<false>(run, wall);
+    else if (has_fog)
         fill_wall_in_fog(run, wall);
     else if (wall.shade == kFullBright)
         fill_wall_as<false>(run, wall);
@@ -162,30 +207,28 @@ void fill_wall(const Run& run, const WallRun& wall) {
 }
 
 void lay_wall(const Run& run, const WallRun& wall) {
-    if (built_in::kFog && wall.mist != 0)
-        lay_wall_as<true>(run, wall);
+    const bool has_fog = built_in::kFog && wall.mist != 0;
+    if (wall.numbers)
+        has_fog ? lay_wall_as<true, true>(run, wall) : lay_wall_as<false, true>(run, wall);
     else
-        lay_wall_as<false>(run, wall);
+        has_fog ? lay_wall_as<true, false>(run, wall) : lay_wall_as<false, false>(run, wall);
 }
 
 void fill_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
     if (is_dark(glow)) return fill_wall(run, wall);
-    if (built_in::kFog && wall.mist != 0)
-        paint_lit_wall<true, false>(run, wall, glow);
-    else
-        paint_lit_wall<false, false>(run, wall, glow);
+    paint_lit_wall<false>(run, wall, glow);
 }
 
 void lay_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
     if (is_dark(glow)) return lay_wall(run, wall);
-    if (built_in::kFog && wall.mist != 0)
-        paint_lit_wall<true, true>(run, wall, glow);
-    else
-        paint_lit_wall<false, true>(run, wall, glow);
+    paint_lit_wall<true>(run, wall, glow);
 }
 
 void fill_flat(const Run& run, const FlatRun& flat) {
-    if (built_in::kFog && flat.row_mists)
+    const bool has_fog = built_in::kFog && flat.row_mists;
+    if (flat.color_table)
+        has_fog ? fill_flat_by_table<true>(run, flat) : fill_flat_by_table<false>(run, flat);
+    else if (has_fog)
         fill_flat_in_fog(run, flat);
     else
         fill_flat_as<false>(run, flat);
@@ -193,11 +236,14 @@ void fill_flat(const Run& run, const FlatRun& flat) {
 
 void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
     const auto [first, end] = lit_part(run, flat, glow);
+    const Run middle = part_of(run, first, end);
+    const bool has_fog = built_in::kFog && flat.row_mists;
     fill_flat(part_of(run, 0, first), flat);
-    if (built_in::kFog && flat.row_mists)
-        fill_lit_flat_as<true>(part_of(run, first, end), flat, glow);
+    if (flat.color_table)
+        has_fog ? fill_lit_flat_as<true, true>(middle, flat, glow) : fill_lit_flat_as<false, true>(middle, flat, glow);
     else
-        fill_lit_flat_as<false>(part_of(run, first, end), flat, glow);
+        has_fog ? fill_lit_flat_as<true, false>(middle, flat, glow)
+                : fill_lit_flat_as<false, false>(middle, flat, glow);
     fill_flat(part_of(run, end, run.count), flat);
 }
 

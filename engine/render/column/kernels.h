@@ -30,8 +30,10 @@ struct WallRun {
     TileSteps v_at_row_0;
     TileSteps v_per_row;
     Shade shade;
-    Mist mist = 0;          ///< 0: no fog
-    std::uint32_t fog = 0;  ///< its colour
+    Mist mist = 0;                            ///< 0: no fog
+    std::uint32_t fog = 0;                    ///< its colour
+    const std::uint8_t* numbers = nullptr;    ///< of the texels' colours; null: they are darkened in proportion
+    const std::uint32_t* darkened = nullptr;  ///< by number, in this shade
 };
 void fill_wall(const Run& run, const WallRun& wall);
 
@@ -51,13 +53,14 @@ void lay_wall(const Run& run, const WallRun& wall);
 /// A floor or ceiling along one column: tile position = base + depth(row) * step.
 struct FlatRun {
     const Texture* texture;
-    double base_u, base_v;            ///< under the eye, in [0, 1) [tiles]
-    double step_u, step_v;            ///< per metre of depth along this column's ray [tiles/m]
-    double farthest;                  ///< depths are cut off here: where the wall behind the flat stands [m]
-    const double* row_depths;         ///< by row [m]
-    const Shade* row_shades;          ///< by row
-    const Mist* row_mists = nullptr;  ///< by row; null: no fog
-    std::uint32_t fog = 0;            ///< its colour
+    double base_u, base_v;                    ///< under the eye, in [0, 1) [tiles]
+    double step_u, step_v;                    ///< per metre of depth along this column's ray [tiles/m]
+    double farthest;                          ///< depths are cut off here: where the wall behind the flat stands [m]
+    const double* row_depths;                 ///< by row [m]
+    const Shade* row_shades;                  ///< by row
+    const Mist* row_mists = nullptr;          ///< by row; null: no fog
+    std::uint32_t fog = 0;                    ///< its colour
+    const ColorTable* color_table = nullptr;  ///< that the texture goes by; null: it is darkened in proportion
 };
 void fill_flat(const Run& run, const FlatRun& flat);
 

@@ -9,13 +9,13 @@ void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& sur
                         SurfaceId id) {
     hang(scene, surface, wall.length, peg);
     id_ = id;
-    shade_by(scene.map, light, wall.contrast);
+    shade_by(scene, light, wall.contrast);
 }
 
 void WallPainter::start_panel(const Scene& scene, const Panel& panel, double top, double light, SurfaceId id) {
     hang(scene, panel.surface, panel.length, top);
     id_ = id;
-    shade_by(scene.map, light, panel.contrast);
+    shade_by(scene, light, panel.contrast);
 }
 
 /// length: of the wall [m].
@@ -35,7 +35,7 @@ void WallPainter::start_picture(const Scene& scene, const Texture& texture, doub
     light_grid_ = nullptr;
     is_once_ = true;
     id_ = id;
-    shade_by(scene.map, light, 1);
+    shade_by(scene, light, 1);
     u_per_along_ = 1;
     u_offset_ = 0;
     v_per_m_ = 1 / height;
@@ -65,11 +65,12 @@ WallGlow WallPainter::glow_at(const Scene& scene, int top, int bottom, const Wal
             tile_steps(cells_per_row * kWrap)};
 }
 
-void WallPainter::shade_by(const Map& map, double light, double contrast) {
-    model_ = map.render.light;
+void WallPainter::shade_by(const Scene& scene, double light, double contrast) {
+    color_table_ = texture_->numbers.empty() ? nullptr : &scene.textures.color_table;
+    model_ = scene.map.render.light;
     light_ = light;
     contrast_ = contrast;
-    fog_ = fog_of(map);
+    fog_ = fog_of(scene.map);
 }
 
 WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallHit& hit) const {
@@ -79,12 +80,16 @@ WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallH
 
 // Inlined by order: whether it is must not depend on what else is in it.
 [[gnu::always_inline]] inline WallRun WallPainter::run_of(const ColumnTexels& at, const WallHit& hit) const {
-    const std::uint32_t column = texel_of(place_on_tile(at.u), texture_->width);
-    WallRun run{&texture_->pixels[std::size_t{column} * texture_->height], texture_->height, tile_steps(at.v_at_row_0),
-                tile_steps(at.v_per_row), shade_at(model_, light_, contrast_, hit.depth)};
+    const std::size_t first = std::size_t{texel_of(place_on_tile(at.u), texture_->width)} * texture_->height;
+    WallRun run{&texture_->pixels[first], texture_->height, tile_steps(at.v_at_row_0), tile_steps(at.v_per_row),
+                shade_at(model_, light_, contrast_, hit.depth)};
     if (is_there(fog_)) {
         run.mist = mist_at(fog_.reach, hit.depth);
         run.fog = fog_.color;
+    }
+    if (color_table_) {
+        run.numbers = &texture_->numbers[first];
+        run.darkened = darkened_colors(*color_table_, run.shade);
     }
     return run;
 }

@@ -48,9 +48,10 @@ private:
     ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
     void fill_lit(const Scene& scene, const Run& run, const ColumnTexels& at, const WallHit& hit) const;
     WallRun run_of(const ColumnTexels& at, const WallHit& hit) const;
-    void shade_by(const Map& map, double light, double contrast);
+    void shade_by(const Scene& scene, double light, double contrast);
 
     const Texture* texture_ = nullptr;
+    const ColorTable* color_table_ = nullptr;  ///< that it goes by, if it does
     SurfaceId id_ = kNothing;
     LightModel model_ = LightModel::smooth;
     double light_ = 1, contrast_ = 1;

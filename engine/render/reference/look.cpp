@@ -65,10 +65,10 @@ Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, 
     v -= surface.offset_tiles.y;
     const double tile_u = fraction(u), tile_v = shown == Shown::once ? std::clamp(v, 0.0, 1.0) : fraction(v);
     const TilePlace v_place = shown == Shown::once ? place_on_picture(tile_v) : place_on_tile(v);
-    const std::uint32_t color = texel(at.scene.textures[surface.texture], place_on_tile(u), v_place);
+    const Texel found = texel(at.scene.textures[surface.texture], place_on_tile(u), v_place);
     const double light = light_at(at.scene.snapshot, at.hit.sector);
     seen.texel = {static_cast<float>(tile_u), static_cast<float>(tile_v)};
-    seen.color = lit(at.scene, color, light, contrast, depth, glow);  // a pane still needs its alpha
+    seen.color = lit(at.scene, found, light, contrast, depth, glow);  // a pane still needs its alpha
     return seen;
 }
 
@@ -82,7 +82,7 @@ SkyTexel sky_texel_of(const Arrival& at, const Surface& surface) {
 }
 
 std::uint32_t sky_color(const Arrival& at, const Surface& surface, const SkyTexel& place) {
-    return texel(at.scene.textures[surface.texture], place_on_tile(place.u), place_on_picture(place.v));
+    return texel(at.scene.textures[surface.texture], place_on_tile(place.u), place_on_picture(place.v)).color;
 }
 
 Seen sky(const Arrival& at, const Flat& flat, SurfaceId id) {

@@ -5,7 +5,7 @@ namespace {
 
 /// What a texel does to what is behind it: hides it, shows it, or mixes with it, each colour in its own way.
 std::uint32_t effect_of(const Texture& texture, double u, double v) {
-    const std::uint32_t color = texel(texture, place_on_tile(u), place_on_tile(v));
+    const std::uint32_t color = texel(texture, place_on_tile(u), place_on_tile(v)).color;
     const std::uint32_t alpha = color & 0xFF000000u;
     return alpha == 0 || alpha == 0xFF000000u ? alpha : color;
 }

@@ -1,5 +1,6 @@
 // Pictures with holes that a ray goes through: fences, panels and things.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "math/vec.h"
@@ -28,16 +29,29 @@ struct RoomRay {
     double entry_depth;  ///< 0 in the eye's own room [m]
 };
 
-inline std::uint32_t texel(const Texture& texture, TilePlace u, TilePlace v) {
-    return texture.at(texel_of(u, texture.width), texel_of(v, texture.height));
+/// A texel as it is painted, and what its picture's color table, if it goes by one, calls it.
+struct Texel {
+    std::uint32_t color = 0;  ///< 0xAABBGGRR
+    std::optional<std::uint8_t> number;
+};
+
+inline Texel texel(const Texture& texture, TilePlace u, TilePlace v) {
+    const std::size_t x = texel_of(u, texture.width), y = texel_of(v, texture.height), i = x * texture.height + y;
+    Texel texel{texture.pixels[i], {}};
+    if (!texture.numbers.empty()) texel.number = texture.numbers[i];
+    return texel;
 }
 
 /// A texel's colour in this light, that of point lights and the map's fog; its alpha is kept.
-inline std::uint32_t lit(const Scene& scene, std::uint32_t color, double light, double contrast, double depth,
+inline std::uint32_t lit(const Scene& scene, const Texel& texel, double light, double contrast, double depth,
                          LightCell glow) {
     const RenderRecord& render = scene.map.render;
-    const std::uint32_t clear = lit(color, shade_at(render.light, light, contrast, depth), glow);
-    return (color & 0xFF000000u) |
+    const Shade shade = shade_at(render.light, light, contrast, depth);
+    const std::uint32_t clear =
+        texel.number
+            ? lit_above(darkened_colors(scene.textures.color_table, shade)[*texel.number], texel.color, shade, glow)
+            : lit(texel.color, shade, glow);
+    return (texel.color & 0xFF000000u) |
            (misted(clear, pixel_of(render.fog_color), mist_at(render.fog_reach, depth)) & 0x00FFFFFFu);
 }
 

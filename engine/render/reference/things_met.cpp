@@ -75,15 +75,15 @@ void require_on_picture(Verdict& verdict, const Scene& scene, const RoomRay& ray
 Pane pane_of(const Scene& scene, const RoomRay& ray, const SpritePicture& picture, const Meeting& at) {
     const Texture& texture = scene.textures[picture.texture];
     const double u = at.place_m.x / picture.size_m.x, v = std::clamp(at.place_m.y / picture.size_m.y, 0.0, 1.0);
-    const std::uint32_t color = texel(texture, place_on_picture(std::clamp(u, 0.0, 1.0)), place_on_picture(v));
+    const Texel shown = texel(texture, place_on_picture(std::clamp(u, 0.0, 1.0)), place_on_picture(v));
     const double depth = at.depth * ray.course.depth_scale;
     Pane pane;
     pane.seen.id = thing_id(scene.map, at.thing);
     pane.seen.depth = depth;
     pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
-    pane.alpha = color >> 24;
+    pane.alpha = shown.color >> 24;
     const LightGrid* grid = scene.lights ? scene.lights->on_thing(scene.map, scene.snapshot, at.thing) : nullptr;
-    pane.seen.color = lit(scene, color, picture.light, 1, depth, glow_on(grid, 0, 0));
+    pane.seen.color = lit(scene, shown, picture.light, 1, depth, glow_on(grid, 0, 0));
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, picture.size_m);
     return pane;
 }

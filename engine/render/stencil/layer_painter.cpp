@@ -100,10 +100,12 @@ void LayerPainter::set_uniforms(const Scene& scene) const {
     glUniform1i(masks_.is_tilted, scene.rays.is_tilted);
     for (const SurfaceProgram& program : surfaces_)
         if (program.program.id() != 0) set_uniforms(program, scene);
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, scene.records.texture());
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, scene.store.texture());
+    const GLuint textures[] = {scene.store.texture(), scene.records.texture(), scene.store.color_numbers(),
+                               scene.store.color_table()};
+    for (const GLuint unit : {3u, 2u, 1u, 0u}) {
+        glActiveTexture(GL_TEXTURE0 + unit);
+        glBindTexture(GL_TEXTURE_2D, textures[unit]);
+    }
 }
 
 void LayerPainter::set_uniforms(const SurfaceProgram& program, const Scene& scene) const {
@@ -121,6 +123,8 @@ void LayerPainter::set_uniforms(const SurfaceProgram& program, const Scene& scen
     glUniform1i(program.is_sky_round, sky_rows(scene.map().render, rays.is_tilted) == SkyRows::round);
     glUniform1i(program.texels, 0);
     glUniform1i(program.records, 1);
+    glUniform1i(program.color_numbers, 2);
+    glUniform1i(program.color_table, 3);
 }
 
 void LayerPainter::set_entry(const SurfaceProgram& program, const Job& job, const Layer& layer) {

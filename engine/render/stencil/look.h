@@ -8,6 +8,9 @@ namespace enfilade::stencil {
 /// How a polygon's pixels are painted; numbers known to the shader.
 enum class Paint : std::uint32_t { wall, flat, sky, color, picture };
 
+/// Beside the paint: the picture goes by the map's color table. Known to the shader.
+inline constexpr std::uint32_t kByTable = 0x80;
+
 /// Numbers that change evenly over the picture are given as three: at the point `from`, per column and per row.
 struct Look {
     float from[2]{}, cross = 0;
@@ -26,12 +29,15 @@ struct Look {
 };
 
 /// Which program draws a surface: chosen once for each, so that what it does not use is in no pixel's way.
-enum class Kind : std::uint8_t { plain, layered_sky, lit };
-inline constexpr std::size_t kKinds = 3;
+/// Those by table, which only maps with one have, draw others as well.
+enum class Kind : std::uint8_t { plain, layered_sky, lit, by_table, lit_by_table };
+inline constexpr std::size_t kKinds = 5;
 
 inline Kind kind_of(const Look& look) {
+    const std::uint32_t paint = look.id_and_paint >> 24;
+    if ((paint & kByTable) != 0) return look.record == 0 ? Kind::by_table : Kind::lit_by_table;
     if (look.record == 0) return Kind::plain;
-    return look.id_and_paint >> 24 == static_cast<std::uint32_t>(Paint::sky) ? Kind::layered_sky : Kind::lit;
+    return paint == static_cast<std::uint32_t>(Paint::sky) ? Kind::layered_sky : Kind::lit;
 }
 
 }  // namespace enfilade::stencil

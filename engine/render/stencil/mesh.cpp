@@ -56,9 +56,15 @@ std::array<Range, kKinds> Mesh::sort_by_kind(std::size_t begin) {
 }
 
 Kind Mesh::richest_kind(const Range& range) const {
-    for (std::size_t i = range.begin; has(Kind::lit) && i < range.end; i += 3)
-        if (kind_of(vertices_[indices_[i]].look) == Kind::lit) return Kind::lit;
-    return Kind::plain;
+    bool is_lit = false, is_by_table = false;
+    const bool may_differ = has(Kind::lit) || has(Kind::by_table) || has(Kind::lit_by_table);
+    for (std::size_t i = range.begin; may_differ && i < range.end; i += 3) {
+        const Kind kind = kind_of(vertices_[indices_[i]].look);
+        is_lit |= kind == Kind::lit || kind == Kind::lit_by_table;
+        is_by_table |= kind == Kind::by_table || kind == Kind::lit_by_table;
+    }
+    if (is_by_table) return is_lit ? Kind::lit_by_table : Kind::by_table;
+    return is_lit ? Kind::lit : Kind::plain;
 }
 
 }  // namespace enfilade::stencil

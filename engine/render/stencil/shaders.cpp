@@ -107,20 +107,40 @@ vec2 nearest(vec2 tiles) {
     return round(tiles * steps) / steps;
 }
 
-uvec4 texel_of(uvec2 picture, vec2 tile) {  // where it begins, its size
+ivec2 list_place(uint n) { return ivec2(int(n & 2047u), int(n >> 11u)); }
+
+uint texel_place(uvec2 picture, vec2 tile) {  // where it begins, its size
     uvec2 size = uvec2(picture.y & 65535u, picture.y >> 16u);
     uvec2 at = min(uvec2(tile * vec2(size)), size - 1u);
-    uint n = picture.x + at.x * size.y + at.y;
-    return texelFetch(texels, ivec2(int(n & 2047u), int(n >> 11u)), 0);
+    return picture.x + at.x * size.y + at.y;
 }
+
+uvec4 texel_of(uvec2 picture, vec2 tile) { return texelFetch(texels, list_place(texel_place(picture, tile)), 0); }
 
 uvec4 texel(vec2 tile) { return texel_of(what.yz, tile); }
 
 #ifdef WITH_RECORDS
 uniform usampler2D records;
-uvec2 record(uint n) { return texelFetch(records, ivec2(int(n & 2047u), int(n >> 11u)), 0).xy; }
+uvec2 record(uint n) { return texelFetch(records, list_place(n), 0).xy; }
 vec2 numbers(uint n) { return uintBitsToFloat(record(n)); }
 #endif
+
+#ifdef BY_TABLE
+uniform usampler2D color_numbers;
+uniform usampler2D color_table;
+#endif
+
+// What is left of a texel's colour in a shade, without lamps (darkened_colors of render/shade.h).
+uvec3 darkened(uvec3 color, vec2 tile, uint shade) {
+#ifdef BY_TABLE
+    if (what.x >> 31u != 0u) {
+        uint number = texelFetch(color_numbers, list_place(texel_place(what.yz, tile)), 0).x;
+        uint level = min((256u - min(shade, 256u)) / 8u, 31u);
+        return texelFetch(color_table, list_place(level * 256u + number), 0).rgb;
+    }
+#endif
+    return color * shade >> 8u;
+}
 
 uint classic_shade(float light, float contrast, float depth) {
     float towards = contrast < 1.0 ? -2.0 : contrast > 1.0 ? 2.0 : 0.0;
@@ -194,6 +214,12 @@ uvec3 glow_at(vec2 known) {
                  uvec3(right_up.x & 65535u, right_up.x >> 16u, right_up.y) * part.x >> 8u;
     return (low * (256u - part.y) + high * part.y >> 8u) / 16u;
 }
+
+uvec3 lit_by(uvec3 glow, uvec3 color, vec2 tile, uint shade) {
+    bool is_by_table = what.x >> 31u != 0u;
+    if (!is_by_table) return min(color * min(glow + shade, 512u) >> 8u, 255u);
+    return min(darkened(color, tile, shade) + (color * min(glow, 512u - shade) >> 8u), 255u);
+}
 #endif
 
 void main() {
@@ -201,7 +227,7 @@ void main() {
     vec2 t = way();
     float up = even(climb, gl_FragCoord.xy - level);
     float met = wall_depth(t), depth = met;
-    uint paint = what.x >> 24u;
+    uint paint = what.x >> 24u & 127u;
     uint shade = 256u;
     vec2 tile = vec2(0.0), known = vec2(0.0);
     uvec4 color;
@@ -235,9 +261,9 @@ void main() {
     if (color.a < least_alpha) discard;
     uint alpha = least_alpha > 0u ? color.a : 255u;
 #ifdef LIT
-    uvec3 lit = min(color.rgb * min(glow_at(known) + shade, 512u) >> 8u, 255u);
+    uvec3 lit = lit_by(glow_at(known), color.rgb, tile, shade);
 #else
-    uvec3 lit = color.rgb * shade >> 8u;
+    uvec3 lit = darkened(color.rgb, tile, shade);
 #endif
     bool is_lit = paint == kWall || paint == kPicture || paint == kFlat;
     if (fog.w > 0.0 && is_lit) lit = in_fog(lit, depth);
@@ -294,6 +320,8 @@ const char* parts_of(Kind kind) {
         case Kind::plain: return "";
         case Kind::layered_sky: return "#define WITH_RECORDS\n#define LAYERED_SKY\n";
         case Kind::lit: return "#define WITH_RECORDS\n#define LIT\n";
+        case Kind::by_table: return "#define BY_TABLE\n";
+        case Kind::lit_by_table: return "#define WITH_RECORDS\n#define LIT\n#define BY_TABLE\n";
     }
     return "";
 }
@@ -313,6 +341,8 @@ Status build(SurfaceProgram& surface, Kind kind) {
     surface.least_alpha = uniform(surface.program, "least_alpha");
     surface.texels = uniform(surface.program, "texels");
     surface.records = uniform(surface.program, "records");
+    surface.color_numbers = uniform(surface.program, "color_numbers");
+    surface.color_table = uniform(surface.program, "color_table");
     return {};
 }
 

@@ -18,7 +18,8 @@ struct SurfaceProgram {
     GLint fog = -1;                     ///< its colour and reach
     GLint least_alpha = -1;  ///< pixels of a picture with less are left out, 0..255; 0: the picture is opaque
     GLint texels = -1;
-    GLint records = -1;  ///< not in plain ones
+    GLint records = -1;                          ///< where there is more to know than a look
+    GLint color_numbers = -1, color_table = -1;  ///< where pictures may go by one
 };
 
 /// Draws only depth: for masks.

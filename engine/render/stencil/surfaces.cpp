@@ -44,7 +44,8 @@ void set(float (&four)[4], const Look& look, const Even& number, double fourth) 
 
 void set_picture(Look& look, const Scene& scene, TextureId texture, SurfaceId id, Paint paint) {
     const Texture& picture = scene.world.textures[texture];
-    look.id_and_paint = id | static_cast<std::uint32_t>(paint) << 24;
+    const std::uint32_t way = paint != Paint::sky && !picture.numbers.empty() ? kByTable : 0;
+    look.id_and_paint = id | (static_cast<std::uint32_t>(paint) | way) << 24;
     look.texels = scene.store.place_of(texture);
     look.size = size_of(picture);
 }

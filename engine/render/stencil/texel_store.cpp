@@ -18,10 +18,12 @@ std::uint64_t fingerprint(const TextureSet& set) {
         hash.add(texture.width);
         hash.add(texture.height);
         hash.add(reinterpret_cast<std::uintptr_t>(texture.pixels.data()));
+        hash.add(texture.numbers.empty());
         for (std::size_t i = 0; i < kSamples; ++i) hash.add(texture.pixels[(texture.pixels.size() - 1) * i / kSamples]);
     };
     for (const Texture& texture : set.textures) add(texture);
     add(set.placeholder);
+    for (const std::uint32_t color : set.color_table.levels()) hash.add(color);
     return hash.value();
 }
 
@@ -50,7 +52,19 @@ Status TexelStore::upload(const TextureSet& textures) {
                                              std::to_string(texels.size()) + ", which this graphics card cannot hold"};
     }
     texture_.hold(texels, GL_RGBA8UI, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE);
+    if (!textures.color_table.is_empty()) upload_color_table(textures);
     return {};
+}
+
+void TexelStore::upload_color_table(const TextureSet& textures) {
+    std::vector<std::uint8_t> numbers;
+    for (const Texture& texture : textures.textures) {
+        numbers.insert(numbers.end(), texture.numbers.begin(), texture.numbers.end());
+        if (texture.numbers.empty()) numbers.resize(numbers.size() + texture.pixels.size());
+    }
+    color_numbers_.hold(numbers, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
+    std::vector<std::uint32_t> levels = textures.color_table.levels();
+    color_table_.hold(levels, GL_RGBA8UI, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE);
 }
 
 }  // namespace enfilade::stencil

@@ -22,10 +22,16 @@ public:
     std::uint32_t place_of(TextureId id) const { return places_[id ? id.index : places_.size() - 1]; }
     GLuint texture() const { return texture_.id(); }
 
+    /// Where the map has a color table: the number in it of each texel of the pictures that go by it, and what the
+    /// colours are at each level, level by level.
+    GLuint color_numbers() const { return color_numbers_.id(); }
+    GLuint color_table() const { return color_table_.id(); }
+
 private:
     Status upload(const TextureSet& textures);
+    void upload_color_table(const TextureSet& textures);
 
-    ListTexture texture_;
+    ListTexture texture_, color_numbers_, color_table_;
     std::vector<std::uint32_t> places_;  ///< by TextureId; the placeholder comes last
     std::uint64_t held_ = 0;             ///< what hold() loaded last
 };

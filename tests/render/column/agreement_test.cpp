@@ -157,6 +157,24 @@ TEST(ColumnRenderer, AgreesWithTheReferenceInTheLightOfLampsInFog) {
     expect_agreement(lit_world(file), 11, 20);
 }
 
+TEST(ColumnRenderer, AgreesWithTheReferenceWhereColorsAreLookedUp) {
+    for (const LightModel model : {LightModel::classic, LightModel::smooth})
+        for (const double fog_reach : {0.0, 6.0}) {
+            MapFile dark = palace(), lamps = lit_palace();
+            dark.render.light = lamps.render.light = model;
+            dark.render.fog_reach = lamps.render.fog_reach = fog_reach;
+            for (SectorRecord& s : dark.sectors) s.light = 0.6;
+            for (const MapFile& file : {dark, lamps}) {
+                World world(file);
+                world.snapshot.time_s = 3.21;
+                if (const TextureId found = world.textures.find("lattice"))
+                    world.textures.textures[found.index] = lattice();
+                paint_by_table(world.textures);
+                expect_agreement(world, 15, 10);
+            }
+        }
+}
+
 TEST(ColumnRenderer, DrawsStripsOfLampsThatEqualTheWholePicture) {
     expect_strips_equal_the_whole(lit_world(lit_palace()), 12, 5);
 }

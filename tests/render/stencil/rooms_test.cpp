@@ -80,6 +80,34 @@ TEST(StencilSky, HasTheColumnRenderersLayers) {
     expect_agreement(sight.compare_poses(10, {160, 100}, 4));
 }
 
+TEST(StencilSky, HasTheColumnRenderersStraightRows) {
+    MapFile file = open_steps();
+    file.render.sky = SkyRows::straight;
+    for (SectorRecord& sector : file.sectors)
+        sector.ceiling.layers = {{TextureSpec{"haze", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}}};
+    const Map map = built(file);
+    TextureSet textures = textures_for(file);
+    textures.textures[textures.find("haze").index] = haze();
+    expect_agreement(Sight(map, textures).compare_poses(10, {160, 100}, 4));
+}
+
+TEST(StencilColorTable, IsTheColumnRenderers) {
+    for (const bool has_lamps : {false, true})
+        for (const double fog_reach : {0.0, 6.0}) {
+            MapFile file = open_steps();
+            file.render.light = LightModel::classic;
+            file.render.fog_reach = fog_reach;
+            for (std::size_t i = 0; i < file.sectors.size(); ++i) file.sectors[i].light = double(i + 1) / 8;
+            if (has_lamps) scatter_lights(file, 6, 1);
+            scatter_panels(file, 10, 2);
+            scatter_things(file, 10, 3);
+            const Map map = built(file);
+            TextureSet textures = textures_for(file);
+            paint_by_table(textures);
+            expect_agreement(Sight(map, textures).compare_poses(10, {160, 100}, 5));
+        }
+}
+
 std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, StencilLamps,
