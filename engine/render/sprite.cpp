@@ -7,7 +7,33 @@ namespace {
 
 constexpr std::uint32_t kEighth = 1u << 29, kHalfEighth = 1u << 28;  ///< of a turn [Angle steps]
 
+/// A portal that one may look through somewhere between floor and ceiling.
+bool is_open(const Map& map, const Snapshot& snapshot, const Wall& wall) {
+    if (wall.kind != WallKind::portal) return false;
+    const double rise = map.passage(wall).rise;
+    const SectorSnapshot &here = snapshot[wall.sector], &there = snapshot[wall.behind];
+    return std::max(here.floor_z, there.floor_z - rise) < std::min(here.ceiling_z, there.ceiling_z - rise);
+}
+
 }  // namespace
+
+bool is_behind(const Middle& middle, Vec2 a, Vec2 b) {
+    const auto [nearest, farthest] =
+        std::minmax(depth_steps(dot(middle.forward, a - middle.eye)), depth_steps(dot(middle.forward, b - middle.eye)));
+    const std::int64_t own = depth_steps(middle.depth);
+    if (farthest <= own || nearest > own) return farthest <= own;
+    return side_of_line(a, b, middle.place) < 0;
+}
+
+bool is_seen_in(const Map& map, const Snapshot& snapshot, const Middle& middle, const RoomCrossing& room) {
+    const auto leans_out = [&](WallId doorway, double depth) {
+        return depth_steps(depth) > depth_steps(middle.depth) && is_open(map, snapshot, map[doorway]);
+    };
+    // A doorway is a wall of both rooms, a -> b of the one before it and b -> a of the one behind.
+    if (room.entry && !is_behind(middle, map[room.entry].b, map[room.entry].a)) return false;
+    if (room.entry && leans_out(room.entry, room.entry_depth)) return false;
+    return !is_behind(middle, map[room.exit].a, map[room.exit].b) || leans_out(room.exit, room.exit_depth);
+}
 
 std::size_t view_from(Vec2 eye, const Presence& presence, Angle yaw) {
     const Vec2 place = presence.position;

@@ -5,6 +5,15 @@
 // that room, reaches the picture's depth between the room's floor and ceiling. Since a ray is in one room at each
 // depth, no pixel shows a picture twice, and where it stands in a doorway it is cut at the doorway and goes on behind
 // it. What is below the floor, above the ceiling or behind a wall is hidden, as in any world with depth.
+//
+// Where a map wants things whole (RenderRecord::things), as Doom draws them, a picture is not cut by what it reaches
+// into. The thing's middle decides: a ray sees the picture in a room that the thing is in if the middle is behind the
+// doorway through which the ray came in and before the wall by which it goes out (is_behind()). There it sees all of
+// the picture, whatever the room's floor and ceiling, and however near the wall is in that very direction; nothing but
+// steps and edges of doorways that the middle is behind hides a part. A doorway hides nothing that leans out of it:
+// where a ray reaches the picture before the doorway, it sees it in the room before. Since a middle is either before a
+// doorway or behind it, one of its two rooms shows the picture; through a link it is seen once, on its own side. A
+// tilted picture has no columns to say this of; there things are cut.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -41,6 +50,32 @@ inline bool is_between(double depth, double entry, double exit) {
 inline bool is_met_between(double depth, double entry, double exit) {
     return depth >= kNearestSprite && is_between(depth, entry, exit);
 }
+
+/// The middle of a thing's picture, in a space in which an eye looks.
+struct Middle {
+    Vec2 eye, forward;  ///< of the eye
+    Vec2 place;         ///< of the thing; all three on the point grid but for forward
+    double depth = 0;   ///< dot(forward, place - eye) [m]
+};
+
+/// How things are drawn in a picture of the map.
+constexpr ThingEdges thing_edges(const RenderRecord& render, bool is_tilted) {
+    return is_tilted ? ThingEdges::cut : render.things;
+}
+
+/// Whether the middle is behind a wall: farther than all of it, or as far as a part of it, in steps, and to the left of
+/// a -> b. So it does not count how far the wall is in one column or another, and a wall that ends before the thing
+/// hides it also from where its line runs past the thing. Exact but for depth_steps().
+bool is_behind(const Middle& middle, Vec2 a, Vec2 b);
+
+/// A ray's way through a room.
+struct RoomCrossing {
+    WallId entry, exit;                      ///< walls of the room; entry: none in the eye's own
+    double entry_depth = 0, exit_depth = 0;  ///< where the ray meets them [m]
+};
+
+/// Whether a ray sees a thing of this middle in a room. Exact but for depth_steps().
+bool is_seen_in(const Map& map, const Snapshot& snapshot, const Middle& middle, const RoomCrossing& room);
 
 /// What is to be seen of a thing from one place.
 struct SpritePicture {

@@ -70,6 +70,29 @@ TEST(DepthOfAThing, MayNotBeTooNear) {
     EXPECT_TRUE(is_met_between(0.125, 0, 9));
 }
 
+/// From (0, 0) along x.
+Middle middle_at(Vec2 place) { return {{0, 0}, {1, 0}, place, place.x}; }
+
+TEST(MiddleOfAThing, IsBehindAWallThatEndsBeforeIt) {
+    // Its line runs past the middle on either side.
+    EXPECT_TRUE(is_behind(middle_at({5, 0}), {2, 1}, {4, 0.5}));
+    EXPECT_TRUE(is_behind(middle_at({5, 0}), {2, -1}, {4, -0.5}));
+    EXPECT_TRUE(is_behind(middle_at({5, 0}), {5, -1}, {5, 1}));
+}
+
+TEST(MiddleOfAThing, IsBeforeAWallThatBeginsBehindIt) {
+    EXPECT_FALSE(is_behind(middle_at({5, 0}), {6, 1}, {8, 0.5}));
+    EXPECT_FALSE(is_behind(middle_at({5, 0}), {5.001, -1}, {6, 1}));
+}
+
+TEST(MiddleOfAThing, IsOnOneSideOfAWallThatRunsPastIt) {
+    for (const Vec2 place : {Vec2{5, 1}, Vec2{5, -1}, Vec2{5, 0}}) {
+        const bool is_left = is_behind(middle_at(place), {0, 0}, {9, 0});
+        EXPECT_EQ(is_left, place.y < 0) << place.y;
+        EXPECT_NE(is_left, is_behind(middle_at(place), {9, 0}, {0, 0})) << place.y;
+    }
+}
+
 TEST(PictureOfAThing, IsAsLargeAsItsTexelsSay) {
     MapFile file = map_of({box_room("room", 0, 0, 4, 4, 1, 4)});
     ThingRecord barrel;

@@ -32,7 +32,10 @@ void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedCol
     board.end = std::min(view.viewport.end, first_column_from(board.left_v + board.width, board.depth, rays));
     if (board.begin >= board.end) return;
     const double top = picture.foot_z - view.pose.eye_z + picture.origin_m.y;
-    board.rows = within(view.here, top - picture.size_m.y, top);
+    const bool is_whole = thing_edges(scene.map.render, false) == ThingEdges::whole;
+    board.rows = {top - picture.size_m.y, top};
+    if (!is_whole) board.rows = within(view.here, board.rows.floor, board.rows.ceiling);
+    board.place = presence.position;
     WallPainter painter;
     painter.start_picture(scene, scene.textures[picture.texture], top, picture.size_m.y, picture.light,
                           thing_id(scene.map, presence.thing));
@@ -41,12 +44,20 @@ void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedCol
     boards_.push_back(board);
 }
 
+bool ThingColumns::is_met(const RoomView& view, const Board& board, int x) {
+    const Scene& scene = view.scene;
+    const double entry = 1 / view.viewport.boundary_at(x), exit = 1 / view.nearest.inverse_depth_at(x);
+    if (thing_edges(scene.map.render, false) == ThingEdges::cut) return is_met_between(board.depth, entry, exit);
+    const WallId wall = view.nearest.wall(view.nearest.at(x)).wall;
+    return is_seen_in(scene.map, scene.snapshot, {view.pose.eye, view.pose.forward, board.place, board.depth},
+                      {view.viewport.entry, wall, entry, exit});
+}
+
 void ThingColumns::note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked) const {
     const Board& board = boards_[i];
     const OpenRows open = view.viewport.rows_at(x);
     if (x < board.begin || x >= board.end || open.is_closed()) return;
-    const double entry = 1 / view.viewport.boundary_at(x), exit = 1 / view.nearest.inverse_depth_at(x);
-    if (!is_met_between(board.depth, entry, exit)) return;
+    if (!is_met(view, board, x)) return;
     const double from_left = (view.scene.screen.slopes[x] * board.depth - board.left_v) / board.width;
     const WallHit hit{board.depth, std::clamp(board.mirrored ? 1 - from_left : from_left, 0.0, kLastPlace)};
     const RowSplit rows = split_rows(view.scene.screen, open, board.depth, board.rows, nullptr);

@@ -36,11 +36,13 @@ private:
         double width;    ///< [m]
         bool mirrored;   ///< its left edge is the picture's right one
         RelativeHeights rows;
+        Vec2 place;   ///< of the thing
         int painter;  ///< in MaskedColumns
     };
 
     static bool is_nearer(const Board& a, const Board& b);
     void add(const RoomView& view, const Presence& presence, MaskedColumns& masked);
+    static bool is_met(const RoomView& view, const Board& board, int x);
 
     std::vector<Board> boards_;
 };

@@ -215,12 +215,14 @@ Seen look(const Scene& scene, RayPath& path, const RayCourse& course) {
     bool ambiguous = false;
     std::vector<Pane> panes;
     double entry_depth = 0;
+    WallId entry;
     for (std::size_t i = 0;; ++i) {
         const Arrival at = arrive(scene, path[i], course);
         ambiguous |= is_ambiguous(at);
         if (!scene.snapshot.things.in(at.hit.sector).empty() || !at.hit.panels.empty())
-            ambiguous |= add_room_panes(scene, {at.hit, course, entry_depth}, panes);
+            ambiguous |= add_room_panes(scene, {at.hit, course, entry_depth, entry}, panes);
         entry_depth = at.hit.depth;
+        entry = at.wall.kind == WallKind::mirror ? at.hit.wall : at.wall.exit;
         if (const std::optional<Seen> end = end_of_ray(at)) {
             Seen seen = through_panes(panes, *end);
             seen.ambiguous = ambiguous;

@@ -27,6 +27,7 @@ struct RoomRay {
     const RayHit& hit;
     const RayCourse& course;
     double entry_depth;  ///< 0 in the eye's own room [m]
+    WallId entry;        ///< of the room; none in the eye's own
 };
 
 /// A texel as it is painted, and what its picture's color table, if it goes by one, calls it.

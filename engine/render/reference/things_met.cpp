@@ -37,6 +37,8 @@ double sight_per_course(const RayCourse& course) {
     return parts[course.quarters];
 }
 
+bool is_whole(const Scene& scene) { return thing_edges(scene.map.render, scene.is_tilted) == ThingEdges::whole; }
+
 /// That a picture `away` along the sight and `depth` along the course is in the room, and not too near.
 void require_in_room(Verdict& verdict, const RoomRay& ray, double away, double depth) {
     const double entry = ray.entry_depth, exit = ray.hit.depth, d = kAmbiguous;
@@ -47,6 +49,17 @@ void require_in_room(Verdict& verdict, const RoomRay& ray, double away, double d
     verdict.require(std::fabs(away) >= kNearestSprite, are_close(std::fabs(away), kNearestSprite));
 }
 
+/// The same for a picture that is not cut: its middle is.
+void require_middle_in_room(Verdict& verdict, const Scene& scene, const RoomRay& ray, Vec2 place, double away) {
+    const Middle middle{ray.hit.space.eye, ray.hit.space.forward, place, away};
+    verdict.require(away >= kNearestSprite, are_close(away, kNearestSprite));
+    const auto is_seen = [&](double shift) {
+        const RoomCrossing room{ray.entry, ray.hit.wall, ray.entry_depth + shift, ray.hit.depth + shift};
+        return is_seen_in(scene.map, scene.snapshot, middle, room);
+    };
+    verdict.require(is_seen(0), is_seen(kAmbiguous) != is_seen(-kAmbiguous));
+}
+
 /// A picture where a ray meets its plane.
 struct Meeting {
     ThingId thing;
@@ -55,7 +68,8 @@ struct Meeting {
     Pane pane;
 };
 
-/// That the ray goes through the picture between floor and ceiling. height: of the ray above the eye [m].
+/// That the ray goes through the picture, if that is cut between floor and ceiling. height: of the ray above the eye
+/// [m].
 void require_on_picture(Verdict& verdict, const Scene& scene, const RoomRay& ray, const SpritePicture& picture,
                         const Meeting& at, double height) {
     const SectorSnapshot& room = scene.snapshot[ray.hit.sector];
@@ -65,10 +79,12 @@ void require_on_picture(Verdict& verdict, const Scene& scene, const RoomRay& ray
     verdict.require(at.place_m.x < picture.size_m.x, are_close(at.place_m.x, picture.size_m.x));
     const double passed = height + kTieClimb * at.depth;
     const bool is_level = ray.course.climb == 0;  // compared with heights without any rounding
-    for (const double upper : {top, room.ceiling_z - eye_z})
+    const auto require_between = [&](double lower, double upper) {
         verdict.require(passed < upper, !is_level && are_close(height, upper));
-    for (const double lower : {bottom, room.floor_z - eye_z})
         verdict.require(passed >= lower, !is_level && are_close(height, lower));
+    };
+    require_between(bottom, top);
+    if (!is_whole(scene)) require_between(room.floor_z - eye_z, room.ceiling_z - eye_z);
 }
 
 /// What the ray sees of the picture, if it goes through it.
@@ -96,7 +112,10 @@ bool meet(const Scene& scene, const RoomRay& ray, const Presence& presence, std:
     const double away = dot(sight, to_it);
     Meeting at{presence.thing, away / sight_per_course(ray.course), {}, {}};
     Verdict verdict;
-    require_in_room(verdict, ray, away, at.depth);
+    if (is_whole(scene))
+        require_middle_in_room(verdict, scene, ray, presence.position, away);
+    else
+        require_in_room(verdict, ray, away, at.depth);
     if (!verdict.possible) return false;
     const SpritePicture picture = picture_of(scene.map, scene.textures, scene.snapshot, presence, space.eye);
     if (!picture.texture) return false;

@@ -1,6 +1,7 @@
 #include "render/stencil/room_panes.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace enfilade::stencil {
 
@@ -11,7 +12,7 @@ void RoomPanes::note(Layer& layer, const RoomLook& room) {
     run_.clear();
     for (int x = window.begin, begin = window.begin; x <= window.end(); ++x) {
         met_.clear();
-        if (x < window.end() && !window.at(x).is_closed()) meet(room, x);
+        if (x < window.end() && !window.at(x).is_closed()) meet(layer.pose, room, x);
         if (met_ == run_) continue;
         add_run(layer, begin, x, room.visit().depth);
         begin = x;
@@ -21,7 +22,8 @@ void RoomPanes::note(Layer& layer, const RoomLook& room) {
 
 void RoomPanes::find_boards(const Pose& pose, const RoomLook& room) {
     const SectorId home = room.visit().sector;
-    const Heights heights = heights_of(world_.snapshot, home, pose.eye_z);
+    const bool is_whole = thing_edges(world_.map.render, false) == ThingEdges::whole;
+    const Heights heights = is_whole ? kNoRoom : heights_of(world_.snapshot, home, pose.eye_z);
     boards_.clear();
     for (const Presence& presence : world_.snapshot.things.in(home)) {
         auto thing = in_view(world_.map, world_.textures, world_.snapshot, presence, pose, heights);
@@ -48,17 +50,15 @@ void RoomPanes::add_panel(const Pose& pose, const RoomLook& room, PanelId id) {
 }
 
 /// Which boards column x meets between the entry to the room and the wall behind, the nearest first.
-void RoomPanes::meet(const RoomLook& room, int x) {
+void RoomPanes::meet(const Pose& pose, const RoomLook& room, int x) {
     const double slope = screen_.slopes[static_cast<std::size_t>(x)];
-    const double entry = room.visit().entry ? 1 / room.visit().doorway.inverse_depth(slope) : 0;
-    const double exit = 1 / room.inverse_depth_at(x);
     meet_panels(room, x);
     std::size_t thing = 0;
     const auto meet_things = [&](std::int64_t until) {
         for (; thing < things_ && depth_steps(boards_[thing].depth) <= until; ++thing) {
             const WallOnScreen& place = place_of(boards_[thing].pane);
             const bool covers = x >= place.begin && x < place.end;
-            if (covers && is_met_between(boards_[thing].depth, entry, exit)) met_.push_back(thing);
+            if (covers && is_met(pose, room, boards_[thing], x)) met_.push_back(thing);
         }
     };
     double depth = 0;
@@ -67,7 +67,18 @@ void RoomPanes::meet(const RoomLook& room, int x) {
         meet_things(depth_steps(depth));
         met_.push_back(panel);
     }
-    meet_things(depth_steps(exit));
+    meet_things(std::numeric_limits<std::int64_t>::max());
+}
+
+bool RoomPanes::is_met(const Pose& pose, const RoomLook& room, const Board& thing, int x) const {
+    const WallId entry = room.visit().entry, exit = room.nearest_at(x);
+    const double slope = screen_.slopes[static_cast<std::size_t>(x)];
+    const double from = entry ? 1 / room.visit().doorway.inverse_depth(slope) : 0, to = 1 / room.inverse_depth_at(x);
+    if (exit.is_none() || thing_edges(world_.map.render, false) == ThingEdges::cut)
+        return is_met_between(thing.depth, from, to);
+    const Vec2 place = std::get<ThingOnScreen>(thing.pane).position;
+    return is_seen_in(world_.map, world_.snapshot, {pose.eye, pose.forward, place, thing.depth},
+                      {entry, exit, from, to});
 }
 
 void RoomPanes::meet_panels(const RoomLook& room, int x) {

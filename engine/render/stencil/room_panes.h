@@ -27,7 +27,8 @@ private:
 
     void find_boards(const Pose& pose, const RoomLook& room);
     void add_panel(const Pose& pose, const RoomLook& room, PanelId id);
-    void meet(const RoomLook& room, int x);
+    void meet(const Pose& pose, const RoomLook& room, int x);
+    bool is_met(const Pose& pose, const RoomLook& room, const Board& thing, int x) const;
     void meet_panels(const RoomLook& room, int x);
     bool is_before(const Board& a, const Board& b) const;
     bool is_before_wall(const RoomLook& room, const Board& panel, int x) const;

@@ -37,6 +37,7 @@ std::optional<ThingOnScreen> in_view(const Map& map, const TextureSet& textures,
     const double left_of_it = mirrored ? picture.size_m.x - picture.origin_m.x : picture.origin_m.x;
     thing.place = place_of(dot(pose.right, to_it) - left_of_it, picture.size_m.x, thing.depth, mirrored);
     thing.thing = presence.thing;
+    thing.position = presence.position;
     thing.id = thing_id(map, presence.thing);
     thing.texture = picture.texture;
     thing.light = picture.light;

@@ -82,15 +82,27 @@ MapFile fenced_palace() {
     return file;
 }
 
-TEST(ThingColumns, AgreeWithTheReferenceInAPalace) { expect_agreement(world_with_things(palace(), 60, 1), 11, 100); }
+/// Agreement with the reference, whether things are cut or not.
+class ThingColumnsAgree : public testing::TestWithParam<ThingEdges> {
+protected:
+    static World world_with_things(MapFile file, int count, std::uint64_t seed) {
+        file.render.things = GetParam();
+        return enfilade::world_with_things(std::move(file), count, seed);
+    }
+};
 
-TEST(ThingColumns, AgreeWithTheReferenceBehindFences) {
+INSTANTIATE_TEST_SUITE_P(Edges, ThingColumnsAgree, testing::Values(ThingEdges::cut, ThingEdges::whole),
+                         [](const auto& edges) { return edges.param == ThingEdges::cut ? "Cut" : "Whole"; });
+
+TEST_P(ThingColumnsAgree, InAPalace) { expect_agreement(world_with_things(palace(), 60, 1), 11, 100); }
+
+TEST_P(ThingColumnsAgree, BehindFences) {
     World world = world_with_things(fenced_palace(), 60, 2);
     world.textures.textures[world.textures.find("lattice").index] = lattice();
     expect_agreement(world, 12, 100);
 }
 
-TEST(ThingColumns, AgreeWithTheReferenceThroughLinksAndInMirrors) {
+TEST_P(ThingColumnsAgree, ThroughLinksAndInMirrors) {
     MapFile file = map_of({box_room("a", 0, 0, 5, 5, 0, 3), box_room("b", 20, 0, 26, 5, 1, 4),
                            room("c", {{40, 0}, {44, 3}, {41, 7}, {37, 4}}, -1, 2)});
     link(file, "a", {5, 0}, {5, 5}, "c", {44, 3}, {41, 7});
@@ -101,7 +113,7 @@ TEST(ThingColumns, AgreeWithTheReferenceThroughLinksAndInMirrors) {
     expect_agreement(world_with_things(file, 30, 3), 13, 100);
 }
 
-TEST(ThingColumns, AgreeWithTheReferenceWhereAllThingsStandInDoorways) {
+TEST_P(ThingColumnsAgree, WhereAllThingsStandInDoorways) {
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 0, 8, 4, 0.25), box_room("c", 0, 4, 4, 8, -0.25),
                            box_room("d", 4, 4, 8, 8, 0, 1.5)});
     join_all(file);

@@ -58,12 +58,15 @@ void make_ring(TextureSet& textures, const std::string& name) {
 class StencilThings : public testing::TestWithParam<NamedScene> {};
 
 TEST_P(StencilThings, LookAsInTheColumnRenderer) {
-    MapFile file = GetParam().file();
-    scatter(file, 30);
-    const Map map = built(file);
-    TextureSet textures = textures_for(file);
-    make_ring(textures, "ring");
-    expect_agreement(Sight(map, textures).compare_poses(6, {160, 100}, 3), kBehindGlass);
+    for (const ThingEdges edges : {ThingEdges::cut, ThingEdges::whole}) {
+        MapFile file = GetParam().file();
+        file.render.things = edges;
+        scatter(file, 30);
+        const Map map = built(file);
+        TextureSet textures = textures_for(file);
+        make_ring(textures, "ring");
+        expect_agreement(Sight(map, textures).compare_poses(6, {160, 100}, 3), kBehindGlass);
+    }
 }
 
 TEST_P(StencilThings, AreSeenThroughPanes) {
