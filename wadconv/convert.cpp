@@ -15,6 +15,8 @@ MapFile empty_map(const std::string& name) {
     file.size = kUnitsPerMetre;
     file.render.stretch = kStretch;
     file.render.light = LightModel::classic;
+    file.render.sky = SkyRows::straight;
+    file.render.things = ThingEdges::whole;
     return file;
 }
 
@@ -54,6 +56,7 @@ Conversion convert_map(const DoomMap& doom, const Pictures& pictures, const Soun
         return conversion;
     }
     MapFile file = empty_map(doom.name);
+    if (const PictureFile* table = pictures.color_table()) file.render.color_table = table->name;
     const Neighbours neighbours(doom);
     Exits exits(doom.sectors.size());
     for (const std::uint32_t sector : exits_of(doom, parts.value()))

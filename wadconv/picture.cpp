@@ -37,6 +37,10 @@ Bytes to_rgba_png(const Picture& picture, const Palette& palette) {
     return write_png(image);
 }
 
+Error too_short(std::span<const std::byte> colormap) {
+    return {"", "COLORMAP has " + std::to_string(colormap.size()) + " bytes; 32 levels of light take 8192"};
+}
+
 }  // namespace
 
 Result<Palette> read_palette(std::span<const std::byte> playpal) {
@@ -52,8 +56,7 @@ Result<Palette> read_palette(std::span<const std::byte> playpal) {
 }
 
 Result<std::array<double, 32>> measure_colormap(std::span<const std::byte> colormap, const Palette& palette) {
-    if (colormap.size() < kLevels * kColors)
-        return Error{"", "COLORMAP has " + std::to_string(colormap.size()) + " bytes; 32 levels of light take 8192"};
+    if (colormap.size() < kLevels * kColors) return too_short(colormap);
     unsigned full = 0;
     for (std::uint32_t color : palette) full += brightness(color);
     std::array<double, kLevels> levels{};
@@ -64,6 +67,17 @@ Result<std::array<double, 32>> measure_colormap(std::span<const std::byte> color
         levels[level] = full == 0 ? 0 : double(sum) / full;
     }
     return levels;
+}
+
+Result<Picture> color_table_picture(std::span<const std::byte> colormap) {
+    if (colormap.size() < kLevels * kColors) return too_short(colormap);
+    Picture picture(kColors, kLevels + 1);
+    for (std::uint32_t x = 0; x < kColors; ++x) {
+        picture.at(x, 0) = static_cast<std::int16_t>(x);
+        for (std::uint32_t level = 0; level < kLevels; ++level)
+            picture.at(x, level + 1) = std::to_integer<std::int16_t>(colormap[level * kColors + x]);
+    }
+    return picture;
 }
 
 Picture mirrored(const Picture& picture) {

@@ -81,9 +81,7 @@ Result<Pictures> Pictures::list(const WadPile& pile, const std::vector<std::stri
     const Result<Palette> palette = read_palette(playpal->bytes);
     if (!palette) return palette.error();
     pictures.palette_ = palette.value();
-    if (const Lump* colormap = pile.find("COLORMAP"))
-        if (const auto levels = measure_colormap(colormap->bytes, pictures.palette_))
-            pictures.light_levels_ = levels.value();
+    if (const Lump* colormap = pile.find("COLORMAP")) pictures.list_color_table(*colormap);
     const Result<std::vector<TextureDef>> defs = read_texture_defs(pile);
     if (!defs) return defs.error();
     if (!defs.value().empty()) pictures.null_texture_ = defs.value().front().name;
@@ -94,6 +92,15 @@ Result<Pictures> Pictures::list(const WadPile& pile, const std::vector<std::stri
     pictures.sort_files();
     pictures.list_changes(pile, defs.value());
     return pictures;
+}
+
+void Pictures::list_color_table(const Lump& colormap) {
+    const auto levels = measure_colormap(colormap.bytes, palette_);
+    const auto table = color_table_picture(colormap.bytes);
+    if (!levels || !table) return;
+    light_levels_ = levels.value();
+    files_.push_back({std::string(kColorTable), table.value().width, table.value().height,
+                      [picture = table.value()]() -> Result<Picture> { return picture; }});
 }
 
 void Pictures::list_walls(const WadPile& pile, const std::vector<TextureDef>& defs) {

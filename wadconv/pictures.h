@@ -32,6 +32,9 @@ std::string picture_name(std::string_view lump);
 /// Folders in which pictures lie, so that a flat and a wall of one name do not meet. Walls lie in none.
 inline constexpr std::string_view kFlatFolder = "flats/", kSpriteFolder = "sprites/";
 
+/// What COLORMAP's picture is called: a name too long for a lump's, so that no texture has it.
+inline constexpr std::string_view kColorTable = "color_table";
+
 /// One picture file: how to make it, once somebody asks.
 struct PictureFile {
     std::string name;  ///< with its folder, without ".png"
@@ -58,6 +61,8 @@ public:
     /// The wall texture's file, or null.
     const PictureFile* wall(std::string_view texture) const { return find(picture_name(texture)); }
     const PictureFile* flat(std::string_view flat) const { return find(std::string(kFlatFolder) + picture_name(flat)); }
+    /// What becomes of colours in the dark, or null where COLORMAP is missing or too short.
+    const PictureFile* color_table() const { return find(kColorTable); }
     const SpriteRecord* sprite(std::string_view frame) const;
 
     const std::vector<PictureFile>& files() const { return files_; }  ///< sorted by name
@@ -75,6 +80,7 @@ public:
 private:
     Pictures() = default;
     const PictureFile* find(std::string_view name) const;
+    void list_color_table(const Lump& colormap);
     void list_walls(const WadPile& pile, const std::vector<TextureDef>& defs);
     void list_flats(const WadPile& pile);
     void list_sprite(const SpriteFrames& frames, const std::string& frame);

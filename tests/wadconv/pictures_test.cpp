@@ -253,6 +253,24 @@ struct Listed {
     Pictures pictures = Pictures::list(pile, {"POSSA", "BAR1A", "NONEA"}).value();
 };
 
+TEST(Pictures, HaveColormapAsAPictureOfAllColours) {
+    const Listed l;
+    const Picture table = l.pictures.color_table()->draw().value();
+    EXPECT_EQ(std::pair(table.width, table.height), std::pair(256u, 33u));
+    EXPECT_EQ(table.at(200, 0), 200);
+    EXPECT_EQ(table.at(200, 1), 200);
+    EXPECT_EQ(table.at(200, 1 + 16), 100);
+    Texture texture;
+    texture.width = table.width;
+    texture.height = table.height;
+    for (std::uint32_t x = 0; x < table.width; ++x)
+        for (std::uint32_t y = 0; y < table.height; ++y)
+            texture.pixels.push_back(l.pictures.palette()[std::size_t(table.at(x, y))]);
+    std::string fault;
+    EXPECT_FALSE(ColorTable::read(texture, fault).is_empty()) << fault;
+    EXPECT_FALSE(color_table_picture(Bytes(8191)).ok());
+}
+
 TEST(Pictures, AreFoundByTheirNameInDoom) {
     const Listed l;
     EXPECT_EQ(l.pictures.wall("FENCE")->name, "fence");
@@ -289,10 +307,10 @@ TEST(WritePictures, WritesEachIntoItsFolder) {
     const Listed l;
     EXPECT_THAT(write_pictures(l.pictures, dir.path(), 1, [] {}).value(), IsEmpty());
     EXPECT_THAT(files_below(dir.path()),
-                ElementsAre("aanull.png", "fence.png", "flats/ceil1_1.png", "flats/floor0_1.png", "sky1.png",
-                            "sprites/bar1a.png", "sprites/possa1.png", "sprites/possa2.png", "sprites/possa3.png",
-                            "sprites/possa4.png", "sprites/possa5.png", "sprites/possa6.png", "sprites/possa7.png",
-                            "sprites/possa8.png", "sw1wall.png", "sw2wall.png", "wall.png"));
+                ElementsAre("aanull.png", "color_table.png", "fence.png", "flats/ceil1_1.png", "flats/floor0_1.png",
+                            "sky1.png", "sprites/bar1a.png", "sprites/possa1.png", "sprites/possa2.png",
+                            "sprites/possa3.png", "sprites/possa4.png", "sprites/possa5.png", "sprites/possa6.png",
+                            "sprites/possa7.png", "sprites/possa8.png", "sw1wall.png", "sw2wall.png", "wall.png"));
 }
 
 TEST(WritePictures, WritesTheSameBytesOnAnyNumberOfThreads) {
