@@ -89,8 +89,9 @@ CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     command->footer(
         "Keys: WASD or up/down walk, mouse or left/right turn, Shift runs, C crouches, E uses, Tab shows the map\n"
         "(+ and - zoom), R held goes back in time, F5 saves and F9 loads, F2 changes between the column and the "
-        "stencil renderer, F3 shows times and viewports, F11\n"
-        "fills the screen, F12 saves a picture, Esc opens the menu.\nA gamepad works, too. Saving the map's file while "
+        "stencil renderer, F3 shows times and viewports, F4\n"
+        "shows the rooms one sees from outside (F6 from above or from behind, + and - zoom), F11 fills the screen, F12 "
+        "saves a picture, Esc opens the menu.\nA gamepad works, too. Saving the map's file while "
         "playing loads it again in place.");
     return command;
 }

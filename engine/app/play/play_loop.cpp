@@ -36,7 +36,8 @@ Status PlayLoop::play() {
         if (Status failed = game_.record(options_.tape)) return failed;
     started_ns_ = passed_until_ns_ = ticked_until_ns_ = looked_ns_ = now_ns();
     window_.grab_mouse(true);
-    notices_.say("Esc: menu   Tab: map   F2: renderer   F3: times   F12: picture", 0, kWelcomeSeconds);
+    notices_.say("Esc: menu   Tab: map   F2: renderer   F3: times   F4: from outside   F12: picture", 0,
+                 kWelcomeSeconds);
     begin_sounds();
     const auto frame_time = static_cast<std::int64_t>(kSecond / window_.refresh_hz());
     std::vector<InputEvent> events;
@@ -71,23 +72,32 @@ void PlayLoop::handle(const InputEvent& event) {
     if (const auto* button = std::get_if<GamepadButtonChange>(&event); button && button->down)
         handle_gamepad(button->button);
     if (const auto* click = std::get_if<MouseButtonChange>(&event); click && click->down) window_.grab_mouse(true);
-    if (const auto* wheel = std::get_if<MouseWheel>(&event)) game_.automap().zoom(wheel->steps > 0 ? 1 : -1);
+    if (const auto* wheel = std::get_if<MouseWheel>(&event)) zoom(wheel->steps > 0 ? 1 : -1);
 }
 
 void PlayLoop::handle_key(Key key) {
     switch (key) {
         case Key::escape: return open_menu();
         case Key::tab: return game_.automap().toggle();
-        case Key::plus: return game_.automap().zoom(1);
-        case Key::minus: return game_.automap().zoom(-1);
+        case Key::plus: return zoom(1);
+        case Key::minus: return zoom(-1);
         case Key::f2: change_renderer(); return;
         case Key::f3: readout_open_ = !readout_open_; return;
+        case Key::f4: return outside_.show_next();
+        case Key::f6: return outside_.change_side();
         case Key::f5: return save_game();
         case Key::f9: return load_game();
         case Key::f11: settings_.fullscreen = !settings_.fullscreen; return apply_settings();
         case Key::f12: screenshot_wanted_ = true; return;
         default: return;
     }
+}
+
+void PlayLoop::zoom(int steps) {
+    if (game_.automap().is_open())
+        game_.automap().zoom(steps);
+    else
+        outside_.zoom(steps);
 }
 
 void PlayLoop::handle_gamepad(GamepadButton button) {

@@ -7,6 +7,7 @@
 #include "app/play/game.h"
 #include "app/play/menu.h"
 #include "app/play/notices.h"
+#include "app/play/outside_view.h"
 #include "app/play/readout.h"
 #include "app/play/settings.h"
 #include "app/play/soundscape.h"
@@ -43,6 +44,8 @@ private:
     void handle(const InputEvent& event);
     void handle_key(Key key);
     void handle_gamepad(GamepadButton button);
+    /// The automap's zoom while it is open, else that of the view from outside.
+    void zoom(int steps);
     void obey(MenuAction action);
     void open_menu();
     void close_menu();
@@ -70,7 +73,7 @@ private:
     /// The automap learns what is in the picture.
     void remember_seen(std::int64_t now);
     Status show(std::int64_t now);
-    void draw_over(const View& view);
+    void draw_over(double part);
     void take_screenshot();
     /// Says so where the recording could not be written on.
     void follow_recording();
@@ -92,6 +95,7 @@ private:
     PlayerInput input_;
     Menu menu_;
     Notices notices_;
+    OutsideView outside_;
     bool was_cut_short_ = false;  ///< the last picture was
     Soundscape sounds_;
     FrameTimes times_;

@@ -61,14 +61,16 @@ Status PlayLoop::show(std::int64_t now) {
     remember_seen(now);
     if (frame_.is_cut_short && !was_cut_short_) tell(std::string("Here ") + kCutShort);
     was_cut_short_ = frame_.is_cut_short;
-    draw_over(view_now(part));
+    draw_over(part);
     Status failed = window_.present(frame_);
     times_.add(drawn - began, now_ns());
     return failed;
 }
 
-void PlayLoop::draw_over(const View& view) {
+void PlayLoop::draw_over(double part) {
+    const View view = view_now(part);
     Overlay overlay(frame_, font_, comfortable_scale(frame_.height));
+    outside_.draw(overlay, frame_, game_.map(), game_.textures(), game_.snapshot(part), view, hardware_threads());
     game_.automap().draw(overlay, game_.map(), {view.sector, view.eye}, view.forward);
     if (readout_open_) {
         const double degrees_per_step = 360 / 4294967296.0;

@@ -1,0 +1,78 @@
+// What keys and wheel do while one plays: pressed at a real window, seen in its pictures.
+#include <gtest/gtest.h>
+
+#include "app/play/driven_window.h"
+#include "app/play/play_loop.h"
+#include "base/files.h"
+#include "formats/map_toml.h"
+#include "support/map_builder.h"
+#include "support/temp_dir.h"
+
+namespace enfilade {
+namespace {
+
+class KeysOfPlay : public ::testing::Test {
+protected:
+    KeysOfPlay() {
+        MapFile file = test::map_of({test::box_room("room", 0, 0, 8, 4, 0, 3)});
+        test::place_player(file, "room", {2, 2}, 1.55);
+        EXPECT_FALSE(write_file(dir_.path("map.toml"), std::string_view(write_map(file))));
+        game_ = Game::start(dir_.path("map.toml"), {}).value();
+        options_.save = dir_.path("a.save");
+        options_.mute = true;
+        options_.size = PictureSize{320, 200};
+    }
+
+    void play_until(int pictures) {
+        window_.quit_after(pictures);
+        auto renderer = make_renderer(RendererKind::column, 1, {});
+        PlayLoop loop(*game_, window_, options_, std::move(renderer).value());
+        const Status failed = loop.run();
+        EXPECT_FALSE(failed) << failed->text();
+    }
+
+    /// Pixels of the n-th picture that lie below the notices and left of the inset.
+    std::vector<std::uint32_t> own_view(int number) const {
+        const Frame& frame = window_.picture(number);
+        std::vector<std::uint32_t> pixels;
+        for (int y = 100; y < 200; ++y)
+            pixels.insert(pixels.end(), frame.pixels.begin() + y * 320, frame.pixels.begin() + (y + 1) * 320);
+        return pixels;
+    }
+    static std::uint32_t at(const Frame& frame, int x, int y) { return frame.pixels[std::size_t(y * frame.width + x)]; }
+
+    testing::TempDir dir_;
+    std::unique_ptr<Game> game_;
+    PlayOptions options_;
+    testing::DrivenWindow window_;
+};
+
+constexpr std::uint32_t kRim = 0xFFE0E0E0;  ///< of the inset
+
+TEST_F(KeysOfPlay, ShowTheViewFromOutsideInACornerThenInFullThenNot) {
+    window_.press_after(5, SDL_SCANCODE_F4);
+    window_.press_after(10, SDL_SCANCODE_F4);
+    window_.press_after(15, SDL_SCANCODE_F4);
+    play_until(20);
+    EXPECT_EQ(at(window_.picture(9), 192, 79), kRim);
+    EXPECT_EQ(own_view(9), own_view(4));
+    EXPECT_EQ(at(window_.picture(14), 192, 79), kRim);
+    EXPECT_NE(own_view(14), own_view(4));
+    EXPECT_NE(at(window_.picture(19), 192, 79), kRim);
+    EXPECT_EQ(own_view(19), own_view(4));
+}
+
+TEST_F(KeysOfPlay, LookAtThePlayerFromBehindAndFromNearer) {
+    window_.press_after(4, SDL_SCANCODE_F4);
+    window_.press_after(4, SDL_SCANCODE_F4);
+    window_.press_after(10, SDL_SCANCODE_F6);
+    window_.after(15, [&] { window_.wheel(1); });
+    window_.press_after(20, SDL_SCANCODE_MINUS);
+    play_until(25);
+    EXPECT_NE(own_view(14), own_view(9));
+    EXPECT_NE(own_view(19), own_view(14));
+    EXPECT_EQ(own_view(24), own_view(14));
+}
+
+}  // namespace
+}  // namespace enfilade
