@@ -35,8 +35,9 @@ inline constexpr std::size_t kMaxMapBytes = std::size_t{40} << 20;
 /// 1.4 gigabytes.
 inline constexpr std::size_t kMaxMapValues = 9'000'000;
 
-/// The map as text in the enfilade dialect: the same records give the same bytes, and read_map gives the same
-/// records back (places aside). Numbers are written with the fewest digits that read back exactly.
+/// The map as text in the enfilade dialect, in which a tutorial file's skies and light are other ones (maps/FORMAT.md):
+/// the same records give the same bytes, and read_map gives the same records back (places aside). Numbers are written
+/// with the fewest digits that read back exactly.
 std::string write_map(const MapFile& map);
 
 }  // namespace enfilade

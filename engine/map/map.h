@@ -55,7 +55,7 @@ struct Wall {
     bool one_way_exit = false;     ///< bodies come out of it by a portal to which it does not, or not always, lead back
     std::uint32_t link = kNoLink;  ///< index into Map::links, or kNoLink where nothing is transformed
     /// Light by direction, so that corners can be seen. Smooth light: a factor, from 0.8 along x to 1 along y. Classic
-    /// light: 0.8 exactly along x (one step darker), 1.2 exactly along y (one step brighter), else 1.
+    /// light: 0.8 exactly along x (one step darker), 1.2 exactly along y (one step brighter), else 1. Tutorial: 1.
     double contrast = 1;
     Surface texture;               ///< solid, way back
     Surface upper, lower, middle;  ///< portal; the first two: way back, too

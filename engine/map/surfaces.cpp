@@ -52,12 +52,19 @@ double contrast_of(LightModel model, Vec2 edge) {
     return kDark + (1 - kDark) * (edge.y * edge.y / dot(edge, edge));
 }
 
+bool is_tutorial(const Draft& draft) { return draft.file.format == 0; }
+
+/// The tutorial has no light by direction; nor has what has no direction.
+double contrast_in(const Draft& draft, Vec2 edge) {
+    return is_tutorial(draft) || edge == Vec2{} ? 1 : contrast_of(draft.file.render.light, edge);
+}
+
 void lay_wall(Draft& draft, WallId id) {
     Wall& wall = draft.map.walls[id.index];
     const WallRecord& record = *draft.walls[id.index].record;
     const Lay lay{draft.textures, record.size, draft.file.size};
     wall.scroll = record.scroll;
-    if (wall.a != wall.b) wall.contrast = contrast_of(draft.file.render.light, wall.b - wall.a);
+    wall.contrast = contrast_in(draft, wall.b - wall.a);
     if (wall.kind != WallKind::portal) wall.texture = lay.surface(record.texture, record.texture_peg);
     if (wall.kind != WallKind::portal && wall.kind != WallKind::way_back) return;
     wall.upper = lay.surface(record.upper ? record.upper : record.texture, record.upper_peg);
@@ -69,7 +76,7 @@ void lay_wall(Draft& draft, WallId id) {
 void lay_panel(Draft& draft, const SectorDraft& sector, std::size_t i, Panel& panel) {
     const PanelRecord& record = sector.record->panels[i];
     const Lay lay{draft.textures, record.size, draft.file.size};
-    if (panel.a != panel.b) panel.contrast = contrast_of(draft.file.render.light, panel.b - panel.a);
+    panel.contrast = contrast_in(draft, panel.b - panel.a);
     panel.surface = lay.surface(record.texture, Peg::ceiling);
     panel.one_sided = record.one_sided;
 }
@@ -85,11 +92,19 @@ void lay_layers(Draft& draft, const FlatRecord& record, Flat& flat) {
         draft.map.sky_layers.push_back({Lay{draft.textures, {}, {}}.surface(layer.texture, Peg::ceiling), layer.turn});
 }
 
+/// In the tutorial (chapter 7, Camera.js and Flat.js) a sky's picture begins a quarter turn before x, and the first
+/// number is how many turns one tile takes.
+void lay_tutorial_sky(Surface& sky) {
+    sky.tile_m.x = 1 / sky.tile_m.x;
+    sky.offset_tiles.x = fraction_of(sky.offset_tiles.x - sky.tile_m.x / 4);
+}
+
 void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record, Flat& flat) {
     // A sky's two numbers are wraps and a tangent, which texels per metre say nothing about.
     const Lay lay = record.parallax ? Lay{draft.textures, {}, {}} : Lay{draft.textures, record.size, draft.file.size};
     flat.surface = lay.surface(record.texture, Peg::ceiling);
     flat.sky = record.parallax;
+    if (flat.sky && is_tutorial(draft)) lay_tutorial_sky(flat.surface);
     flat.scroll = record.scroll;
     flat.carries = record.carries;
     lay_layers(draft, record, flat);

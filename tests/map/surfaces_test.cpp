@@ -1,6 +1,8 @@
 // Texture specs as tiles, offsets and pegs; contrast by direction.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "support/map_builder.h"
 
 namespace enfilade {
@@ -127,6 +129,31 @@ TEST(Flat, IsSkyWhereItHasParallax) {
     EXPECT_EQ(map.sectors[0].ceiling.surface.tile_m, (Vec2{4, 0.75}));
 }
 
+/// Where a level look in a direction meets the sky of one room, in tiles.
+double sky_met(int format, Vec2 wraps, double turns) {
+    MapFile file = one_room();
+    file.format = format;
+    file.sectors[0].ceiling.parallax = true;
+    file.sectors[0].ceiling.texture = TextureSpec{"sky", wraps, {}, {}};
+    const Surface sky = built(file).sectors[0].ceiling.surface;
+    const double tiles = turns * sky.tile_m.x - sky.offset_tiles.x;  // map/map.h
+    return tiles - std::floor(tiles);
+}
+
+TEST(Flat, TurnsTheTutorialsSkyAQuarterOn) {
+    for (const double turns : {0.0, 0.125, 0.5, 0.8125}) {
+        EXPECT_EQ(sky_met(1, {1, 1}, turns), turns);
+        EXPECT_EQ(sky_met(0, {1, 1}, turns), turns < 0.75 ? turns + 0.25 : turns - 0.75);
+    }
+}
+
+TEST(Flat, TakesTheTutorialsSkyForTurnsPerTile) {
+    EXPECT_EQ(sky_met(1, {4, 1}, 0.0625), 0.25);
+    EXPECT_EQ(sky_met(0, {0.25, 1}, 0.0625), 0.25);  // four tiles a turn, of which one is the quarter
+    EXPECT_EQ(sky_met(0, {2, 1}, 0.25), 0.25);       // half a tile a turn
+    EXPECT_EQ(sky_met(0, {-1, 1}, 0.125), 0.625);    // mirrored: -(0.125 + 0.25)
+}
+
 TEST(Flat, HasTheLayersOfItsOwnSky) {
     MapFile file = map_of({box_room("hall", 0, 0, 4, 4), box_room("yard", 4, 0, 8, 4)});
     for (SectorRecord& sector : file.sectors) sector.ceiling.parallax = true;
@@ -148,6 +175,12 @@ TEST(Contrast, OfSmoothLightGrowsFromWallsAlongXToWallsAlongY) {
     EXPECT_NEAR(map.walls[1].contrast, 0.9, 1e-15);  // 45 degrees; 0.8 + 0.2 * 0.5, each rounded once
     EXPECT_EQ(map.walls[2].contrast, 1);
     EXPECT_LT(map.walls[3].contrast, map.walls[1].contrast);
+}
+
+TEST(Contrast, IsNoneInTheTutorial) {
+    MapFile file = one_room();
+    file.format = 0;
+    for (const Wall& wall : built(file).walls) EXPECT_EQ(wall.contrast, 1);
 }
 
 TEST(Contrast, OfClassicLightDiffersOnlyExactlyAlongAnAxis) {
