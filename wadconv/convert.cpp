@@ -1,5 +1,8 @@
 #include "wadconv/convert.h"
 
+#include <algorithm>
+
+#include "wadconv/thing_table.h"
 #include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {
@@ -26,6 +29,29 @@ constexpr std::uint64_t kMaxSearches = std::uint64_t{1} << 31;
 
 bool is_too_large(const DoomMap& doom, const Parts& parts) {
     return (doom.things.size() + parts.lone.size()) * std::uint64_t{parts.edges.size()} > kMaxSearches;
+}
+
+/// "3, 5 and 12".
+std::string listed(std::vector<std::uint32_t> numbers) {
+    std::ranges::sort(numbers);
+    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+    std::string text = std::to_string(numbers.front());
+    for (std::size_t i = 1; i < numbers.size(); ++i)
+        text += (i + 1 < numbers.size() ? ", " : " and ") + std::to_string(numbers[i]);
+    return text;
+}
+
+/// Why a map that has lost rooms cannot be played; empty: it can.
+std::string unplayable(const DoomMap& doom, const Parts& parts, const Report& report) {
+    if (parts.lost.empty()) return {};
+    const std::string lost =
+        "the rooms of sector " + listed(parts.lost) +
+        " were left out, because lines cross there: " + listed(report.found.at(Kind::clashing_line));
+    if (parts.parts.empty()) return "no room is left: " + lost;
+    const auto start = std::ranges::find(doom.things.rbegin(), doom.things.rend(), kFirstStart, &DoomThing::type);
+    if (start == doom.things.rend() || part_at(parts, to_fine(point_of(*start))) != kNone) return {};
+    return "player 1 starts at (" + std::to_string(start->x) + ", " + std::to_string(start->y) +
+           "), in no room that is left: " + lost;
 }
 
 void count_contents(const DoomMap& doom, Report& report) {
@@ -55,6 +81,8 @@ Conversion convert_map(const DoomMap& doom, const Pictures& pictures, const Soun
                          std::to_string(parts.value().edges.size()) + " sides are too many together";
         return conversion;
     }
+    report.refused = unplayable(doom, parts.value(), report);
+    if (!report.refused.empty()) return conversion;
     MapFile file = empty_map(doom.name);
     if (const PictureFile* table = pictures.color_table()) file.render.color_table = table->name;
     const Neighbours neighbours(doom);

@@ -14,8 +14,6 @@ constexpr double kEyeHeight = 41;
 /// Doom turns things by eighths only; yaw turns right where Doom's angle turns left.
 double yaw_of(const DoomThing& thing) { return (8 - thing.angle / 45 % 8) % 8 * 45.0; }
 
-Point point_of(const DoomThing& thing) { return {thing.x, -std::int32_t{thing.y}}; }
-
 std::uint32_t part_of(const Workbench& bench, const DoomThing& thing) {
     return part_at(bench.parts, to_fine(point_of(thing)));
 }

@@ -66,9 +66,26 @@ void convert_portal(Workbench& bench, const Edge& edge, WallRecord& wall) {
         bench.report.note(Kind::self_portal, edge.line);
 }
 
+/// What a doorway is closed with: the picture of its steps, else of the room's first wall that has one.
+std::optional<TextureSpec> picture_for_doorway(Workbench& bench, const Edge& edge) {
+    const Sidedef& side = bench.side_of(edge);
+    for (const std::string* name : {&side.lower, &side.upper})
+        if (auto spec = texture_spec(bench, *name, side, edge.line)) return spec;
+    const std::uint32_t part = bench.parts.part_of_edge[bench.parts.edges[edge.opposite].opposite];
+    for (const Loop& loop : bench.parts.parts[part].loops)
+        for (const std::uint32_t e : loop.edges) {
+            const Edge& other = bench.parts.edges[e];
+            if (other.line == kNone || other.is_open) continue;
+            if (const PictureFile* file = bench.pictures.wall(bench.side_of(other).middle))
+                return TextureSpec{file->name, {}, {}, {}};
+        }
+    return {};
+}
+
 void convert_solid(Workbench& bench, const Edge& edge, WallRecord& wall) {
     const Sidedef& side = bench.side_of(edge);
     wall.texture = texture_spec(bench, side.middle, side, edge.line);
+    if (!wall.texture && edge.was_open) wall.texture = picture_for_doorway(bench, edge);
     wall.texture_peg = bench.doom.lines[edge.line].flags & kLowerUnpegged ? Peg::floor : Peg::ceiling;
     if (wall.texture) return;
     wall.texture = TextureSpec{"-", {}, {}, {}};

@@ -30,6 +30,7 @@ struct Edge {
     std::uint32_t side = kNone;      ///< the sidedef; kNone likewise
     bool is_left = false;            ///< the line's left side, which runs from its end to its start
     bool is_open = false;            ///< one may pass to the opposite edge's sector
+    bool was_open = false;           ///< until the room behind it was left out
     std::uint32_t opposite = kNone;  ///< the edge b -> a, if there is one
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "map/edge_sweep.h"
+
 namespace enfilade::wadconv {
 namespace {
 
@@ -139,6 +141,14 @@ void cut_at_pinches(std::span<const Edge> edges, const Walk& walk, std::vector<L
     }
 }
 
+/// Says whether the horizontal ray from p to the right, p being moved by the tie rule, meets the edge a -> b.
+bool ray_meets(Point a, Point b, Point p) {
+    // (e, e^2) moves p down by less than anything: a corner at p's own height lies above the ray.
+    if ((a.y > p.y) == (b.y > p.y)) return false;
+    const std::int64_t turn = cross(a, b, p);
+    return b.y > a.y ? turn > 0 : turn < 0;
+}
+
 /// How often lone edges are looked for. In a plane map once is enough; lines that cross may bring up new ones.
 constexpr int kMaxRounds = 8;
 
@@ -161,6 +171,28 @@ Tracing trace_loops(std::span<const Edge> edges, std::span<const std::uint32_t> 
     for (const Walk& walk : walks) cut_at_pinches(edges, walk, tracing.loops);
     std::ranges::sort(tracing.loops, {}, [](const Loop& loop) { return loop.edges.front(); });
     return tracing;
+}
+
+bool loop_contains(std::span<const Edge> edges, const Loop& loop, Point fine) {
+    bool inside = false;
+    for (std::uint32_t e : loop.edges) inside ^= ray_meets(to_fine(edges[e].a), to_fine(edges[e].b), fine);
+    return inside;
+}
+
+std::vector<std::uint32_t> clashing_lines(std::span<const Edge> edges, std::span<const std::uint32_t> own) {
+    std::vector<Wall> walls(own.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const Edge& edge = edges[own[i]];
+        walls[i].a = {edge.a.x / kUnitsPerMetre, edge.a.y / kUnitsPerMetre};
+        walls[i].b = {edge.b.x / kUnitsPerMetre, edge.b.y / kUnitsPerMetre};
+    }
+    std::vector<std::uint32_t> lines;
+    for (const Clash& clash : sweep_edges(walls).clashes)
+        for (const std::uint32_t i : {clash.first, clash.second})
+            if (edges[own[i]].line != kNone) lines.push_back(edges[own[i]].line);
+    std::ranges::sort(lines);
+    lines.erase(std::ranges::unique(lines).begin(), lines.end());
+    return lines;
 }
 
 }  // namespace enfilade::wadconv

@@ -44,4 +44,17 @@ struct Tracing {
 /// Exact. Cost: O(n log n). `edges` must be as collect_edges leaves them: at most one from any point to any other.
 Tracing trace_loops(std::span<const Edge> edges, std::span<const std::uint32_t> own);
 
+/// Places within loops are given in this many steps a map unit: twice as fine as the vertex grid, so that the middle
+/// between two of its points is one too.
+inline constexpr std::int32_t kFineSteps = 64;
+
+constexpr Point to_fine(Point p) { return {p.x * kFineSteps, p.y * kFineSteps}; }
+
+/// True where the loop goes around the point, under the tie rule of math/predicates.h. Exact.
+bool loop_contains(std::span<const Edge> edges, const Loop& loop, Point fine);
+
+/// The lines of those of the edges that cross, touch inside, or lie on each other, rising, each once: the edges of one
+/// room may only share ends. Exact. Cost: O(n log n).
+std::vector<std::uint32_t> clashing_lines(std::span<const Edge> edges, std::span<const std::uint32_t> own);
+
 }  // namespace enfilade::wadconv

@@ -22,20 +22,6 @@ Error inside_out(std::size_t sector, const Edge& edge) {
 
 Error tangled(std::size_t sector) { return {"", sector_name(sector) + " is bounded by lines that cross each other"}; }
 
-/// Says whether the horizontal ray from p to the right, p being moved by the tie rule, meets the edge a -> b.
-bool ray_meets(Point a, Point b, Point p) {
-    // (e, e^2) moves p down by less than anything: a corner at p's own height lies above the ray.
-    if ((a.y > p.y) == (b.y > p.y)) return false;
-    const std::int64_t turn = cross(a, b, p);
-    return b.y > a.y ? turn > 0 : turn < 0;
-}
-
-bool loop_contains(const std::vector<Edge>& edges, const Loop& loop, Point fine) {
-    bool inside = false;
-    for (std::uint32_t e : loop.edges) inside ^= ray_meets(to_fine(edges[e].a), to_fine(edges[e].b), fine);
-    return inside;
-}
-
 /// The middle of an edge, in fine steps.
 Point middle_of(const Edge& e) { return {(e.a.x + e.b.x) * (kFineSteps / 2), (e.a.y + e.b.y) * (kFineSteps / 2)}; }
 
@@ -96,8 +82,11 @@ public:
             if (Status failed = make_sector(s)) return *failed;
         for (std::uint32_t s = 0; s < own_.size(); ++s)
             if (Status failed = house_orphans(s)) return *failed;
+        for (std::uint32_t s = 0; s < own_.size(); ++s) lose_clashing_parts(s);
         for (std::uint32_t s = 0; s < own_.size(); ++s) take(s);
         std::ranges::sort(all_.lone);
+        std::ranges::sort(all_.lost);
+        all_.lost.erase(std::ranges::unique(all_.lost).begin(), all_.lost.end());
         return std::move(all_);
     }
 
@@ -108,11 +97,11 @@ private:
             if (!close_gap(sector, tracing.open_ends)) return cannot_close(sector, tracing.open_ends);
             tracing = trace_loops(all_.edges, own_[sector]);
         }
-        if (tracing.is_tangled) return tangled(sector);
+        if (tracing.is_tangled) return lose_sector(sector, tangled(sector));
         SectorParts& made = sectors_[sector] = {};
         made.lone = std::move(tracing.lone);
         for (Loop& loop : tracing.loops) {
-            if (loop.double_area == 0) return tangled(sector);
+            if (loop.double_area == 0) return lose_sector(sector, tangled(sector));
             if (loop.is_outline()) made.parts.push_back(part_from(all_.edges, sector, std::move(loop)));
         }
         for (Loop& loop : tracing.loops)
@@ -145,7 +134,7 @@ private:
         for (const Loop& orphan : std::vector<Loop>(sectors_[sector].orphans)) {
             const Edge first = all_.edges[orphan.edges[0]];
             const std::optional<std::uint32_t> host = host_of(sector, orphan);
-            if (!host) return inside_out(sector, first);
+            if (!host) return lose_sector(sector, inside_out(sector, first));
             for (std::uint32_t e : orphan.edges) {
                 all_.edges[e].sector = *host;
                 report_.note(Kind::deep_water, all_.edges[e].line);
@@ -170,6 +159,39 @@ private:
                 best = part;
         }
         return best ? std::optional(best->sector) : std::nullopt;
+    }
+
+    /// Leaves the whole sector out for lines that cross; the error where none do.
+    Status lose_sector(std::uint32_t sector, const Error& error) {
+        if (!lose_if_clashing(sector, own_[sector])) return error;
+        sectors_[sector] = {};
+        return {};
+    }
+
+    void lose_clashing_parts(std::uint32_t sector) {
+        std::erase_if(sectors_[sector].parts, [&](const Part& part) {
+            std::vector<std::uint32_t> own;
+            for (const Loop& loop : part.loops) own.insert(own.end(), loop.edges.begin(), loop.edges.end());
+            return lose_if_clashing(sector, own);
+        });
+    }
+
+    /// Leaves out the room that these edges bound if lines of them cross, and closes the doorways into it.
+    bool lose_if_clashing(std::uint32_t sector, std::span<const std::uint32_t> edges) {
+        const std::vector<std::uint32_t> lines = clashing_lines(all_.edges, edges);
+        if (lines.empty()) return false;
+        all_.lost.push_back(sector);
+        report_.note(Kind::lost_room, sector);
+        for (const std::uint32_t line : lines) report_.note(Kind::clashing_line, line);
+        for (const std::uint32_t e : edges) {
+            Edge& edge = all_.edges[e];
+            if (edge.line != kNone) ++report_.sides.dropped;
+            if (!edge.is_open) continue;
+            edge.is_open = all_.edges[edge.opposite].is_open = false;
+            all_.edges[edge.opposite].was_open = true;
+            report_.note(Kind::closed_doorway, edge.line);
+        }
+        return true;
     }
 
     void take(std::uint32_t sector) {

@@ -26,13 +26,16 @@ struct Parts {
     std::vector<std::uint32_t> count_of;      ///< parts of each Doom sector
     std::vector<std::uint32_t> part_of_edge;  ///< index into parts for each edge, or kNone
     std::vector<std::uint32_t> lone;          ///< edges, rising; opposite edges are both there
+    std::vector<std::uint32_t> lost;          ///< Doom sectors of which a room was left out, rising
 };
 
 /// The edges' sectors traced, outlines and holes told apart by exact area, every hole given to the smallest outline of
 /// its sector around it, and every outline made a part of its own. On the way
 ///   - a sector that lacks a single edge is closed with it (guessed: a solid wall);
 ///   - a ring of edges with the same sector on both sides that lies in no outline of it but inside another sector
-///     ("deep water") gives its outside to that sector.
+///     ("deep water") gives its outside to that sector;
+///   - a room whose own lines cross or lie on each other is left out: a part, or where no parts can be told the whole
+///     sector; the doorways into it are closed (guessed).
 /// An Error names the sector that cannot be closed, or that is inside out.
 Result<Parts> make_parts(std::vector<Edge> edges, std::size_t sector_count, Report& report);
 
@@ -41,12 +44,6 @@ std::string part_name(const Part& part);
 
 /// Twice the area of the outline less its holes [map units^2].
 std::int64_t double_area(const Part& part);
-
-/// Places within parts are given in this many steps a map unit: twice as fine as the vertex grid, so that the middle
-/// between two of its points is one too.
-inline constexpr std::int32_t kFineSteps = 64;
-
-constexpr Point to_fine(Point p) { return {p.x * kFineSteps, p.y * kFineSteps}; }
 
 /// True where the part contains the point, under the tie rule of math/predicates.h. Exact.
 bool contains(const Parts& parts, const Part& part, Point fine);

@@ -28,6 +28,8 @@ enum class Kind : std::uint8_t {
     self_panel,
     self_unseen,
     deep_water,
+    clashing_line,
+    closed_doorway,
     shared_side,
     // Textures
     missing_upper,
@@ -41,6 +43,7 @@ enum class Kind : std::uint8_t {
     split_sector,
     unused_sector,
     closed_gap,
+    lost_room,
     closed_door,
     opened_door,
     ceiling_below_floor,

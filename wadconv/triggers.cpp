@@ -207,6 +207,7 @@ std::vector<std::uint32_t> TriggerMaker::stairs_from(std::uint32_t first) const 
 std::vector<TriggerRecord> TriggerMaker::donut(const Job& job, std::uint32_t pillar) const {
     if (neighbours_.of(pillar).empty()) return {};
     const std::uint32_t ring = neighbours_.of(pillar).front().sector;
+    if (names_[ring].empty()) return {};
     for (const Neighbour& n : neighbours_.of(ring)) {
         if (n.sector == pillar || n.sector == ring || names_[n.sector].empty()) continue;
         TriggerRecord down = job.base, up = job.base;

@@ -42,6 +42,8 @@ struct Workbench {
 constexpr double metres(double units) { return units / kUnitsPerMetre; }
 constexpr Vec2 metres(Point p) { return {p.x / kUnitsPerMetre, p.y / kUnitsPerMetre}; }
 
+inline Point point_of(const DoomThing& thing) { return {thing.x, -std::int32_t{thing.y}}; }
+
 bool is_sky(std::string_view flat);
 
 /// heights.cpp: ceilings below floors raised, doors opened if asked.

@@ -53,6 +53,26 @@ TEST(ConvertMap, AccountsForEverySide) {
     EXPECT_EQ(c.report.sides.panels, 4u);
 }
 
+TEST(ConvertMap, ClosesTheDoorwaysIntoALostRoom) {
+    Doorway doorway;
+    doorway.level.map.lines.resize(4);
+    doorway.level.line({64, 64}, {128, 0}, 1);
+    doorway.level.line({128, 0}, {160, 96}, 1);
+    doorway.level.line({160, 96}, {64, 0}, 1);
+    for (const char* lower : {"WALL", "-"}) {
+        doorway.right().lower = lower;
+        doorway.right().upper = doorway.right().middle = "-";
+        const Converted c(doorway.level);
+        ASSERT_THAT(c.file.sectors, SizeIs(1));
+        EXPECT_EQ(front(c).next, "");
+        EXPECT_EQ(front(c).texture->name, c.wall("s0", 0, 0).texture->name);
+        EXPECT_TRUE(c.report.sides.is_complete());
+        Findings findings;
+        EXPECT_TRUE(build_map(c.file, c.pictures.sizes(), findings));
+        EXPECT_THAT(findings, IsEmpty());
+    }
+}
+
 TEST(ConvertSectors, TakeHeightsLightAndFlats) {
     Level level = small_level();
     level.map.sectors[0].light = 128;

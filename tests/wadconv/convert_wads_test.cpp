@@ -118,11 +118,75 @@ TEST(ConvertWads, RefusesOneMapAndConvertsTheOthers) {
 TEST(ConvertWads, RefusesMapsThatDoNotPassTheCheck) {
     Level level;
     level.sector();
-    level.ring({{0, 0}, {96, 96}, {64, 0}, {0, 64}}, 0);  // crosses itself
+    level.sector();
+    level.box(0, 0, 256, 256, 0);
+    level.box(64, 64, 192, 192, 1, 0);
+    level.box(96, 96, 128, 128, 1, 0);  // where sector 1 is on either side, it says that sector 0 is outside
     Bench bench;
     bench.add(wad_with({{"MAP01", level}}));
     EXPECT_THAT(bench.run().value().reports[0].refused, HasSubstr("not sound"));
     EXPECT_FALSE(bench.wrote("map01.toml"));
+}
+
+/// Two rooms with a doorway; the lines of the second cross.
+Level crossed_level() {
+    Level level;
+    level.sector();
+    level.sector();
+    level.box(0, 0, 64, 64, 0);
+    level.map.lines.pop_back();
+    level.map.lines.erase(level.map.lines.begin() + 2);
+    level.line({64, 0}, {0, 0}, 0);
+    level.line({64, 64}, {64, 0}, 0, 1);
+    level.line({64, 64}, {128, 0}, 1);
+    level.line({128, 0}, {160, 96}, 1);
+    level.line({160, 96}, {64, 0}, 1);
+    level.thing(32, 32, 1);
+    return level;
+}
+
+TEST(ConvertWads, LosesTheRoomWhoseLinesCrossAndNotTheLevel) {
+    Bench bench;
+    bench.add(wad_with({{"MAP01", crossed_level()}}));
+    const RunResult result = bench.run().value();
+    EXPECT_TRUE(result.is_complete());
+    EXPECT_TRUE(bench.wrote("map01.toml"));
+    const std::string report = to_text(result);
+    EXPECT_THAT(report, HasSubstr("lines of one room that cross or lie on each other: 2."));
+    EXPECT_THAT(report, HasSubstr("      lines 4, 6\n"));
+    EXPECT_THAT(report, HasSubstr("rooms bounded by lines that cross: 1."));
+    EXPECT_THAT(report, HasSubstr("      sector 1\n"));
+    EXPECT_THAT(report, HasSubstr("doorways into rooms left out: 1."));
+}
+
+TEST(ConvertWads, RefusesToLoseRoomsWhenStrict) {
+    Bench bench;
+    bench.add(wad_with({{"MAP01", crossed_level()}}));
+    bench.options.strict = true;
+    EXPECT_THAT(bench.run().value().reports[0].refused, HasSubstr("rooms bounded by lines that cross: 1"));
+    EXPECT_FALSE(bench.wrote("map01.toml"));
+}
+
+TEST(ConvertWads, RefusesALevelThatStartsInALostRoom) {
+    Level level = crossed_level();
+    level.map.things.clear();
+    level.thing(32, 32, 2);  // another player's start does not do
+    level.thing(120, 40, 1);
+    Bench bench;
+    bench.add(wad_with({{"MAP01", level}}));
+    EXPECT_EQ(bench.run().value().reports[0].refused,
+              "player 1 starts at (120, 40), in no room that is left: the rooms of sector 1 were left out, because "
+              "lines cross there: 4 and 6");
+}
+
+TEST(ConvertWads, RefusesALevelWithoutARoomLeft) {
+    Level level;
+    level.sector();
+    level.ring({{0, 0}, {96, 96}, {64, 0}, {0, 64}}, 0);
+    Bench bench;
+    bench.add(wad_with({{"MAP01", level}}));
+    EXPECT_EQ(bench.run().value().reports[0].refused,
+              "no room is left: the rooms of sector 0 were left out, because lines cross there: 0 and 2");
 }
 
 TEST(ConvertWads, RefusesGuessesOnlyWhenStrict) {

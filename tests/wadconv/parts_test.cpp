@@ -133,6 +133,57 @@ TEST(MakeParts, RefusesASectorWithTwoGaps) {
     EXPECT_THAT(Made(level).parts.error().what, HasSubstr("sector 0 is not closed"));
 }
 
+/// A room of four walls, and behind its doorway, line 4, another one around these corners.
+Level room_and(const std::vector<Vertex>& corners) {
+    Level level = level_with(2);
+    level.line({64, 0}, {0, 0}, 0);
+    level.line({0, 0}, {0, 64}, 0);
+    level.line({0, 64}, {32, 64}, 0);
+    level.line({32, 64}, {64, 64}, 0);
+    level.line({64, 64}, {64, 0}, 0, 1);
+    level.line({64, 64}, corners[0], 1);
+    for (std::size_t i = 1; i < corners.size(); ++i) level.line(corners[i - 1], corners[i], 1);
+    level.line(corners.back(), {64, 0}, 1);
+    return level;
+}
+
+TEST(MakeParts, LeavesOutARoomWhoseLinesCross) {
+    // More of it the right way round, more of it inside out, as much of both, and lines on each other.
+    for (const std::vector<Vertex>& corners : {std::vector<Vertex>{{128, 0}, {160, 96}},
+                                               {{160, -32}, {128, 64}},
+                                               {{128, 0}, {128, 64}},
+                                               {{128, 64}, {96, 64}, {128, 0}}}) {
+        const Made made(room_and(corners));
+        ASSERT_TRUE(made.parts.ok()) << made.parts.error().what;
+        EXPECT_THAT(made.texts(), ElementsAre("s0: 4096, 1"));
+        EXPECT_THAT(made.parts.value().lost, ElementsAre(1u));
+        EXPECT_THAT(made.report.found.at(Kind::lost_room), ElementsAre(1u));
+        EXPECT_THAT(made.report.found.at(Kind::closed_doorway), ElementsAre(4u));
+        EXPECT_GE(made.report.found.at(Kind::clashing_line).size(), 2u);
+        for (const Edge& edge : made.parts.value().edges) EXPECT_FALSE(edge.is_open);
+    }
+}
+
+TEST(MakeParts, LeavesOutOnlyThePartWhoseLinesCross) {
+    Level level = level_with(2);
+    level.box(0, 0, 64, 64, 0);
+    level.box(200, 0, 264, 64, 0);
+    level.box(232, 32, 300, 48, 1, 0);  // a hole that reaches out of its room
+    const Made made(level);
+    EXPECT_THAT(made.texts(), ElementsAre("s0: 4096, 1", "s1: 1088, 1"));
+    EXPECT_THAT(made.report.found.at(Kind::clashing_line), ElementsAre(6u, 9u, 11u));
+    EXPECT_THAT(made.report.found.at(Kind::closed_doorway), ::testing::UnorderedElementsAre(8u, 9u, 10u, 11u));
+}
+
+TEST(MakeParts, KeepsRoomsThatOverlapOthers) {
+    Level level = level_with(2);
+    level.box(0, 0, 64, 64, 0);
+    level.box(32, 32, 96, 96, 1);
+    const Made made(level);
+    EXPECT_THAT(made.texts(), ElementsAre("s0: 4096, 1", "s1: 4096, 1"));
+    EXPECT_THAT(made.report.found, IsEmpty());
+}
+
 TEST(MakeParts, SetsLoneEdgesAside) {
     Level level = level_with(1);
     level.box(0, 0, 64, 64, 0);
