@@ -66,20 +66,29 @@ void convert_portal(Workbench& bench, const Edge& edge, WallRecord& wall) {
         bench.report.note(Kind::self_portal, edge.line);
 }
 
-/// What a doorway is closed with: the picture of its steps, else of the room's first wall that has one.
-std::optional<TextureSpec> picture_for_doorway(Workbench& bench, const Edge& edge) {
+/// A picture without holes that is seen on the edge: a step's of a doorway, else the wall's; null: there is none.
+const PictureFile* picture_on(const Workbench& bench, const Edge& edge) {
+    if (edge.line == kNone) return nullptr;
     const Sidedef& side = bench.side_of(edge);
-    for (const std::string* name : {&side.lower, &side.upper})
-        if (auto spec = texture_spec(bench, *name, side, edge.line)) return spec;
+    const auto picture = [&](const std::string& name) {
+        return bench.pictures.is_null_texture(name) ? nullptr : bench.pictures.wall(name);
+    };
+    if (!edge.is_open && !edge.was_open) return picture(side.middle);
+    const PictureFile* lower = picture(side.lower);
+    return lower ? lower : picture(side.upper);
+}
+
+/// What a doorway is closed with: its own steps' picture, else the first in the room, else the first in the level.
+std::optional<TextureSpec> picture_for_doorway(const Workbench& bench, const Edge& edge) {
+    const PictureFile* found = picture_on(bench, edge);
     const std::uint32_t part = bench.parts.part_of_edge[bench.parts.edges[edge.opposite].opposite];
     for (const Loop& loop : bench.parts.parts[part].loops)
-        for (const std::uint32_t e : loop.edges) {
-            const Edge& other = bench.parts.edges[e];
-            if (other.line == kNone || other.is_open) continue;
-            if (const PictureFile* file = bench.pictures.wall(bench.side_of(other).middle))
-                return TextureSpec{file->name, {}, {}, {}};
-        }
-    return {};
+        for (const std::uint32_t e : loop.edges)
+            if (!found) found = picture_on(bench, bench.parts.edges[e]);
+    for (const Edge& other : bench.parts.edges)
+        if (!found) found = picture_on(bench, other);
+    if (!found) return {};
+    return TextureSpec{found->name, {}, {}, {}};
 }
 
 void convert_solid(Workbench& bench, const Edge& edge, WallRecord& wall) {

@@ -73,6 +73,18 @@ TEST(ConvertMap, ClosesTheDoorwaysIntoALostRoom) {
     }
 }
 
+TEST(ConvertMap, ClosesDoorwaysOfARoomWithoutPicturesWithTheLevelsFirst) {
+    Doorway doorway;
+    doorway.level.map.lines.resize(4);
+    for (Sidedef& side : doorway.level.map.sides) side.lower = side.upper = side.middle = "-";
+    doorway.level.line({64, 64}, {128, 0}, 1);
+    doorway.level.line({128, 0}, {160, 96}, 1);
+    doorway.level.line({160, 96}, {64, 0}, 1);
+    const Converted c(doorway.level);
+    EXPECT_EQ(c.wall("s0", 0, 0).texture->name, "-");
+    EXPECT_EQ(front(c).texture->name, "wall");
+}
+
 TEST(ConvertSectors, TakeHeightsLightAndFlats) {
     Level level = small_level();
     level.map.sectors[0].light = 128;
