@@ -18,7 +18,7 @@ constexpr double kFarthest = 1e9;       ///< stands for infinity, which times 0 
 Shade classic(double light, double contrast, double depth) {
     const double step = contrast < 1 ? -2 : contrast > 1 ? 2 : 0;  // walls along x darker, along y brighter
     const double number = std::clamp(std::floor(light * kClassicLights) + step, 0.0, kClassicLights - 1);
-    const double won = std::min(std::floor(kClassicDepth / std::max(depth, 0.01)), kClassicNearest);
+    const double won = std::min(std::floor(on_nearest_step(kClassicDepth / std::max(depth, 0.01))), kClassicNearest);
     const double level = 2 * (kClassicLights - 2 - number) - won;
     return static_cast<Shade>((kClassicLevels - std::clamp(level, 0.0, kClassicLevels - 1)) * (256 / kClassicLevels));
 }

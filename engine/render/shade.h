@@ -19,7 +19,8 @@ using Shade = std::uint32_t;
 ///   classic: Doom's 32 levels, level = 60 - 2 [32 light] - min([40 / depth], 23), each 1/32 darker, [] cutting to
 ///   whole
 ///            numbers (id Software, r_main.c 1993, formulas only; twice its steps of light, as later engines have
-///            them); contrast below or above 1 moves light by one sixteenth, Doom's "fake contrast"
+///            them); contrast below or above 1 moves light by one sixteenth, Doom's "fake contrast". Round heights
+///            and looks put whole rows on the very edge between two levels: 40 / depth is rounded as texels are
 ///   smooth:  light * contrast / (1 + (depth / reach)^2), reach growing without bound as light goes to 1
 ///
 /// light: 0..1, clamped. contrast: Wall::contrast, 1 for flats. depth: >= 0 [m], infinity allowed.
@@ -95,6 +96,9 @@ inline constexpr double kStepShift = 0x1.8p20;
 constexpr std::int64_t nearest_steps(double tiles) {
     return std::bit_cast<std::int64_t>(tiles + kStepShift) - std::bit_cast<std::int64_t>(kStepShift);
 }
+
+/// The same as a number again.
+constexpr double on_nearest_step(double x) { return x + kStepShift - kStepShift; }
 
 /// A surface that repeats its picture. |tiles| <= kNearTiles: an addition.
 constexpr TilePlace place_on_near_tile(double tiles) { return static_cast<TilePlace>(nearest_steps(tiles)); }

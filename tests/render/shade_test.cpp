@@ -56,6 +56,16 @@ TEST_P(ShadeAt, IsDarkerOnWallsOfLessContrast) { EXPECT_LT(shade(0.5, 4, 0.8), s
 INSTANTIATE_TEST_SUITE_P(Models, ShadeAt, testing::Values(LightModel::smooth, LightModel::classic),
                          [](const auto& model) { return model.param == LightModel::smooth ? "Smooth" : "Classic"; });
 
+TEST(ShadeAtClassic, IsOneWithinARoundingOfTheEdgeBetweenTwoLevels) {
+    for (double level = 1; level < 23; ++level) {
+        const double edge = 40 / level;
+        const Shade there = shade_at(LightModel::classic, 0.5, 1, edge);
+        EXPECT_EQ(shade_at(LightModel::classic, 0.5, 1, edge * (1 + 0x1p-48)), there) << level;
+        EXPECT_EQ(shade_at(LightModel::classic, 0.5, 1, edge * (1 - 0x1p-48)), there) << level;
+        EXPECT_LT(shade_at(LightModel::classic, 0.5, 1, edge * (1 + 0x1p-24)), there) << level;
+    }
+}
+
 TEST(ShadeAtSmooth, DoesNotFallOffInFullLight) { EXPECT_EQ(shade_at(LightModel::smooth, 1, 1, kInfinity), 256u); }
 
 TEST(ShadeAtSmooth, HalvesHalfLightAtNineMetres) {
