@@ -90,7 +90,8 @@ CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
         "Keys: WASD or up/down walk, mouse or left/right turn, Shift runs, C crouches, E uses, Tab shows the map\n"
         "(+ and - zoom), R held goes back in time, F5 saves and F9 loads, F2 changes between the column and the "
         "stencil renderer, F3 shows times and viewports, F4\n"
-        "shows the rooms one sees from outside (F6 from above or from behind, + and - zoom), F11 fills the screen, F12 "
+        "shows the rooms one sees from outside (F6 from above or from behind, + and - zoom), F7 tells what one looks "
+        "at, F11 fills the screen, F12 "
         "saves a picture, Esc opens the menu.\nA gamepad works, too. Saving the map's file while "
         "playing loads it again in place.");
     return command;
@@ -154,12 +155,22 @@ void declare_outside(CLI::App& command, RenderRequest& request) {
         ->check(number_within(kLeastReach, kMostReach));
 }
 
+void declare_readout(CLI::App& command, RenderRequest& request) {
+    command
+        .add_option("--at", request.at,
+                    "Tell what this pixel shows: the surface, how far away it is, the texel, and the line of the map's "
+                    "file. May be given many times")
+        ->type_name("X,Y")
+        ->allow_extra_args(false);
+}
+
 CLI::App* declare_render(CLI::App& enfilade, RenderRequest& request) {
     CLI::App* command = enfilade.add_subcommand("render", "Draw pictures of a map, without a window");
     command->add_option("MAP", request.map, "The map file (.toml)")->required();
     declare_places(*command, request);
     declare_pictures(*command, request);
     declare_outside(*command, request);
+    declare_readout(*command, request);
     command->footer(
         "Examples:\n  enfilade render maps/enfilade.toml --out start.png\n  enfilade render "
         "maps/enfilade.toml --view 3,2,1.7,90,0 --size 640x400 --out door.png\n  enfilade render "

@@ -28,6 +28,7 @@ struct RenderRequest {
     int skill = kUsualSkill;
     LeftOut left_out;
     std::string out, ids, timing, from_above, from_behind;
+    std::vector<std::string> at;
     double reach_m = kUsualReach;
 };
 

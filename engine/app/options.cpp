@@ -35,6 +35,17 @@ Result<PictureSize> parse_size(const std::string& text) {
                                        kMaxPictureSide, quoted(text))};
 }
 
+Result<PixelPlace> parse_pixel(const std::string& text, PictureSize size) {
+    if (const auto comma = text.find(','); comma != std::string::npos) {
+        const auto x = whole_number_in(std::string_view(text).substr(0, comma));
+        const auto y = whole_number_in(std::string_view(text).substr(comma + 1));
+        if (x && y && *x >= 0 && *x < size.width && *y >= 0 && *y < size.height) return PixelPlace{*x, *y};
+    }
+    return Error{"--at",
+                 fmt::format("expected X,Y in pixels of the picture, X from 0 to {} and Y from 0 to {}; found {}",
+                             size.width - 1, size.height - 1, quoted(text))};
+}
+
 Result<FrameRange> parse_frames(const std::string& text) {
     const auto dots = text.find("..");
     const auto first = whole_number_in(std::string_view(text).substr(0, dots));

@@ -17,6 +17,16 @@ struct PictureSize {
 /// "WIDTHxHEIGHT".
 Result<PictureSize> parse_size(const std::string& text);
 
+/// A pixel of a picture, counted from the upper left corner [px].
+struct PixelPlace {
+    int x = 0;
+    int y = 0;
+    bool operator==(const PixelPlace&) const = default;
+};
+
+/// "X,Y", inside a picture of that size.
+Result<PixelPlace> parse_pixel(const std::string& text, PictureSize size);
+
 /// A range of frames, both ends included.
 struct FrameRange {
     int first = 0;

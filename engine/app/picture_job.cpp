@@ -148,9 +148,10 @@ Snapshot snapshot_at(const Map& map, double time_s) {
 Status check_outputs(const PictureJob& job) {
     const auto outputs = picture_outputs(job);
     const auto is_standard_output = [](const auto& output) { return output.second == "-"; };
-    if (std::ranges::count_if(outputs, is_standard_output) + (job.timing == "-") > 1)
+    if (std::ranges::count_if(outputs, is_standard_output) + (job.timing == "-") + !job.at.empty() > 1)
         return Error{"",
-                     "only one of --out, --ids, --from-above, --from-behind and --timing can be '-', standard output"};
+                     "only one of --out, --ids, --from-above, --from-behind and --timing can be '-', standard output, "
+                     "and none with --at, which tells there what it finds"};
     for (const auto& [argument, path] : outputs) {
         if (names_film(path) && !names_picture(path))
             return Error{argument, "render writes pictures; `enfilade fly` writes films"};

@@ -26,6 +26,7 @@ struct PictureJob {
     std::string timing;            ///< a CSV file `view,ns`
     std::string from_above;        ///< the same as `out` for pictures of the view from outside
     std::string from_behind;       ///< and for those
+    std::vector<PixelPlace> at;    ///< what these pixels of each view show is told on standard output
     double reach_m = kUsualReach;  ///< of both (render/outside/outside_camera.h) [m]
 };
 

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/exit_codes.h"
 #include "app/picture_job.h"
+#include "app/pixel_text.h"
 #include "app/viewing.h"
 #include "base/files.h"
 #include "base/terminal.h"
@@ -47,6 +48,11 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     job.out = request.out;
     job.ids = request.ids;
     job.timing = request.timing;
+    for (const std::string& text : request.at) {
+        const auto pixel = parse_pixel(text, job.size);
+        if (!pixel.ok()) return pixel.error();
+        job.at.push_back(pixel.value());
+    }
     job.from_above = request.from_above;
     job.from_behind = request.from_behind;
     job.reach_m = request.reach_m;
@@ -93,6 +99,20 @@ void mention_hidden_eyes(const Map& map, const RenderRequest& request, const std
     if (count > 1) print_text(stderr, fmt::format("{}: note: {} more like it\n", request.views, count - 1));
 }
 
+/// "120,80: floor of sector 'hall' …", with the view's number before it where there are several.
+void tell_pixels(const OpenMap& map, const PictureJob& job, const RenderRequest& request) {
+    if (job.at.empty()) return;
+    const Snapshot snapshot = snapshot_at(map.map, job.time_s);
+    const auto text = read_file(request.map);
+    const MapPlaces places = text.ok() ? places_in(as_text(text.value()), request.skill) : MapPlaces();
+    for (std::size_t i = 0; i < job.views.size(); ++i)
+        for (const auto [x, y] : job.at) {
+            const PixelOf pixel{job.views[i], job.size.width, job.size.height, x, y};
+            print_text(stdout, fmt::format("{}{},{}: {}\n", job.views.size() > 1 ? fmt::format("view {}: ", i) : "", x,
+                                           y, pixel_text(map, snapshot, pixel, request.map, places)));
+        }
+}
+
 }  // namespace
 
 int run_render(const RenderRequest& request) {
@@ -118,6 +138,7 @@ int run_render(const RenderRequest& request) {
     if (Status wrong = check_outputs(job.value())) return refuse_usage(*wrong);
     mention_hidden_eyes(map->map, request, places, job.value().views);
     if (Status failed = draw_pictures(*map, job.value())) return fail(*failed);
+    tell_pixels(*map, job.value(), request);
     return kDone;
 }
 

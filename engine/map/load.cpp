@@ -92,4 +92,20 @@ LoadedMap load_map(const std::string& path, const std::vector<std::string>& more
     return loaded;
 }
 
+MapPlaces places_in(std::string_view text, std::optional<int> skill) {
+    MapFile file = read_map(text).map;
+    if (skill) leave_out_things(file, *skill);
+    MapPlaces places;
+    for (const SectorRecord& sector : file.sectors) {
+        places.sectors.push_back(sector.place);
+        places.floors.push_back(sector.floor.place);
+        places.ceilings.push_back(sector.ceiling.place);
+        for (const LoopRecord& loop : sector.loops)
+            for (const WallRecord& wall : loop.walls) places.walls.push_back(wall.place);
+        for (const PanelRecord& panel : sector.panels) places.panels.push_back(panel.place);
+    }
+    for (const ThingRecord& thing : file.things) places.things.push_back(thing.place);
+    return places;
+}
+
 }  // namespace enfilade

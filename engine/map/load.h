@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/files.h"
@@ -37,5 +38,14 @@ inline constexpr int kUsualSkill = 3;
 /// list : where given, a picture that is missing is reported with the one that is called nearly so
 LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
                    const FileReader& read, std::optional<int> skill = {}, const FolderLister& list = {});
+
+/// Where in its file each part of a map is written; each list is indexed by the parts' ids.
+struct MapPlaces {
+    std::vector<TextPlace> sectors, floors, ceilings, walls, panels, things;
+};
+
+/// Of the Map that load_map() makes of this text for this skill: not kept with the map, because hardly anybody asks.
+/// Cost: that of read_map().
+MapPlaces places_in(std::string_view text, std::optional<int> skill = {});
 
 }  // namespace enfilade

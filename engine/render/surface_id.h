@@ -1,6 +1,7 @@
 // Numbers for surfaces, equal in all renderers: what an ids picture shows.
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "map/map.h"
 
@@ -29,6 +30,31 @@ inline SurfaceId thing_id(const Map& map, ThingId thing) {
 
 inline SurfaceId panel_id(const Map& map, PanelId panel) {
     return static_cast<SurfaceId>(1 + 2 * map.sectors.size() + 3 * map.walls.size() + map.things.size() + panel.index);
+}
+
+enum class SurfaceKind : std::uint8_t { floor, ceiling, wall, thing, panel };
+
+/// What a surface belongs to.
+struct SurfaceOwner {
+    SurfaceKind kind = SurfaceKind::floor;
+    std::uint32_t index = 0;           ///< of the sector (floor, ceiling), wall, thing or panel
+    WallPart part = WallPart::middle;  ///< of a wall
+};
+
+/// The other way round: none where nothing was drawn, a chain of links was cut, or the map has no such number.
+inline std::optional<SurfaceOwner> owner_of(const Map& map, SurfaceId id) {
+    if (id == kNothing || id == kRecursionEnd) return {};
+    std::size_t number = id - 1;
+    if (number < 2 * map.sectors.size())
+        return SurfaceOwner{number % 2 == 0 ? SurfaceKind::floor : SurfaceKind::ceiling, std::uint32_t(number / 2), {}};
+    number -= 2 * map.sectors.size();
+    if (number < 3 * map.walls.size())
+        return SurfaceOwner{SurfaceKind::wall, std::uint32_t(number / 3), static_cast<WallPart>(number % 3)};
+    number -= 3 * map.walls.size();
+    if (number < map.things.size()) return SurfaceOwner{SurfaceKind::thing, std::uint32_t(number), {}};
+    number -= map.things.size();
+    if (number < map.panels.size()) return SurfaceOwner{SurfaceKind::panel, std::uint32_t(number), {}};
+    return {};
 }
 
 }  // namespace enfilade

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 
 #include <map>
+#include <sstream>
 
+#include "formats/map_toml.h"
 #include "formats/png.h"
 
 namespace enfilade {
@@ -140,6 +142,57 @@ TEST(LoadMap, SortsWhatReaderAndBuilderFoundByPlace) {
     std::vector<std::string> codes;
     for (const Finding& finding : loaded.findings) codes.push_back(finding.code);
     EXPECT_THAT(codes, ElementsAre("unknown-key", "unknown-sector"));
+}
+
+/// Line n of a text, counted from 1.
+std::string line_of(const std::string& text, std::uint32_t number) {
+    std::istringstream lines(text);
+    std::string line;
+    for (std::uint32_t i = 0; i < number; ++i) std::getline(lines, line);
+    return line;
+}
+
+TEST(MapPlaces, SayWhereEachPartIsWritten) {
+    const MapPlaces places = places_in(kRoom);
+    EXPECT_THAT(places.sectors, ElementsAre(TextPlace{7, 1}));
+    EXPECT_EQ(places.floors.at(0).line, 9u);
+    EXPECT_EQ(places.ceilings.at(0).line, 10u);
+    ASSERT_EQ(places.walls.size(), 3u);
+    for (const TextPlace& wall : places.walls) EXPECT_EQ(wall.line, 13u);
+}
+
+TEST(MapPlaces, CountOnlyTheThingsOfTheSkill) {
+    const std::string text = kRoom + "[[things]]\nx = 3\ny = 1\nskills = [5]\n[[things]]\nx = 3\ny = 1\n";
+    EXPECT_EQ(places_in(text).things.size(), 2u);
+    const MapPlaces places = places_in(text, 3);
+    ASSERT_EQ(places.things.size(), 1u);
+    EXPECT_EQ(places.things[0].line, 18u);
+}
+
+TEST(MapPlaces, FindEveryWallOfMapsThatCame) {
+    const std::string maps = std::string(ENFILADE_SOURCE_DIR) + "/maps/";
+    std::size_t walls = 0;
+    for (const std::string& file : list_folder(maps)) {
+        if (!file.ends_with(".toml")) continue;
+        const Bytes bytes = read_file(maps + file).value();
+        const std::string text(as_text(bytes));
+        const auto no_pictures = [&](const std::string& path) -> Result<Bytes> {
+            return path == maps + file ? read_file(path) : Error{path, "not read here"};
+        };
+        const Map map = *load_map(maps + file, {}, no_pictures).map;
+        // As it is, and as the converter and every other program of ours would write it.
+        for (const std::string& written : {text, write_map(read_map(text).map)}) {
+            const MapPlaces places = places_in(written);
+            ASSERT_EQ(places.walls.size(), map.walls.size()) << file;
+            for (std::size_t i = 0; i < map.walls.size(); ++i) {
+                if (map.walls[i].kind != WallKind::portal) continue;
+                const std::string& next = map[map.walls[i].behind].name;
+                ASSERT_THAT(line_of(written, places.walls[i].line), ::testing::HasSubstr('"' + next + '"')) << file;
+                ++walls;
+            }
+        }
+    }
+    EXPECT_GT(walls, 1000u);
 }
 
 }  // namespace

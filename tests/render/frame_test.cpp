@@ -57,5 +57,34 @@ TEST(SurfaceIds, AreDifferentForEverySurfaceOfAMap) {
             EXPECT_TRUE(ids.insert(wall_id(map, WallId(i), part)).second);
 }
 
+TEST(SurfaceIds, LeadBackToTheirOwners) {
+    MapFile file = test::map_of({test::box_room("a", 0, 0, 2, 2), test::box_room("b", 5, 0, 7, 2)});
+    file.things.resize(2);
+    for (ThingRecord& thing : file.things) thing.position = {1, 1};
+    PanelRecord panel;
+    panel.a = {5.5, 1}, panel.b = {6, 1}, panel.top = 1, panel.texture = test::spec("grille");
+    test::sector(file, "b").panels.push_back(panel);
+    const Map map = test::built(file);
+    const auto expect = [&](SurfaceId id, SurfaceKind kind, std::uint32_t index, WallPart part = WallPart::middle) {
+        const auto owner = owner_of(map, id);
+        ASSERT_TRUE(owner);
+        EXPECT_EQ(owner->kind, kind);
+        EXPECT_EQ(owner->index, index);
+        EXPECT_EQ(owner->part, part);
+    };
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        expect(floor_id(SectorId(i)), SurfaceKind::floor, i);
+        expect(ceiling_id(SectorId(i)), SurfaceKind::ceiling, i);
+        expect(thing_id(map, ThingId(i)), SurfaceKind::thing, i);
+    }
+    for (std::uint32_t i = 0; i < 8; ++i)
+        for (const WallPart part : {WallPart::middle, WallPart::upper, WallPart::lower})
+            expect(wall_id(map, WallId(i), part), SurfaceKind::wall, i, part);
+    expect(panel_id(map, PanelId(0u)), SurfaceKind::panel, 0);
+    EXPECT_FALSE(owner_of(map, panel_id(map, PanelId(1u))));
+    EXPECT_FALSE(owner_of(map, kNothing));
+    EXPECT_FALSE(owner_of(map, kRecursionEnd));
+}
+
 }  // namespace
 }  // namespace enfilade

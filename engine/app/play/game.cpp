@@ -85,6 +85,7 @@ void Game::take(Loaded loaded) {
     end_recording();
     map_ = std::move(loaded.open);
     map_hash_ = loaded.hash;
+    places_.reset();
     automap_ = Automap(map());
 }
 
@@ -204,6 +205,13 @@ View Game::view(double part, const LookSteps& ahead, double fov_degrees, bool tr
 const Snapshot& Game::snapshot(double part) {
     enfilade::show({map(), world().history, static_cast<double>(world().tick) - 1 + part}, snapshot_);
     return snapshot_;
+}
+
+const MapPlaces& Game::places() {
+    if (places_) return *places_;
+    const auto text = read_file(path_);
+    const bool is_same = text.ok() && hash_of_text(as_text(text.value())) == map_hash_;
+    return places_.emplace(is_same ? places_in(as_text(text.value()), skill_) : MapPlaces());
 }
 
 Status Game::record(const std::string& path) {

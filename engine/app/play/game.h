@@ -67,7 +67,11 @@ public:
     const TextureSet& textures() const { return map_.textures; }
     const World& world() const { return timeline_.world(); }
     const Player& player() const { return world().player; }
+    const OpenMap& open_map() const { return map_; }
     const std::string& path() const { return path_; }
+    /// Where the map's parts are written; nowhere where its file is no longer the map that is played.
+    /// Cost: that of reading the map, the first time.
+    const MapPlaces& places();
     Automap& automap() { return automap_; }
 
     /// From now on everything is written to the tape at `path`, tick by tick; only right after start or restart.
@@ -103,6 +107,7 @@ private:
     MapWatch watch_;
     std::uint64_t map_hash_ = 0;  ///< of the map's text, as it is played
     OpenMap map_;
+    std::optional<MapPlaces> places_;  ///< none: nobody asked yet
     Timeline timeline_;
     Snapshot snapshot_;
     Automap automap_;

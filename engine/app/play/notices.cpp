@@ -1,27 +1,13 @@
 #include "app/play/notices.h"
 
 #include <algorithm>
-#include <string_view>
+
+#include "app/draw/wrapped.h"
 
 namespace enfilade {
 namespace {
 
 constexpr Color kInk = 0xFFFFFFFF, kPanel = 0xD0101060;
-
-/// The text cut into lines of at most so many bytes, between words where there are any. most > 2: later lines are
-/// indented by two.
-std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
-    std::vector<std::string> lines;
-    for (std::string indent; !text.empty(); indent = "  ") {
-        const std::size_t room = most - indent.size();
-        const std::size_t space = text.size() > room ? text.rfind(' ', room) : std::string_view::npos;
-        const bool between_words = space != std::string_view::npos && space > 0;
-        const std::size_t cut = std::min(between_words ? space : room, text.size());
-        lines.push_back(indent + std::string(text.substr(0, cut)));
-        text.remove_prefix(between_words ? cut + 1 : cut);
-    }
-    return lines;
-}
 
 }  // namespace
 

@@ -65,6 +65,7 @@ void PlayLoop::tell(const std::string& text) { notices_.say(text, now_s()); }
 void PlayLoop::handle(const InputEvent& event) {
     if (std::holds_alternative<QuitRequest>(event)) quit_ = true;
     if (const auto* focus = std::get_if<FocusChange>(&event)) window_.grab_mouse(focus->focused && !menu_.is_open());
+    if (const auto* motion = std::get_if<MouseMotion>(&event)) mouse_ = *motion;
     if (menu_.is_open()) return obey(menu_.handle(event, settings_));
     input_.handle(event, settings_.mouse_speed, window_.mouse_grabbed());
     if (const auto* key = std::get_if<KeyChange>(&event); key && key->key == Key::r) rewinding_ = key->down;
@@ -84,6 +85,7 @@ void PlayLoop::handle_key(Key key) {
         case Key::f2: change_renderer(); return;
         case Key::f3: readout_open_ = !readout_open_; return;
         case Key::f4: return outside_.show_next();
+        case Key::f7: pixel_text_open_ = !pixel_text_open_; return;
         case Key::f6: return outside_.change_side();
         case Key::f5: return save_game();
         case Key::f9: return load_game();

@@ -74,6 +74,8 @@ private:
     void remember_seen(std::int64_t now);
     Status show(std::int64_t now);
     void draw_over(double part);
+    /// F7: what is in the middle of the picture, or under the mouse where that is free.
+    void draw_pixel_text(Overlay& overlay, const View& view, double part);
     void take_screenshot();
     /// Says so where the recording could not be written on.
     void follow_recording();
@@ -103,7 +105,8 @@ private:
     std::uint64_t told_ = 0;         ///< tick of the news that were told last
     std::size_t rewound_ticks_ = 0;  ///< since R is held
     bool rewinding_ = false;
-    bool readout_open_ = false, screenshot_wanted_ = false, quit_ = false;
+    MouseMotion mouse_;  ///< the last one
+    bool readout_open_ = false, pixel_text_open_ = false, screenshot_wanted_ = false, quit_ = false;
 };
 
 }  // namespace enfilade

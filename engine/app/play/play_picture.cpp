@@ -1,5 +1,8 @@
 // What is shown while one plays: the view, and over it the map, notices and the menu.
+#include <algorithm>
+
 #include "app/cut_short.h"
+#include "app/pixel_text.h"
 #include "app/play/play_loop.h"
 #include "app/play/screenshot.h"
 #include "base/attempt.h"
@@ -74,10 +77,11 @@ void PlayLoop::draw_over(double part) {
     game_.automap().draw(overlay, game_.map(), {view.sector, view.eye}, view.forward);
     if (readout_open_) {
         const double degrees_per_step = 360 / 4294967296.0;
-        draw_readout(overlay, times_,
-                     {game_.map()[view.sector].name, name_of(options_.renderer), view.eye.x, view.eye.y, view.eye_z,
-                      game_.player().yaw.degrees(), game_.player().pitch_steps * degrees_per_step},
-                     renderer_->viewports());
+        draw_readout(
+            overlay, times_,
+            {game_.map()[view.sector].name, name_of(options_.renderer), view.eye.x, view.eye.y, view.eye_z,
+             game_.player().yaw.degrees(), game_.player().pitch_steps * degrees_per_step},
+            outside_.shown() == OutsideView::Shown::full ? std::vector<ViewportShape>() : renderer_->viewports());
     }
     draw_status(overlay, game_.map(), game_.world());
     if (game_.world().health == 0) draw_death(overlay);
@@ -86,6 +90,16 @@ void PlayLoop::draw_over(double part) {
     notices_.draw(overlay, now_s());
     Overlay menu_overlay(frame_, font_, Menu::scale_for(frame_.height));
     menu_.draw(menu_overlay, settings_);
+    if (pixel_text_open_) draw_pixel_text(overlay, view, part);
+}
+
+void PlayLoop::draw_pixel_text(Overlay& overlay, const View& view, double part) {
+    const bool by_mouse = !window_.mouse_grabbed();
+    const int x = by_mouse ? int(std::clamp(mouse_.x, 0.0, frame_.width - 1.0)) : frame_.width / 2;
+    const int y = by_mouse ? int(std::clamp(mouse_.y, 0.0, frame_.height - 1.0)) : frame_.height / 2;
+    draw_pointed(overlay, x, y,
+                 pixel_text(game_.open_map(), game_.snapshot(part), {view, frame_.width, frame_.height, x, y},
+                            game_.path(), game_.places()));
 }
 
 void PlayLoop::take_screenshot() {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/draw/wrapped.h"
+
 namespace enfilade {
 namespace {
 
@@ -65,6 +67,22 @@ void draw_readout(Overlay& overlay, const FrameTimes& times, const ReadoutFacts&
     for (const std::string& line : lines) {
         overlay.rimmed_text(left, y, line, kInk);
         y += overlay.line_height();
+    }
+}
+
+void draw_pointed(Overlay& overlay, int x, int y, const std::string& text) {
+    constexpr int kGap = 3, kArm = 8;  // of the cross, whose middle stays free [px]
+    const auto arm = [&](int dx, int dy) {
+        for (int i = kGap; i < kArm; ++i) overlay.dot(x + i * dx, y + i * dy, kInk);
+    };
+    arm(1, 0), arm(-1, 0), arm(0, 1), arm(0, -1);
+    const int margin = overlay.line_height() / 2;
+    const std::vector<std::string> lines =
+        wrapped(text, std::size_t(std::max(8, (overlay.width() - 2 * margin) / overlay.text_width(" "))));
+    int row = overlay.height() - margin - int(lines.size()) * overlay.line_height();
+    for (const std::string& line : lines) {
+        overlay.rimmed_text((overlay.width() - overlay.text_width(line)) / 2, row, line, kInk);
+        row += overlay.line_height();
     }
 }
 

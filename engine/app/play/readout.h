@@ -1,4 +1,4 @@
-// F3: how long pictures take, where the player is, and the outlines of the picture's viewports.
+// F3: how long pictures take, where the player is, and the outlines of the picture's viewports. F7: what a pixel shows.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -36,5 +36,8 @@ struct ReadoutFacts {
 
 void draw_readout(Overlay& overlay, const FrameTimes& times, const ReadoutFacts& facts,
                   const std::vector<ViewportShape>& viewports);
+
+/// A small cross around a pixel, and at the foot of the picture what is there, wrapped.
+void draw_pointed(Overlay& overlay, int x, int y, const std::string& text);
 
 }  // namespace enfilade

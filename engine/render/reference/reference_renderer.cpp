@@ -138,4 +138,13 @@ void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const Tex
     frame.is_cut_short = std::ranges::count(cut_short, 0) != frame.width;
 }
 
+PixelFacts look_through_pixel(const Map& map, const TextureSet& textures, const Snapshot& snapshot, const View& view,
+                              int width, int height, int x, int y) {
+    ENFILADE_CHECK(x >= 0 && x < width && y >= 0 && y < height && snapshot.sectors.size() == map.sectors.size());
+    const Projection projection(view, width, height);
+    const Scene scene{map, textures, snapshot, nullptr};
+    const Seen seen = ColumnOfRays(scene, view, projection, x).look(y);
+    return {seen.id, seen.depth, seen.texel};
+}
+
 }  // namespace enfilade

@@ -26,4 +26,16 @@ struct ReferenceOptions {
 void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
                       const Snapshot& snapshot, const View& view, const ReferenceOptions& options = {});
 
+/// What one pixel of a picture shows.
+struct PixelFacts {
+    SurfaceId id = kNothing;
+    double depth = 0;  ///< along the view's `forward` [m]; sky: infinity
+    TexelPosition texel;
+};
+
+/// The facts that render_reference() would give of pixel (x, y) of a picture of this size.
+/// 0 <= x < width, 0 <= y < height. Cost: one ray.
+PixelFacts look_through_pixel(const Map& map, const TextureSet& textures, const Snapshot& snapshot, const View& view,
+                              int width, int height, int x, int y);
+
 }  // namespace enfilade

@@ -105,6 +105,28 @@ TEST_F(Render, RefusesOutsideViewsThatCannotBe) {
     EXPECT_THAT(near.err, HasSubstr("expected a number from 2 to 4096"));
 }
 
+TEST_F(Render, TellsWhatPixelsShow) {
+    const Ended ended = render({"--out", "a.png", "--at", "2,20", "--at", "32,39"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("2,20: wall 0 of sector 'hall', 3.2"));
+    EXPECT_THAT(ended.out, HasSubstr(" of 'wall'; map.toml:18\n32,39: floor of sector 'hall', 2.4"));
+    EXPECT_THAT(ended.out, HasSubstr(" of 'floor'; map.toml:13\n"));
+}
+
+TEST_F(Render, TellsWhatPixelsOfEachViewShow) {
+    program_.write("views.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n2,3,1.5,180,0\n");
+    const Ended ended = render({"--views", "views.csv", "--out", "all", "--at", "32,20"});
+    EXPECT_THAT(ended.out, HasSubstr("view 1: 32,20: wall 5 of sector 'hall', 2.00 m away"));
+}
+
+TEST_F(Render, RefusesPixelsOutsideThePictureAndTwoThingsOnStandardOutput) {
+    const Ended outside = render({"--out", "a.png", "--at", "64,0"});
+    EXPECT_EQ(outside.exit_code, 2);
+    EXPECT_THAT(outside.err,
+                HasSubstr("--at: expected X,Y in pixels of the picture, X from 0 to 63 and Y from 0 to 39"));
+    EXPECT_EQ(render({"--out", "-", "--at", "1,1"}).exit_code, 2);
+}
+
 TEST_F(Render, DrawsAList) {
     program_.write("views.csv", "x,y,z,yaw,pitch,sector\n2,3,1.5,0,0,\n9,3,1.5,180,10,niche\n");
     EXPECT_EQ(render({"--views", "views.csv", "--out", "pictures/of/it"}).exit_code, 0);

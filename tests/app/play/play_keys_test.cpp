@@ -74,5 +74,13 @@ TEST_F(KeysOfPlay, LookAtThePlayerFromBehindAndFromNearer) {
     EXPECT_EQ(own_view(24), own_view(14));
 }
 
+TEST_F(KeysOfPlay, TellWhatOneLooksAt) {
+    window_.press_after(5, SDL_SCANCODE_F7);
+    window_.press_after(10, SDL_SCANCODE_F7);
+    play_until(15);
+    EXPECT_NE(own_view(9), own_view(4));
+    EXPECT_EQ(own_view(14), own_view(4));
+}
+
 }  // namespace
 }  // namespace enfilade

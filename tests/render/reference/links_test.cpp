@@ -39,6 +39,24 @@ void expect_same_ids_and_depths(const Picture& a, const Picture& b) {
     }
 }
 
+TEST(LookThroughPixel, FindsWhatTheWholePictureShowsThere) {
+    const Rooms rooms(far_apart(1, {100, -50}, 0.5, 7.25));
+    View view = look_from(rooms.map, {1.3, 1.7}, 1.4, 170);
+    const Snapshot snapshot = at_rest(rooms.map);
+    for (const bool tilted : {false, true}) {
+        if (tilted) view.tilt = Tilt{direction(Angle::from_degrees(-20)), direction(Angle::from_degrees(5))};
+        const Picture picture = rooms.look(view, 32, 24);
+        for (int y = 0; y < 24; ++y)
+            for (int x = 0; x < 32; ++x) {
+                const PixelFacts facts = look_through_pixel(rooms.map, rooms.textures, snapshot, view, 32, 24, x, y);
+                ASSERT_EQ(facts.id, picture.id(x, y));
+                ASSERT_EQ(facts.depth, picture.depth(x, y));
+                ASSERT_EQ(facts.texel.u, picture.texel(x, y).u);
+                ASSERT_EQ(facts.texel.v, picture.texel(x, y).v);
+            }
+    }
+}
+
 class LinkedPortal : public testing::TestWithParam<int> {};
 
 TEST_P(LinkedPortal, ShowsARoomThatWasMovedAwayAsIfItWereBehindTheDoor) {
