@@ -10,11 +10,6 @@ namespace {
 
 constexpr Color kShadow = 0xB0000000, kInk = 0xFFC8C8C8, kChosenInk = 0xFF60D8FF, kTitleInk = 0xFFFFFFFF;
 
-/// One step along a slider, staying on whole steps.
-double slide(double value, int steps, double step, double low, double high) {
-    return std::clamp((std::round(value / step) + steps) * step, low, high);
-}
-
 void draw_centered(Overlay& overlay, int y, const std::string& text, Color color) {
     overlay.rimmed_text((overlay.width() - overlay.text_width(text)) / 2, y, text, color);
 }
@@ -89,9 +84,7 @@ MenuAction Menu::choose(PlaySettings& settings) {
 
 MenuAction Menu::adjust(int steps, PlaySettings& settings) {
     switch (static_cast<Entry>(chosen_)) {
-        case Entry::fov:
-            settings.fov_degrees = slide(settings.fov_degrees, steps, kFovStep, kSmallestFov, kLargestFov);
-            return MenuAction::settings_changed;
+        case Entry::fov: widen_view(settings, steps); return MenuAction::settings_changed;
         case Entry::mouse_speed:
             settings.mouse_speed = slide(settings.mouse_speed, steps, kMouseStep, kSlowestMouse, kFastestMouse);
             return MenuAction::settings_changed;
@@ -100,6 +93,7 @@ MenuAction Menu::adjust(int steps, PlaySettings& settings) {
         case Entry::volume:
             settings.volume = slide(settings.volume, steps, kVolumeStep, 0, 1);
             return MenuAction::settings_changed;
+        case Entry::pause: settings.pauses_unfocused = !settings.pauses_unfocused; return MenuAction::settings_changed;
         default: return MenuAction::none;
     }
 }
@@ -120,6 +114,7 @@ std::string Menu::label(Entry entry, const PlaySettings& settings) {
         case Entry::fullscreen: return fmt::format("Full screen     < {:>3} >", settings.fullscreen ? "on" : "off");
         case Entry::true_pitch: return fmt::format("True pitch (F2) < {:>3} >", settings.true_pitch ? "on" : "off");
         case Entry::volume: return fmt::format("Volume          < {:3.0f} >", 100 * settings.volume);
+        case Entry::pause: return fmt::format("Pause when away < {:>3} >", settings.pauses_unfocused ? "on" : "off");
         case Entry::quit: return "Quit";
     }
     return {};

@@ -28,8 +28,8 @@ public:
     void draw(Overlay& overlay, const PlaySettings& settings);
 
 private:
-    enum class Entry : std::uint8_t { resume, restart, fov, mouse_speed, fullscreen, true_pitch, volume, quit };
-    static constexpr int kEntries = 8;
+    enum class Entry : std::uint8_t { resume, restart, fov, mouse_speed, fullscreen, true_pitch, volume, pause, quit };
+    static constexpr int kEntries = 9;
 
     MenuAction handle_key(Key key, PlaySettings& settings);
     MenuAction handle_button(GamepadButton button, PlaySettings& settings);

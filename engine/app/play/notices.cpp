@@ -12,7 +12,12 @@ constexpr Color kInk = 0xFFFFFFFF, kPanel = 0xD0101060;
 }  // namespace
 
 void Notices::say(std::string text, double now_s, double seconds) {
-    notices_.push_back({std::move(text), now_s + seconds});
+    notices_.push_back({std::move(text), now_s + seconds, {}});
+}
+
+void Notices::update(std::string_view about, std::string text, double now_s, double seconds) {
+    std::erase_if(notices_, [&](const Notice& notice) { return notice.about == about; });
+    notices_.push_back({std::move(text), now_s + seconds, std::string(about)});
 }
 
 void Notices::draw(Overlay& overlay, double now_s) {

@@ -1,5 +1,7 @@
 #include "app/play/play_loop.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/attempt.h"
@@ -64,7 +66,7 @@ void PlayLoop::tell(const std::string& text) { notices_.say(text, now_s()); }
 
 void PlayLoop::handle(const InputEvent& event) {
     if (std::holds_alternative<QuitRequest>(event)) quit_ = true;
-    if (const auto* focus = std::get_if<FocusChange>(&event)) window_.grab_mouse(focus->focused && !menu_.is_open());
+    if (const auto* focus = std::get_if<FocusChange>(&event)) change_focus(focus->focused);
     if (const auto* motion = std::get_if<MouseMotion>(&event)) mouse_ = *motion;
     if (menu_.is_open()) return obey(menu_.handle(event, settings_));
     input_.handle(event, settings_.mouse_speed, window_.mouse_grabbed());
@@ -73,7 +75,7 @@ void PlayLoop::handle(const InputEvent& event) {
     if (const auto* button = std::get_if<GamepadButtonChange>(&event); button && button->down)
         handle_gamepad(button->button);
     if (const auto* click = std::get_if<MouseButtonChange>(&event); click && click->down) window_.grab_mouse(true);
-    if (const auto* wheel = std::get_if<MouseWheel>(&event)) zoom(wheel->steps > 0 ? 1 : -1);
+    if (const auto* wheel = std::get_if<MouseWheel>(&event)) turn_wheel(wheel->steps > 0 ? 1 : -1);
 }
 
 void PlayLoop::handle_key(Key key) {
@@ -93,6 +95,19 @@ void PlayLoop::handle_key(Key key) {
         case Key::f12: screenshot_wanted_ = true; return;
         default: return;
     }
+}
+
+void PlayLoop::change_focus(bool focused) {
+    window_.grab_mouse(focused && !menu_.is_open());
+    if (focused) return;
+    rewinding_ = false;
+    if (settings_.pauses_unfocused && !menu_.is_open()) open_menu();
+}
+
+void PlayLoop::turn_wheel(int steps) {
+    if (!input_.held(Key::left_control) && !input_.held(Key::right_control)) return zoom(steps);
+    widen_view(settings_, -steps);
+    notices_.update("fov", fmt::format("Field of view: {:.0f} degrees", settings_.fov_degrees), now_s());
 }
 
 void PlayLoop::zoom(int steps) {
@@ -119,6 +134,7 @@ void PlayLoop::obey(MenuAction action) {
 
 void PlayLoop::open_menu() {
     input_.release_all();
+    rewinding_ = false;  // letting go of R is told to the menu
     menu_.open();
     window_.grab_mouse(false);
 }

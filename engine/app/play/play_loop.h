@@ -42,8 +42,12 @@ private:
     /// Why the game cannot go on, and where it was saved.
     Error save_what_was_played(const Error& why);
     void handle(const InputEvent& event);
+    /// Away from the window the game stands still, if the player wishes.
+    void change_focus(bool focused);
     void handle_key(Key key);
     void handle_gamepad(GamepadButton button);
+    /// With Control the field of view, else zoom(). steps > 0: nearer.
+    void turn_wheel(int steps);
     /// The automap's zoom while it is open, else that of the view from outside.
     void zoom(int steps);
     void obey(MenuAction action);

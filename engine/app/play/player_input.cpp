@@ -16,6 +16,8 @@ constexpr double kKeyTurn = 150, kKeyTurnRunning = 240;  ///< keys turn this fas
 constexpr double kKeyLook = 90;                          ///< and look up and down this fast [degrees/s]
 constexpr double kStickTurn = 220, kStickLook = 120;     ///< a stick that is fully pushed [degrees/s]
 
+constexpr double kSlowly = 0.35;  ///< of the pace, while Alt is held: to the edge of a step, not over it [1]
+
 /// Below this a stick counts as let go [1]: worn sticks do not come back to the middle.
 constexpr double kDeadZone = 0.18;
 
@@ -63,6 +65,8 @@ void PlayerInput::handle(const InputEvent& event, double mouse_speed, bool mouse
 
 void PlayerInput::release_all() { *this = {}; }
 
+double PlayerInput::part_of_pace() const { return held(Key::left_alt) || held(Key::right_alt) ? kSlowly : 1; }
+
 double PlayerInput::forward() const {
     const int keys = int{held(Key::w) || held(Key::up)} - int{held(Key::s) || held(Key::down)};
     return keys - pushed(axis(GamepadAxis::left_y));
@@ -96,7 +100,8 @@ TickInput PlayerInput::take_tick(std::int32_t pitch_steps) {
         mouse_tick_.pitch = 0;
     }
     const auto buttons = static_cast<std::uint8_t>(pressed() | (std::exchange(tapped_, std::uint8_t{0}) & kButtonUse));
-    return {pace(forward()), pace(strafe()), clamped(look.yaw), clamped(look.pitch), buttons};
+    const double part = part_of_pace();
+    return {pace(forward() * part), pace(strafe() * part), clamped(look.yaw), clamped(look.pitch), buttons};
 }
 
 LookSteps PlayerInput::ahead(double part) const {

@@ -16,13 +16,16 @@ struct LookSteps {
 
 /// Keeps its own account of what is held down, from events alone.
 ///
-/// WASD and up/down walk, left/right turn, Page Up/Down look up and down, Home looks ahead; Shift runs, C or Control
-/// crouches, E or Space uses. Gamepad: left stick walks, right stick looks, left shoulder or stick runs, B crouches, A
-/// or X uses.
+/// WASD and up/down walk, left/right turn, Page Up/Down look up and down, Home looks ahead; Shift runs, Alt walks
+/// slowly (a part of the pace, as a stick that is pushed half way: nothing that a tape would have to know), C or
+/// Control crouches, E or Space uses. Gamepad: left stick walks, right stick looks, left shoulder or stick runs, B
+/// crouches, A or X uses.
 class PlayerInput {
 public:
     /// mouse_speed: factor on the turn per pixel. The mouse turns the head only where `mouse_looks`.
     void handle(const InputEvent& event, double mouse_speed, bool mouse_looks);
+
+    bool held(Key key) const { return keys_[static_cast<std::size_t>(key)]; }
 
     /// Everything is let go, e.g. because a menu opened.
     void release_all();
@@ -38,12 +41,13 @@ public:
 private:
     void hold(Key key, bool down) { keys_[static_cast<std::size_t>(key)] = down; }
     void hold(GamepadButton button, bool down) { buttons_[static_cast<std::size_t>(button)] = down; }
-    bool held(Key key) const { return keys_[static_cast<std::size_t>(key)]; }
     bool held(GamepadButton button) const { return buttons_[static_cast<std::size_t>(button)]; }
     double axis(GamepadAxis axis) const { return axes_[static_cast<std::size_t>(axis)]; }
     /// 1, 0 or -1.
     int balance(Key plus, Key minus) const { return int{held(plus)} - int{held(minus)}; }
 
+    /// The part of the pace that is asked for, 0..1.
+    double part_of_pace() const;
     double forward() const;
     double strafe() const;
     LookSteps held_look() const;

@@ -92,5 +92,11 @@ TEST(Menu, IgnoresEverythingWhileClosed) {
     EXPECT_EQ(menu.handle(KeyChange{Key::enter, true, false}, settings), MenuAction::none);
 }
 
+TEST_F(OpenMenu, LetsTheGameGoOnWhenTheWindowLosesTheFocus) {
+    EXPECT_TRUE(settings_.pauses_unfocused);
+    EXPECT_EQ(press(Key::up, 2, Key::right), MenuAction::settings_changed);
+    EXPECT_FALSE(settings_.pauses_unfocused);
+}
+
 }  // namespace
 }  // namespace enfilade

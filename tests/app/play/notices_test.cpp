@@ -61,5 +61,29 @@ TEST_F(NoticesOnBlack, WrapLongLinesAndSurviveWordsThatAreTooLong) {
     EXPECT_TRUE(shown(0));
 }
 
+TEST(Notices, ReplaceWhatIsOldNewsAboutTheSame) {
+    const auto rows = [](Notices& notices) {
+        Frame frame;
+        frame.resize(200, 100);
+        std::ranges::fill(frame.pixels, 0xFF000000u);
+        const Font font;
+        Overlay overlay(frame, font);
+        notices.draw(overlay, 1);
+        std::size_t last = 0;
+        for (std::size_t i = 0; i < frame.pixels.size(); ++i)
+            if (frame.pixels[i] == 0xFFFFFFFFu) last = i / 200;
+        return last / Font::kHeight;
+    };
+    Notices notices;
+    notices.say("1", 0);
+    notices.update("fov", "90", 0);
+    notices.update("volume", "5", 0);
+    const std::size_t three = rows(notices);
+    notices.update("fov", "95", 0);
+    EXPECT_EQ(rows(notices), three);
+    notices.say("2", 0);
+    EXPECT_EQ(rows(notices), three + 1);
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -82,5 +82,52 @@ TEST_F(KeysOfPlay, TellWhatOneLooksAt) {
     EXPECT_EQ(own_view(14), own_view(4));
 }
 
+TEST_F(KeysOfPlay, ChangeTheFieldOfViewWithControlAndTheWheel) {
+    window_.after(5, [&] { window_.key(SDL_SCANCODE_LCTRL, true), window_.wheel(1), window_.wheel(1); });
+    window_.after(5, [&] { window_.key(SDL_SCANCODE_LCTRL, false); });
+    window_.after(10, [&] { window_.wheel(-1), window_.wheel(-1); });
+    window_.after(40, [&] { window_.key(SDL_SCANCODE_RCTRL, true), window_.wheel(-1), window_.wheel(-1); });
+    window_.after(40, [&] { window_.key(SDL_SCANCODE_RCTRL, false); });
+    play_until(120);
+    EXPECT_NE(own_view(39), own_view(4));
+    EXPECT_EQ(own_view(119), own_view(4)) << "the wheel alone is another thing";
+}
+
+TEST_F(KeysOfPlay, OpenTheMenuWhereTheFocusIsLost) {
+    window_.after(5, [&] { window_.lose_focus(); });
+    window_.press_after(10, SDL_SCANCODE_ESCAPE);
+    play_until(15);
+    EXPECT_NE(own_view(9), own_view(4));
+    EXPECT_EQ(own_view(14), own_view(4));
+}
+
+TEST_F(KeysOfPlay, LetTheGameStandStillWithoutTheFocusUnlessThePlayerWishesOtherwise) {
+    std::uint64_t lost = 0, later = 0, lost_again = 0, at_last = 0;
+    window_.after(5, [&] { window_.lose_focus(); });
+    window_.after(6, [&] { lost = game_->world().tick; });
+    window_.after(60, [&] { later = game_->world().tick; });
+    window_.press_after(60, SDL_SCANCODE_UP);
+    window_.press_after(60, SDL_SCANCODE_UP);
+    window_.press_after(60, SDL_SCANCODE_RIGHT);
+    window_.press_after(60, SDL_SCANCODE_ESCAPE);
+    window_.after(70, [&] { window_.lose_focus(), lost_again = game_->world().tick; });
+    window_.after(140, [&] { at_last = game_->world().tick; });
+    play_until(141);
+    EXPECT_EQ(later, lost);
+    EXPECT_GT(at_last, lost_again + 1);
+}
+
+TEST_F(KeysOfPlay, StopGoingBackInTimeWhereTheMenuOpens) {
+    std::uint64_t before = 0, after = 0;
+    window_.after(60, [&] { window_.key(SDL_SCANCODE_R, true); });
+    window_.press_after(61, SDL_SCANCODE_ESCAPE);
+    window_.after(62, [&] { window_.key(SDL_SCANCODE_R, false); });
+    window_.press_after(63, SDL_SCANCODE_ESCAPE);
+    window_.after(70, [&] { before = game_->world().tick; });
+    window_.after(140, [&] { after = game_->world().tick; });
+    play_until(141);
+    EXPECT_GT(after, before);
+}
+
 }  // namespace
 }  // namespace enfilade

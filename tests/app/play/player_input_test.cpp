@@ -157,5 +157,18 @@ TEST_F(PlayerInputFromEvents, LetsGoOfEverythingWithoutTheFocus) {
     EXPECT_EQ(tick(), TickInput{});
 }
 
+TEST_F(PlayerInputFromEvents, WalksSlowlyWhileAltIsHeld) {
+    press(Key::w);
+    press(Key::d);
+    press(Key::left_alt);
+    EXPECT_EQ(tick().forward, 44);
+    EXPECT_EQ(tick().strafe, 44);
+    EXPECT_EQ(tick().buttons, 0) << "a tape knows of no slow walk";
+    release(Key::left_alt);
+    EXPECT_EQ(tick().forward, 127);
+    press(Key::right_alt);
+    EXPECT_EQ(tick().forward, 44);
+}
+
 }  // namespace
 }  // namespace enfilade
