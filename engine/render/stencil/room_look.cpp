@@ -39,6 +39,12 @@ InverseDepths inverse_depths(const WallOnScreen& wall, const Screen& screen, int
     return {std::min(a, b), std::max(a, b)};
 }
 
+/// Whether the lines of all heights on the wall meet in the column, where its line vanishes: beside the middle, which
+/// is all that counts. There the parts of the wall would share no corners, and between them a pixel might be left out.
+bool vanishes_in(const WallOnScreen& wall, const Screen& screen, int x) {
+    return !wall.missed && std::min(wall.span(screen.slope_at(x)), wall.span(screen.slope_at(x + 1))) <= 0;
+}
+
 }  // namespace
 
 void RoomLook::look(const Visit& visit, const Pose& pose) {
@@ -96,17 +102,33 @@ bool RoomLook::is_nearer_at(const WallOnScreen& wall, double inverse, const Near
 }
 
 void RoomLook::add_met(std::vector<WallOnScreen>& met) const {
-    int before = kNothing;
-    for (int x = visit_->window.begin; x < visit_->window.end(); ++x) {
-        const int place = nearest_[index_of(x)].place;
-        if (place != kNothing && place != before) {
-            met.push_back(walls_[static_cast<std::size_t>(place)]);
-            met.back().begin = x;
-            met.back().rank = visit_->depth;
-        }
-        if (place != kNothing) met.back().end = x + 1;
+    int begin = visit_->window.begin, before = kNothing;
+    for (int x = begin; x <= visit_->window.end(); ++x) {
+        const int place = x < visit_->window.end() ? nearest_[index_of(x)].place : kNothing;
+        if (place == before) continue;
+        if (before != kNothing) add_run(met, before, begin, x);
+        begin = x;
         before = place;
     }
+}
+
+void RoomLook::add_run(std::vector<WallOnScreen>& met, int place, int begin, int end) const {
+    const auto add = [&](int from, int to) {
+        met.push_back(walls_[static_cast<std::size_t>(place)]);
+        met.back().begin = from;
+        met.back().end = to;
+        met.back().rank = visit_->depth;
+    };
+    const auto add_alone = [&](int x) {
+        add(x, x + 1);
+        met.back().stand_in(screen_.slopes[static_cast<std::size_t>(x)]);
+    };
+    const WallOnScreen& wall = walls_[static_cast<std::size_t>(place)];
+    const bool vanishes_left = vanishes_in(wall, screen_, begin);
+    const bool vanishes_right = vanishes_in(wall, screen_, end - 1) && (end - begin > 1 || !vanishes_left);
+    if (vanishes_left) add_alone(begin);
+    if (begin + vanishes_left < end - vanishes_right) add(begin + vanishes_left, end - vanishes_right);
+    if (vanishes_right) add_alone(end - 1);
 }
 
 /// Of ranges, portals are followed that any of their rays may meet.

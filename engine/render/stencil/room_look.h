@@ -42,7 +42,8 @@ public:
     }
     double inverse_depth_at(int x) const { return nearest_[index_of(x)].inverse_depth; }
 
-    /// Adds every run of columns that meet one wall first, as that wall in these columns. Not of ranges.
+    /// Adds every run of columns that meet one wall first, as that wall in these columns; a column beside whose middle
+    /// the wall's line vanishes on its own, as the wall is in its middle. Not of ranges.
     void add_met(std::vector<WallOnScreen>& met) const;
 
     /// What of the visit's window is open through the portal, one of walls(); empty: nothing. Of ranges never less than
@@ -61,6 +62,7 @@ private:
     void find_stand_ins(const Pose& pose);
     void stand_in(const Pose& pose, int x);
     bool is_nearer_at(const WallOnScreen& wall, double inverse, const Nearest& other) const;
+    void add_run(std::vector<WallOnScreen>& met, int place, int begin, int end) const;
     bool may_meet(const WallOnScreen& portal, double inverse, int x) const;
     OpenRows rows_behind(const WallOnScreen& portal, const Heights& opening, int x) const;
 
