@@ -152,6 +152,13 @@ Effect point_lights() {
     return {"point lights", "lamp", "two mixes of light for each pixel of the surfaces they reach",
             [](const MapFile& map) { return map.lights.size(); }, [](MapFile& map) { map.lights.clear(); }};
 }
+Effect unlit_rooms() {
+    return {"unlit rooms", "sector", "nothing: it is decided once for each of their surfaces in view",
+            [](const MapFile& map) { return count_sectors(map, [](const SectorRecord& s) { return s.unlit; }); },
+            [](MapFile& map) {
+                for (SectorRecord& sector : map.sectors) sector.unlit = false;
+            }};
+}
 Effect movers() {
     return {"doors and movers", "trigger", "nothing until one is set off; then one function of time for each frame",
             [](const MapFile& map) { return count_triggers(map, moves); }, nullptr};
@@ -175,11 +182,24 @@ Effect sounds() {
 }  // namespace
 
 const std::vector<Effect>& all_effects() {
-    static const std::vector<Effect> all{
-        sky(),          sky_layers(),      fog(),          links(),           mirrors(),
-        masked_walls(), panels(),          things(),       animated_things(), animations(),
-        scrolling(),    changing_lights(), point_lights(), movers(),          other_triggers(),
-        damage(),       sounds()};
+    static const std::vector<Effect> all{sky(),
+                                         sky_layers(),
+                                         fog(),
+                                         links(),
+                                         mirrors(),
+                                         masked_walls(),
+                                         panels(),
+                                         things(),
+                                         animated_things(),
+                                         animations(),
+                                         scrolling(),
+                                         changing_lights(),
+                                         point_lights(),
+                                         unlit_rooms(),
+                                         movers(),
+                                         other_triggers(),
+                                         damage(),
+                                         sounds()};
     return all;
 }
 

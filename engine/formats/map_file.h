@@ -116,6 +116,7 @@ struct SectorRecord {
     std::vector<TriggerRecord> triggers;
     std::optional<LightEffectRecord> light_effect;
     int damage = 0;                      ///< what a second on its floor costs [points of health]
+    bool unlit = false;                  ///< its light is the same at any distance and in any direction
     bool secret = false;                 ///< counted, and told, when it is found
     std::string move_sound, stop_sound;  ///< when its floor or ceiling moves, and when it arrives; empty: silent
     std::string down_sound;              ///< instead of move_sound on the way down; empty: no other

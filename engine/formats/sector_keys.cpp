@@ -58,6 +58,7 @@ constexpr std::array kDoomKeys{
 constexpr std::array kSectorKeys{
     key<&SectorRecord::name>("name", kBoth, Need::required),
     key<&SectorRecord::light>("light", kBoth, Need::optional, kLight),
+    key<&SectorRecord::unlit>("unlit", kNew),
     key<&SectorRecord::floor>("floor", kBoth),
     key<&SectorRecord::ceiling>("ceiling", kBoth),
     key<&SectorRecord::tags>("tags", kNew),

@@ -109,6 +109,7 @@ struct Sector {
     std::uint32_t wall_count = 0;
     bool has_screens = false;  ///< one of them is_screen()
     double light = 1;          ///< at rest, 0..1
+    bool unlit = false;        ///< neither depth nor direction changes its light
     Flat floor, ceiling;
     Vec2 min, max;                  ///< bounding box
     std::uint32_t first_solid = 0;  ///< its solid things are [first_solid, first_solid + solid_count) of

@@ -96,6 +96,7 @@ void add_sector(Draft& draft, const SectorRecord& record) {
     Sector sector;
     sector.name = record.name;
     sector.light = record.light;
+    sector.unlit = record.unlit;
     sector.light_effect = record.light_effect;
     sector.damage = record.damage;
     sector.secret = record.secret;

@@ -63,7 +63,7 @@ SpritePicture picture_of(const Map& map, const TextureSet& textures, const Snaps
     picture.size_m = Vec2{double(texture.width), double(texture.height)} * (1 / sprite.texels_per_m);
     picture.origin_m = frame.origins_m[view];
     picture.foot_z = presence.passage.apply_height(now.z);
-    picture.light = now.light;
+    picture.lighting = lighting_in(map, thing.sector, now.light, 1);
     return picture;
 }
 

@@ -21,6 +21,7 @@
 #include "map/map.h"
 #include "map/textures.h"
 #include "math/vec.h"
+#include "render/lighting.h"
 #include "space/presence.h"
 #include "world/snapshot.h"
 
@@ -83,7 +84,7 @@ struct SpritePicture {
     Vec2 size_m;        ///< [m]
     Vec2 origin_m;      ///< from the upper left corner, right and down, to the thing's place [m]
     double foot_z = 0;  ///< height of that place, in the space of the presence's sector [m]
-    double light = 1;   ///< 0..1
+    Lighting lighting;
 };
 
 /// eye: in the space of the presence's sector, on the point grid.

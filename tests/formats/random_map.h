@@ -202,6 +202,7 @@ private:
         SectorRecord sector;
         sector.name = text();
         sector.light = number(0, 1);
+        sector.unlit = flip();
         if (flip()) sector.floor = flat();
         if (flip()) sector.ceiling = flat();
         for (int i = whole(1, 3); i > 0; --i) sector.loops.push_back(loop());

@@ -20,13 +20,13 @@ double rise_per_row(const Scene& scene, Vec2 ray) {
 }  // namespace
 
 void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height,
-                        double light, const LightGrid* glow, SurfaceId id) {
+                        const Lighting& lighting, const LightGrid* glow, SurfaceId id) {
     pose_ = &pose;
     flat_ = flat;
     texture_ = &scene.textures[flat.surface.texture];
     id_ = id;
     height_ = height;
-    light_ = light;
+    lighting_ = lighting;
     glow_ = glow;
     fog_ = fog_of(scene.map);
     is_extended_ = side == FlatSide::floor ? height >= 0 : height <= 0;
@@ -57,7 +57,7 @@ void FlatPainter::paint(const Scene& scene, int x, int top, int bottom, double w
 
 void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, double wall_depth) {
     prepare_rows(scene, top, bottom);
-    if (is_extended_) shade_extended_rows(scene, top, bottom, wall_depth);
+    if (is_extended_) shade_extended_rows(top, bottom, wall_depth);
     const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
     const Vec2 tile = flat_.surface.tile_m;
     const FlatRun flat{texture_,
@@ -119,18 +119,18 @@ void FlatPainter::prepare_row(const Scene& scene, int row) {
     // A level ray meets a level plane at infinity, also one at its own height. Behind the eye (below 0) only where the
     // eye is above the ceiling or below the floor it looks at.
     row_depths_[row] = std::isinf(depth_per_metre) ? depth_per_metre : std::max(height_ * depth_per_metre, 0.0);
-    shade_row(scene, row, row_depths_[row]);
+    shade_row(row, row_depths_[row]);
 }
 
-void FlatPainter::shade_row(const Scene& scene, int row, double depth) {
-    row_shades_[row] = shade_at(scene.map.render.light, light_, 1, depth);
+void FlatPainter::shade_row(int row, double depth) {
+    row_shades_[row] = shade_at(lighting_, depth);
     if (is_there(fog_)) row_mists_[row] = mist_at(fog_.reach, depth);
 }
 
 /// A flat seen from its wrong side (past a step that is not drawn, or by an eye outside the room's heights) never comes
 /// nearer than the wall it is stretched to: its rows are lit as far away as they are drawn, column by column.
-void FlatPainter::shade_extended_rows(const Scene& scene, int top, int bottom, double wall_depth) {
-    for (int y = top; y < bottom; ++y) shade_row(scene, y, std::min(row_depths_[y], wall_depth));
+void FlatPainter::shade_extended_rows(int top, int bottom, double wall_depth) {
+    for (int y = top; y < bottom; ++y) shade_row(y, std::min(row_depths_[y], wall_depth));
 }
 
 }  // namespace enfilade::column

@@ -4,6 +4,7 @@
 
 #include "render/column/kernels.h"
 #include "render/column/scene.h"
+#include "render/lighting.h"
 #include "render/pose.h"
 
 namespace enfilade::column {
@@ -15,8 +16,8 @@ enum class FlatSide : unsigned char { floor, ceiling };
 class FlatPainter {
 public:
     /// What the next calls of paint() draw. height: of the flat above the eye [m]. glow: of point lights; null: none.
-    void start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height, double light,
-               const LightGrid* glow, SurfaceId id);
+    void start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height,
+               const Lighting& lighting, const LightGrid* glow, SurfaceId id);
 
     /// Rows [top, bottom) of column x. wall_depth: of the wall behind, nothing of the flat is farther [m].
     void paint(const Scene& scene, int x, int top, int bottom, double wall_depth);
@@ -28,15 +29,16 @@ private:
     SkyRun sky_run(const Scene& scene, const Surface& surface, Vec2 ray) const;
     void prepare_rows(const Scene& scene, int top, int bottom);
     void prepare_row(const Scene& scene, int row);
-    void shade_row(const Scene& scene, int row, double depth);
-    void shade_extended_rows(const Scene& scene, int top, int bottom, double wall_depth);
+    void shade_row(int row, double depth);
+    void shade_extended_rows(int top, int bottom, double wall_depth);
 
     const Pose* pose_ = nullptr;
     Flat flat_;
     std::vector<Surface> layers_;  ///< over a sky, the farthest first
     const Texture* texture_ = nullptr;
     SurfaceId id_ = kNothing;
-    double height_ = 0, light_ = 1;
+    double height_ = 0;
+    Lighting lighting_;
     const LightGrid* glow_ = nullptr;
     Fog fog_;
     bool is_extended_ = false;        ///< a floor not below the eye, or a ceiling not above it

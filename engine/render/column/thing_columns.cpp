@@ -37,7 +37,7 @@ void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedCol
     if (!is_whole) board.rows = within(view.here, board.rows.floor, board.rows.ceiling);
     board.place = presence.position;
     WallPainter painter;
-    painter.start_picture(scene, scene.textures[picture.texture], top, picture.size_m.y, picture.light,
+    painter.start_picture(scene, scene.textures[picture.texture], top, picture.size_m.y, picture.lighting,
                           thing_id(scene.map, presence.thing));
     painter.light_up(scene.light_on(presence.thing), 0, 0);  // the same everywhere
     board.painter = masked.add(painter);

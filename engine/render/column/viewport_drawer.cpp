@@ -37,11 +37,11 @@ void ViewportDrawer::start_viewport(const Scene& scene, FrameState& state, Viewp
     nearest_.choose(scene.map, scene.screen, viewport, pose_,
                     state.projections.get(scene.map, viewport.sector, viewport.pose, pose_, scene.screen));
     here_ = heights_above(scene, viewport.sector, pose_.eye_z);
-    const double light = light_now(scene.snapshot, viewport.sector);
+    const Lighting lighting = lighting_in(scene.map, viewport.sector, light_now(scene.snapshot, viewport.sector), 1);
     floor_.start(scene, pose_, floor_now(scene.map, scene.snapshot, viewport.sector), FlatSide::floor, here_.floor,
-                 light, scene.light_on_floor(viewport.sector), floor_id(viewport.sector));
+                 lighting, scene.light_on_floor(viewport.sector), floor_id(viewport.sector));
     ceiling_.start(scene, pose_, ceiling_now(scene.map, scene.snapshot, viewport.sector), FlatSide::ceiling,
-                   here_.ceiling, light, scene.light_on_ceiling(viewport.sector), ceiling_id(viewport.sector));
+                   here_.ceiling, lighting, scene.light_on_ceiling(viewport.sector), ceiling_id(viewport.sector));
     furniture_.note({scene, viewport, pose_, here_, nearest_}, state.masked);
     openings_.assign(nearest_.count(), {});
     wall_index_ = NearestWalls::kNoWall;

@@ -9,13 +9,13 @@ void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& sur
                         SurfaceId id) {
     hang(scene, surface, wall.length, peg);
     id_ = id;
-    shade_by(scene, light, wall.contrast);
+    shade_by(scene, lighting_in(scene.map, wall.sector, light, wall.contrast));
 }
 
 void WallPainter::start_panel(const Scene& scene, const Panel& panel, double top, double light, SurfaceId id) {
     hang(scene, panel.surface, panel.length, top);
     id_ = id;
-    shade_by(scene, light, panel.contrast);
+    shade_by(scene, lighting_in(scene.map, panel.sector, light, panel.contrast));
 }
 
 /// length: of the wall [m].
@@ -29,13 +29,13 @@ void WallPainter::hang(const Scene& scene, const Surface& surface, double length
     v_at_peg_ = peg * v_per_m_ - surface.offset_tiles.y;
 }
 
-void WallPainter::start_picture(const Scene& scene, const Texture& texture, double top, double height, double light,
-                                SurfaceId id) {
+void WallPainter::start_picture(const Scene& scene, const Texture& texture, double top, double height,
+                                const Lighting& lighting, SurfaceId id) {
     texture_ = &texture;
     light_grid_ = nullptr;
     is_once_ = true;
     id_ = id;
-    shade_by(scene, light, 1);
+    shade_by(scene, lighting);
     u_per_along_ = 1;
     u_offset_ = 0;
     v_per_m_ = 1 / height;
@@ -65,11 +65,9 @@ WallGlow WallPainter::glow_at(const Scene& scene, int top, int bottom, const Wal
             tile_steps(cells_per_row * kWrap)};
 }
 
-void WallPainter::shade_by(const Scene& scene, double light, double contrast) {
+void WallPainter::shade_by(const Scene& scene, const Lighting& lighting) {
     color_table_ = texture_->numbers.empty() ? nullptr : &scene.textures.color_table;
-    model_ = scene.map.render.light;
-    light_ = light;
-    contrast_ = contrast;
+    lighting_ = lighting;
     fog_ = fog_of(scene.map);
 }
 
@@ -82,7 +80,7 @@ WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallH
 [[gnu::always_inline]] inline WallRun WallPainter::run_of(const ColumnTexels& at, const WallHit& hit) const {
     const std::size_t first = std::size_t{texel_of(place_on_tile(at.u), texture_->width)} * texture_->height;
     WallRun run{&texture_->pixels[first], texture_->height, tile_steps(at.v_at_row_0), tile_steps(at.v_per_row),
-                shade_at(model_, light_, contrast_, hit.depth)};
+                shade_at(lighting_, hit.depth)};
     if (is_there(fog_)) {
         run.mist = mist_at(fog_.reach, hit.depth);
         run.fog = fog_.color;

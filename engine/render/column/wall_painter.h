@@ -4,6 +4,7 @@
 #include "render/column/row_split.h"
 #include "render/column/scene.h"
 #include "render/column/sector_projection.h"
+#include "render/lighting.h"
 #include "render/pose.h"
 
 namespace enfilade::column {
@@ -24,7 +25,7 @@ public:
 
     /// The same for a thing's picture, which is shown once: a hit is `along` it from its left edge.
     /// top: above the eye [m]. height: [m].
-    void start_picture(const Scene& scene, const Texture& texture, double top, double height, double light,
+    void start_picture(const Scene& scene, const Texture& texture, double top, double height, const Lighting& lighting,
                        SurfaceId id);
 
     /// Shows its picture once from top to bottom, as start_picture() does, instead of over and over.
@@ -48,13 +49,12 @@ private:
     ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
     void fill_lit(const Scene& scene, const Run& run, const ColumnTexels& at, const WallHit& hit) const;
     WallRun run_of(const ColumnTexels& at, const WallHit& hit) const;
-    void shade_by(const Scene& scene, double light, double contrast);
+    void shade_by(const Scene& scene, const Lighting& lighting);
 
     const Texture* texture_ = nullptr;
     const ColorTable* color_table_ = nullptr;  ///< that it goes by, if it does
     SurfaceId id_ = kNothing;
-    LightModel model_ = LightModel::smooth;
-    double light_ = 1, contrast_ = 1;
+    Lighting lighting_;
     Fog fog_;
     double u_per_along_ = 1, u_offset_ = 0;  ///< [tiles]
     double v_at_peg_ = 0, v_per_m_ = 1;      ///< v at the eye's height, and tiles per metre downwards

@@ -82,8 +82,9 @@ private:
 
     void add_wall(WallId id) {
         const Wall& wall = scene_.map[id];
-        if (wall.kind == WallKind::solid) return add_part(id, wall.texture, own_, own_);
-        if (wall.kind == WallKind::mirror) return;
+        const WallKind kind = kind_now(scene_.map, scene_.snapshot, id);
+        if (kind == WallKind::solid) return add_part(id, wall.texture, own_, own_);
+        if (kind == WallKind::mirror) return;
         const double rise = scene_.map.passage(wall).rise;
         const Heights behind{scene_.snapshot[wall.behind].floor_z - rise,
                              scene_.snapshot[wall.behind].ceiling_z - rise};
@@ -154,7 +155,7 @@ private:
         shown.texture = picture.texture;
         shown.tile_m = picture.size_m;
         FacetLook look = look_of(shown, 1);
-        look.shade = shade_of(picture.light, 1);
+        look.shade = shade_of(picture.lighting.light, picture.lighting.contrast);
         add(Facet::upright(scene_.camera, {start, top, {0, 0}},
                            {start + to_right * picture.size_m.x, top - picture.size_m.y, {kLastPlace, kLastPlace}},
                            look, FacetSides::both));

@@ -66,9 +66,10 @@ Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, 
     const double tile_u = fraction(u), tile_v = shown == Shown::once ? std::clamp(v, 0.0, 1.0) : fraction(v);
     const TilePlace v_place = shown == Shown::once ? place_on_picture(tile_v) : place_on_tile(v);
     const Texel found = texel(at.scene.textures[surface.texture], place_on_tile(u), v_place);
-    const double light = light_at(at.scene.snapshot, at.hit.sector);
+    const SectorId sector = at.hit.sector;
+    const Lighting lighting = lighting_in(at.scene.map, sector, light_at(at.scene.snapshot, sector), contrast);
     seen.texel = {static_cast<float>(tile_u), static_cast<float>(tile_v)};
-    seen.color = lit(at.scene, found, light, contrast, depth, glow);  // a pane still needs its alpha
+    seen.color = lit(at.scene, found, lighting, depth, glow);  // a pane still needs its alpha
     return seen;
 }
 

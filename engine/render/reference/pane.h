@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "math/vec.h"
+#include "render/lighting.h"
 #include "render/reference/look.h"
 #include "render/shade.h"
 
@@ -44,10 +45,10 @@ inline Texel texel(const Texture& texture, TilePlace u, TilePlace v) {
 }
 
 /// A texel's colour in this light, that of point lights and the map's fog; its alpha is kept.
-inline std::uint32_t lit(const Scene& scene, const Texel& texel, double light, double contrast, double depth,
+inline std::uint32_t lit(const Scene& scene, const Texel& texel, const Lighting& lighting, double depth,
                          LightCell glow) {
     const RenderRecord& render = scene.map.render;
-    const Shade shade = shade_at(render.light, light, contrast, depth);
+    const Shade shade = shade_at(lighting, depth);
     const std::uint32_t clear =
         texel.number
             ? lit_above(darkened_colors(scene.textures.color_table, shade)[*texel.number], texel.color, shade, glow)

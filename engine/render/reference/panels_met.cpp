@@ -27,7 +27,8 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
     const double u = at.along * panel.length / surface.tile_m.x - surface.offset_tiles.x;
     const double v = (top - ray.course.climb * at.depth) / surface.tile_m.y - surface.offset_tiles.y;
     const Texel shown = texel(texture, place_on_tile(u), place_on_tile(v));
-    const double light = light_at(scene.snapshot, panel.sector);
+    const Lighting lighting =
+        lighting_in(scene.map, panel.sector, light_at(scene.snapshot, panel.sector), panel.contrast);
     const double depth = at.depth * ray.course.depth_scale;
     Pane pane;
     pane.seen.id = panel_id(scene.map, at.panel);
@@ -36,7 +37,7 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
     pane.alpha = shown.color >> 24;
     const LightGrid* grid = scene.lights ? scene.lights->on_panel(scene.map, scene.snapshot, at.panel) : nullptr;
     const double z = ray.hit.space.eye_z + ray.course.climb * at.depth;
-    pane.seen.color = lit(scene, shown, light, panel.contrast, depth, glow_on(grid, at.along * panel.length, z));
+    pane.seen.color = lit(scene, shown, lighting, depth, glow_on(grid, at.along * panel.length, z));
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, surface.tile_m);
     return pane;
 }

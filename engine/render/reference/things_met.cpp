@@ -99,7 +99,7 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const SpritePicture& pictur
     pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
     pane.alpha = shown.color >> 24;
     const LightGrid* grid = scene.lights ? scene.lights->on_thing(scene.map, scene.snapshot, at.thing) : nullptr;
-    pane.seen.color = lit(scene, shown, picture.light, 1, depth, glow_on(grid, 0, 0));
+    pane.seen.color = lit(scene, shown, picture.lighting, depth, glow_on(grid, 0, 0));
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, picture.size_m);
     return pane;
 }

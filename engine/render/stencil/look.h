@@ -8,8 +8,10 @@ namespace enfilade::stencil {
 /// How a polygon's pixels are painted; numbers known to the shader.
 enum class Paint : std::uint32_t { wall, flat, sky, color, picture };
 
-/// Beside the paint: the picture goes by the map's color table. Known to the shader.
-inline constexpr std::uint32_t kByTable = 0x80;
+/// Beside the paint: the surface is in classic light; else in smooth. Known to the shader, too.
+inline constexpr std::uint32_t kClassicLight = 1u << 31;
+/// Beside the paint: the picture goes by the map's color table. Known to the shader, too.
+inline constexpr std::uint32_t kByTable = 1u << 30;
 
 /// Numbers that change evenly over the picture are given as three: at the point `from`, per column and per row.
 struct Look {
@@ -21,7 +23,7 @@ struct Look {
     float a[4]{};  ///< by Paint, see shaders.cpp
     float b[4]{};
     float c[4]{};
-    std::uint32_t id_and_paint = 0;    ///< id in the low 24 bits
+    std::uint32_t id_and_paint = 0;    ///< id in the low 24 bits; kClassicLight, kByTable
     std::uint32_t texels = 0;          ///< where the picture begins in the texel store; Paint::color: 0xAABBGGRR
     std::uint32_t size = 1 | 1 << 16;  ///< of the picture (texel_store.h)
     std::uint32_t record = 0;          ///< what it needs beyond this (records.h); 0: nothing
@@ -34,9 +36,9 @@ enum class Kind : std::uint8_t { plain, layered_sky, lit, by_table, lit_by_table
 inline constexpr std::size_t kKinds = 5;
 
 inline Kind kind_of(const Look& look) {
-    const std::uint32_t paint = look.id_and_paint >> 24;
-    if ((paint & kByTable) != 0) return look.record == 0 ? Kind::by_table : Kind::lit_by_table;
+    if ((look.id_and_paint & kByTable) != 0) return look.record == 0 ? Kind::by_table : Kind::lit_by_table;
     if (look.record == 0) return Kind::plain;
+    const std::uint32_t paint = (look.id_and_paint & ~kClassicLight) >> 24;
     return paint == static_cast<std::uint32_t>(Paint::sky) ? Kind::layered_sky : Kind::lit;
 }
 

@@ -79,14 +79,13 @@ constexpr const char* kSurfaceShader = R"(
 flat in vec4 a;
 flat in vec4 b;
 flat in vec4 c;
-flat in uvec4 what;  // id and paint, place in the store, size, record
+flat in uvec4 what;  // id, paint and light model, place in the store, size, record
 layout(location = 0) out vec4 out_color;
 layout(location = 1) out uvec4 out_facts;
 uniform vec3 entry;       // the doorway one looks in through: cross, and a point in it [px]; cross 0: none
 uniform vec3 entry_span;  // there, per column, per row
 uniform vec2 level;  // a point at or near the horizon, so that rows next to it keep their precision
 uniform vec3 climb;  // what the ray climbs there, per column, per row
-uniform int is_classic;
 uniform int is_sky_round;
 uniform vec4 fog;  // its colour, 0 to 255, and the depth where it hides half; 0: no fog
 uniform uint least_alpha;  // that is shown; 0: whatever it is, the picture is opaque
@@ -133,7 +132,7 @@ uniform usampler2D color_table;
 // What is left of a texel's colour in a shade, without lamps (darkened_colors of render/shade.h).
 uvec3 darkened(uvec3 color, vec2 tile, uint shade) {
 #ifdef BY_TABLE
-    if (what.x >> 31u != 0u) {
+    if ((what.x >> 30u & 1u) != 0u) {
         uint number = texelFetch(color_numbers, list_place(texel_place(what.yz, tile)), 0).x;
         uint level = min((256u - min(shade, 256u)) / 8u, 31u);
         return texelFetch(color_table, list_place(level * 256u + number), 0).rgb;
@@ -156,7 +155,7 @@ uint smooth_shade(float light, float contrast, float depth) {
 }
 
 uint shade_at(float depth) {
-    return is_classic != 0 ? classic_shade(bounds.z, bounds.w, depth) : smooth_shade(bounds.z, bounds.w, depth);
+    return (what.x >> 31u) != 0u ? classic_shade(bounds.z, bounds.w, depth) : smooth_shade(bounds.z, bounds.w, depth);
 }
 
 uvec3 in_fog(uvec3 color, float depth) {
@@ -216,7 +215,7 @@ uvec3 glow_at(vec2 known) {
 }
 
 uvec3 lit_by(uvec3 glow, uvec3 color, vec2 tile, uint shade) {
-    bool is_by_table = what.x >> 31u != 0u;
+    bool is_by_table = (what.x >> 30u & 1u) != 0u;
     if (!is_by_table) return min(color * min(glow + shade, 512u) >> 8u, 255u);
     return min(darkened(color, tile, shade) + (color * min(glow, 512u - shade) >> 8u), 255u);
 }
@@ -227,7 +226,7 @@ void main() {
     vec2 t = way();
     float up = even(climb, gl_FragCoord.xy - level);
     float met = wall_depth(t), depth = met;
-    uint paint = what.x >> 24u & 127u;
+    uint paint = what.x >> 24u & 63u;
     uint shade = 256u;
     vec2 tile = vec2(0.0), known = vec2(0.0);
     uvec4 color;
@@ -335,7 +334,6 @@ Status build(SurfaceProgram& surface, Kind kind) {
     surface.entry_span = uniform(surface.program, "entry_span");
     surface.level = uniform(surface.program, "level");
     surface.climb = uniform(surface.program, "climb");
-    surface.is_classic = uniform(surface.program, "is_classic");
     surface.is_sky_round = uniform(surface.program, "is_sky_round");
     surface.fog = uniform(surface.program, "fog");
     surface.least_alpha = uniform(surface.program, "least_alpha");

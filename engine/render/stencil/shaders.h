@@ -13,7 +13,6 @@ struct SurfaceProgram {
     GLint entry = -1, entry_span = -1;  ///< of the layer: the doorway one looks in through, see shaders.cpp
     GLint level = -1;                   ///< a point at or near the horizon [px]
     GLint climb = -1;                   ///< what the ray climbs there, per column, per row
-    GLint is_classic = -1;              ///< light model
     GLint is_sky_round = -1;            ///< its rows are
     GLint fog = -1;                     ///< its colour and reach
     GLint least_alpha = -1;  ///< pixels of a picture with less are left out, 0..255; 0: the picture is opaque

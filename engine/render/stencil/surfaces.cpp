@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/lighting.h"
 #include "render/picture_now.h"
 #include "render/shade.h"
 #include "render/stencil/wall_outline.h"
@@ -44,15 +45,16 @@ void set(float (&four)[4], const Look& look, const Even& number, double fourth) 
 
 void set_picture(Look& look, const Scene& scene, TextureId texture, SurfaceId id, Paint paint) {
     const Texture& picture = scene.world.textures[texture];
-    const std::uint32_t way = paint != Paint::sky && !picture.numbers.empty() ? kByTable : 0;
-    look.id_and_paint = id | (static_cast<std::uint32_t>(paint) | way) << 24;
+    const std::uint32_t way = paint != Paint::sky && !picture.numbers.empty() ? kByTable : 0u;
+    look.id_and_paint = (look.id_and_paint & kClassicLight) | id | static_cast<std::uint32_t>(paint) << 24 | way;
     look.texels = scene.store.place_of(texture);
     look.size = size_of(picture);
 }
 
-void set_light(Look& look, double light, double contrast) {
-    look.light = f(std::clamp(light, 0.0, 1.0));
-    look.contrast = f(contrast);
+void set_light(Look& look, const Lighting& lighting) {
+    look.light = f(std::clamp(lighting.light, 0.0, 1.0));
+    look.contrast = f(lighting.contrast);
+    if (lighting.model == LightModel::classic) look.id_and_paint |= kClassicLight;
 }
 
 /// Where along the wall from its a, as a part of span: e_L, or -e_R where a is the right end.
@@ -135,7 +137,7 @@ Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& at_rest,
     const Wall& w = scene.map()[wall.place.wall];
     const Surface surface = picture_now(scene.map(), scene.world.snapshot, wall.place.wall, at_rest);
     Look look = plain_look(scene, wall.place);
-    set_light(look, light_at(scene.world.snapshot, w.sector), w.contrast);
+    set_light(look, lighting_in(scene.map(), w.sector, light_at(scene.world.snapshot, w.sector), w.contrast));
     set_surface(look, scene, wall.place, surface, w.length, peg_height(wall.parts, surface.peg),
                 wall_id(scene.map(), wall.place.wall, part));
     if (scene.lights)
@@ -159,7 +161,8 @@ Look hanging_look(const Scene& scene, const SeenWall& wall, double top) {
 Look panel_look(const Scene& scene, const PanelOnScreen& shown, const Pose& pose) {
     const Panel& panel = scene.map()[shown.panel];
     Look look = plain_look(scene, shown.place);
-    set_light(look, light_at(scene.world.snapshot, panel.sector), panel.contrast);
+    set_light(look,
+              lighting_in(scene.map(), panel.sector, light_at(scene.world.snapshot, panel.sector), panel.contrast));
     set_surface(look, scene, shown.place, panel.surface, panel.length, panel.top - pose.eye_z,
                 panel_id(scene.map(), shown.panel));
     if (scene.lights)
@@ -172,7 +175,7 @@ Look panel_look(const Scene& scene, const PanelOnScreen& shown, const Pose& pose
 Look thing_look(const Scene& scene, const ThingOnScreen& thing) {
     Look look = plain_look(scene, thing.place);
     set_picture(look, scene, thing.texture, thing.id, Paint::picture);
-    set_light(look, thing.light, 1);
+    set_light(look, thing.lighting);
     set_along(look, scene, thing.place, kBelowOne, 0);
     if (!scene.rays.is_tilted) look.farthest = f(thing.place.cross / (thing.place.right_v.x - thing.place.left_v.x));
     if (scene.lights)
@@ -188,7 +191,8 @@ Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, doubl
     if (flat.sky) return sky_look(scene, wall, flat, id);
     Look look = plain_look(scene, wall.place);
     set_picture(look, scene, surface.texture, id, Paint::flat);
-    set_light(look, light_at(scene.world.snapshot, scene.map()[wall.place.wall].sector), 1);
+    const SectorId sector = scene.map()[wall.place.wall].sector;
+    set_light(look, lighting_in(scene.map(), sector, light_at(scene.world.snapshot, sector), 1));
     set_direction(look, scene.rays, wall.pose, surface.tile_m);
     const Vec2 from_origin = wall.pose.eye - flat.origin;
     look.c[0] = f(fraction(from_origin.x / surface.tile_m.x - surface.offset_tiles.x));

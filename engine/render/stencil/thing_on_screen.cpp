@@ -40,7 +40,7 @@ std::optional<ThingOnScreen> in_view(const Map& map, const TextureSet& textures,
     thing.position = presence.position;
     thing.id = thing_id(map, presence.thing);
     thing.texture = picture.texture;
-    thing.light = picture.light;
+    thing.lighting = picture.lighting;
     thing.top = picture.foot_z - pose.eye_z + picture.origin_m.y;
     thing.height = picture.size_m.y;
     thing.shown = {std::max(thing.top - thing.height, room.floor), std::min(thing.top, room.ceiling)};

@@ -17,7 +17,7 @@ struct ThingOnScreen {
     Vec2 position;  ///< of the thing, in the sector's space
     SurfaceId id = kNothing;
     TextureId texture;
-    double light = 1;
+    Lighting lighting;
     double depth = 0;            ///< along `forward`; in tilted pictures maybe behind the eye, below 0 [m]
     double top = 0, height = 0;  ///< of the whole picture; top: above the eye [m]
     Heights shown;               ///< the part of it that no floor or ceiling cuts off, above the eye
