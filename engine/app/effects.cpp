@@ -159,6 +159,11 @@ Effect unlit_rooms() {
                 for (SectorRecord& sector : map.sectors) sector.unlit = false;
             }};
 }
+Effect bobs() {
+    return {"bobs", "flat", "one function of time for each look into the room, and each body in it",
+            [](const MapFile& map) { return count_flats(map, [](const FlatRecord& f) { return bool(f.bob); }); },
+            [](MapFile& map) { each_flat(map, [](FlatRecord& f) { f.bob.reset(); }); }};
+}
 Effect movers() {
     return {"doors and movers", "trigger", "nothing until one is set off; then one function of time for each frame",
             [](const MapFile& map) { return count_triggers(map, moves); }, nullptr};
@@ -196,6 +201,7 @@ const std::vector<Effect>& all_effects() {
                                          changing_lights(),
                                          point_lights(),
                                          unlit_rooms(),
+                                         bobs(),
                                          movers(),
                                          other_triggers(),
                                          damage(),

@@ -31,7 +31,7 @@ struct Shown {
 };
 
 std::string wall_text(const Wall& wall, WallPart part, std::uint32_t number) {
-    if (wall.kind != WallKind::portal) return fmt::format("wall {}", number);
+    if (wall.kind != WallKind::portal && part == WallPart::middle) return fmt::format("wall {}", number);
     const char* const names[] = {"picture in", "upper part of", "lower part of"};
     return fmt::format("{} wall {}", names[std::size_t(part)], number);
 }
@@ -55,7 +55,7 @@ std::string surface_text(const Shown& shown) {
 }
 
 const Surface& surface_of(const Wall& wall, WallPart part) {
-    if (wall.kind != WallKind::portal) return wall.texture;
+    if (wall.kind != WallKind::portal && part == WallPart::middle) return wall.texture;
     return part == WallPart::upper ? wall.upper : part == WallPart::lower ? wall.lower : wall.middle;
 }
 

@@ -63,7 +63,7 @@ Result<View> view_from(const Map& map, const ViewRow& row, const Lens& lens) {
 }
 
 std::optional<std::string> hidden_eye(const Map& map, const Snapshot& snapshot, const View& view) {
-    const SectorSnapshot& room = snapshot[view.sector];
+    const Heights room = heights_at(snapshot, view.sector);
     if (view.eye_z > room.floor_z && view.eye_z < room.ceiling_z) return {};
     const bool is_above = view.eye_z >= room.ceiling_z;
     return fmt::format("the eye at z = {} is {} of sector {} at {} m", number_text(view.eye_z),

@@ -1,4 +1,4 @@
-// The keys of triggers, light effects, animations, switches and sounds.
+// The keys of triggers, light effects, bobs, animations, switches and sounds.
 #include <array>
 
 #include "formats/file_key.h"
@@ -88,6 +88,19 @@ constexpr std::array kLightEffectKeys{
     key<&LightEffectRecord::clock_hz>("clock_hz", kNew, Need::optional, kClocks),
 };
 
+/// What bobs less than a step of the vertex grid does not seem to [m].
+constexpr Range kAmplitudes{0x1p-10, 1024};
+
+/// A period is some ticks at least, else it is not the same from all sides; and a day at most [s].
+constexpr Range kPeriods{0.125, 86400};
+
+constexpr std::array kBobKeys{
+    key<&BobRecord::amplitude>("amplitude", kNew, Need::required, kAmplitudes),
+    key<&BobRecord::period>("period", kNew, Need::optional, kPeriods),
+    key<&BobRecord::phase>("phase", kNew, Need::optional, {0, 1}),
+    key<&BobRecord::shape>("shape", kNew),
+};
+
 constexpr std::array kAnimationKeys{
     file_key<&AnimationRecord::frames>("frames", kNew, Need::required),
     key<&AnimationRecord::seconds>("seconds", kNew, Need::optional, kPictureSeconds),
@@ -108,6 +121,7 @@ constexpr std::array kSoundKeys{
 
 constexpr KeyList<TriggerRecord> kTriggerList{"a trigger", kTriggerKeys};
 constexpr KeyList<LightEffectRecord> kLightEffectList{"a light effect", kLightEffectKeys};
+constexpr KeyList<BobRecord> kBobList{"'bob'", kBobKeys};
 constexpr KeyList<AnimationRecord> kAnimationList{"an animation", kAnimationKeys};
 constexpr KeyList<SwitchRecord> kSwitchList{"a switch", kSwitchKeys};
 constexpr KeyList<SoundRecord> kSoundList{"a sound", kSoundKeys};
@@ -122,6 +136,11 @@ const KeyList<TriggerRecord>& keys_of() {
 template <>
 const KeyList<LightEffectRecord>& keys_of() {
     return kLightEffectList;
+}
+
+template <>
+const KeyList<BobRecord>& keys_of() {
+    return kBobList;
 }
 
 template <>

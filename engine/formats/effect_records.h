@@ -109,6 +109,18 @@ struct TriggerRecord {
     bool operator==(const TriggerRecord&) const = default;
 };
 
+/// How what bobs gets from one end of its way to the other: slower towards the ends, or evenly.
+enum class BobShape : std::uint8_t { sine, triangle };
+
+/// Up and down for ever, around where it is at rest.
+struct BobRecord {
+    double amplitude = 0;  ///< how far it gets from its rest to either side [m]
+    double period = 4;     ///< how long once up and down takes [s]
+    double phase = 0;      ///< 0..1, how much of its period is over at the start; 0: it leaves its rest upwards
+    BobShape shape = BobShape::sine;
+    bool operator==(const BobRecord&) const = default;
+};
+
 /// Pictures that follow one another wherever one of them is on a wall or flat.
 struct AnimationRecord {
     std::vector<std::string> frames;

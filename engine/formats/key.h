@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/boxed.h"
 #include "base/parallel.h"
 #include "formats/quoted.h"
 #include "formats/reading.h"
@@ -125,6 +126,8 @@ template <class T>
 inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool is_optional<Boxed<T>> = true;
 
 /// Whether read_value has an overload for the type; the others are records, or vectors or optionals of them.
 template <class T>

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/boxed.h"
 #include "base/finding.h"
 #include "formats/effect_records.h"
 #include "formats/key_places.h"
@@ -83,6 +84,7 @@ struct FlatRecord {
     bool parallax = false;       ///< drawn as sky
     Vec2 scroll;                 ///< how fast the picture moves along x and y [m/s]
     bool carries = false;        ///< floor: whoever stands on it moves with the picture
+    Boxed<BobRecord> bob;        ///< it goes up and down by itself
     std::vector<SkyLayerRecord> layers;  ///< sky: laid over it, the first one farthest
     TextPlace place;
     KeyPlaces places{};
@@ -108,7 +110,7 @@ struct SectorRecord {
     std::string name;
     double light = 1;
     FlatRecord floor;
-    FlatRecord ceiling{2, {}, {}, false, false, {}, false, {}, {}, {}};
+    FlatRecord ceiling{2, {}, {}, false, false, {}, false, {}, {}, {}, {}};
     std::vector<LoopRecord> loops;
     std::vector<PanelRecord> panels;
     std::vector<std::string> tags;  ///< what triggers may call it besides its name; others may have the same

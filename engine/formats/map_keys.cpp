@@ -79,6 +79,7 @@ std::vector<KeyInfo> map_keys() {
     add_key_infos<SectorRecord>(all, "sectors.");
     for (const std::string flat : {"sectors.floor.", "sectors.ceiling."}) {
         add_key_infos<FlatRecord>(all, flat);
+        add_key_infos<BobRecord>(all, flat + "bob.");
         add_key_infos<SkyLayerRecord>(all, flat + "layers.");
     }
     add_trigger_infos(all, "sectors.triggers.");

@@ -82,6 +82,8 @@ const KeyList<TriggerRecord>& keys_of();
 template <>
 const KeyList<LightEffectRecord>& keys_of();
 template <>
+const KeyList<BobRecord>& keys_of();
+template <>
 const KeyList<AnimationRecord>& keys_of();
 template <>
 const KeyList<SwitchRecord>& keys_of();

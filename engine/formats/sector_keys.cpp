@@ -22,6 +22,7 @@ constexpr std::array kFlatKeys{
     key<&FlatRecord::parallax>("parallax", kBoth),
     key<&FlatRecord::scroll>("scroll", kNew, Need::optional, kScrollSpeeds),
     key<&FlatRecord::carries>("carries", kNew),
+    key<&FlatRecord::bob>("bob", kNew),
     key<&FlatRecord::layers>("layers", kNew),
 };
 

@@ -26,6 +26,7 @@ inline constexpr std::array<std::string_view, 10> kLevelWords{
     "lowest_ceiling", "highest_ceiling", "floor",         "ceiling",       "lowest_ceiling_or_own"};
 inline constexpr std::array<std::string_view, 3> kLightLevelWords{"given", "brightest", "darkest"};
 inline constexpr std::array<std::string_view, 4> kLightKindWords{"flicker", "strobe", "glow", "fire"};
+inline constexpr std::array<std::string_view, 2> kBobShapeWords{"sine", "triangle"};
 inline constexpr std::array<std::string_view, 3> kHoldsUpWords{"all", "all_but_crushers", "nothing"};
 
 constexpr const auto& words_of(Peg) { return kPegWords; }
@@ -40,6 +41,7 @@ constexpr const auto& words_of(Deed) { return kDeedWords; }
 constexpr const auto& words_of(Level) { return kLevelWords; }
 constexpr const auto& words_of(LightLevel) { return kLightLevelWords; }
 constexpr const auto& words_of(LightKind) { return kLightKindWords; }
+constexpr const auto& words_of(BobShape) { return kBobShapeWords; }
 constexpr const auto& words_of(HoldsUp) { return kHoldsUpWords; }
 
 /// A type whose values are words in files.

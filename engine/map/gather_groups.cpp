@@ -33,6 +33,15 @@ void check_height(Draft& draft, const char* what, const SectorRecord& first, con
                     number_text((other.*flat).z) + " m; what moves as one starts at one height");
 }
 
+void check_bob(Draft& draft, const char* what, const SectorRecord& first, const SectorRecord& other,
+               FlatRecord SectorRecord::* flat) {
+    if ((first.*flat).bob == (other.*flat).bob) return;
+    draft.error(place_of(other.*flat, other), "group-bobs",
+                "expected the " + std::string(what) + " of sector " + quoted(other.name) +
+                    " to bob as that of sector " + quoted(first.name) + " of the same group " + quoted(first.group) +
+                    "; what moves as one has one bob, or none: write the same one in both");
+}
+
 bool can_be_used(const SectorRecord& sector) {
     return std::any_of(sector.triggers.begin(), sector.triggers.end(),
                        [](const TriggerRecord& trigger) { return trigger.on == Occasion::use; });
@@ -66,6 +75,8 @@ void join(Draft& draft, const std::vector<SectorId>& grouped, std::size_t first,
         const SectorRecord& record = *draft.sectors[grouped[i].index].record;
         check_height(draft, "floor", leader, record, &SectorRecord::floor);
         check_height(draft, "ceiling", leader, record, &SectorRecord::ceiling);
+        check_bob(draft, "floor", leader, record, &SectorRecord::floor);
+        check_bob(draft, "ceiling", leader, record, &SectorRecord::ceiling);
         check_uses(draft, leader, record);
     }
 }

@@ -99,6 +99,7 @@ struct Flat {
     Vec2 scroll;  ///< how fast the picture moves [m/s]
     bool sky = false;
     bool carries = false;           ///< floor: moves who stands on it with the picture
+    std::optional<BobRecord> bob;   ///< it goes up and down around z
     std::uint32_t first_layer = 0;  ///< sky: what is laid over it, the farthest first, is
     std::uint32_t layer_count = 0;  ///< [first_layer, first_layer + layer_count) of Map::sky_layers
 };
@@ -213,6 +214,7 @@ struct Map {
     std::vector<ThingId> sounding_things;  ///< by sector, each sector's in the order of their numbers
     bool has_ways_back = false;            ///< some walls are one
     double farthest_sound_m = 0;           ///< largest reach among the sounds; 0: there are none
+    bool has_bobs = false;                 ///< a floor or ceiling bobs
     std::vector<std::string> keys;         ///< names of the keys that triggers ask for or things give
     PictureChanges pictures;
     std::optional<PlayerStart> player;

@@ -107,6 +107,8 @@ void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record,
     if (flat.sky && is_tutorial(draft)) lay_tutorial_sky(flat.surface);
     flat.scroll = record.scroll;
     flat.carries = record.carries;
+    if (record.bob) flat.bob = *record.bob;
+    draft.map.has_bobs |= flat.bob.has_value();
     lay_layers(draft, record, flat);
     if (record.is_relative && sector.loop_count > 0)
         flat.origin = draft.map.walls[draft.loops[sector.first_loop].first_wall].a;

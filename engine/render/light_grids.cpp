@@ -43,8 +43,9 @@ bool LightGrids::heights_changed(const Snapshot& snapshot, Memo& memo, double ow
         memo.heights[i] = height;
     };
     for (std::size_t i = 0; i < memo.sectors.size(); ++i) {
-        note(2 * i, snapshot[memo.sectors[i]].floor_z);
-        note(2 * i + 1, snapshot[memo.sectors[i]].ceiling_z);
+        const Heights heights = heights_at(snapshot, memo.sectors[i]);
+        note(2 * i, heights.floor_z);
+        note(2 * i + 1, heights.ceiling_z);
     }
     note(count - 1, own_height);
     return changed;
@@ -108,7 +109,7 @@ auto one_sided(Patch patch) {
 
 const LightGrid* LightGrids::on_wall(const Map& map, const Snapshot& snapshot, WallId id) {
     const UprightSurface surface = upright(map, id);
-    const SectorSnapshot& room = snapshot[surface.sector];
+    const Heights room = heights_at(snapshot, surface.sector);
     const auto make = [&](const LightImage& image) { return lamp_on(map, surface, image); };
     const auto patch = [&](const LampOnSurface& lamp) {
         return patch_on(map, snapshot, surface, lamp, room.floor_z, room.ceiling_z);
@@ -118,7 +119,7 @@ const LightGrid* LightGrids::on_wall(const Map& map, const Snapshot& snapshot, W
 
 const LightGrid* LightGrids::on_panel(const Map& map, const Snapshot& snapshot, PanelId id) {
     const UprightSurface surface = upright(map, id);
-    const SectorSnapshot& room = snapshot[surface.sector];
+    const Heights room = heights_at(snapshot, surface.sector);
     const double bottom = std::max(map[id].bottom, room.floor_z), top = std::min(map[id].top, room.ceiling_z);
     const auto make = [&](const LightImage& image) { return lamp_on(map, surface, image); };
     const auto patch = [&](const LampOnSurface& lamp) { return patch_on(map, snapshot, surface, lamp, bottom, top); };
@@ -147,7 +148,7 @@ const LightGrid* LightGrids::on_ceiling(const Map& map, const Snapshot& snapshot
 }
 
 const LightGrid* LightGrids::on_flat(const Map& map, const Snapshot& snapshot, SectorId sector, int side) {
-    const SectorSnapshot& room = snapshot[sector];
+    const Heights room = heights_at(snapshot, sector);
     const auto flat = [&](int which) -> const Flat& {
         return which == kFloor ? map[sector].floor : map[sector].ceiling;
     };

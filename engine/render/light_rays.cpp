@@ -27,7 +27,7 @@ std::optional<std::size_t> portals_before(const SightLine& line, const LightImag
 /// Between two rooms, at a height of the light's sector.
 bool is_open_at(const Map& map, const Snapshot& snapshot, const Wall& portal, double rise, double rise_behind,
                 double z) {
-    const SectorSnapshot &here = snapshot[portal.sector], &behind = snapshot[portal.behind];
+    const Heights here = heights_at(snapshot, portal.sector), behind = heights_at(snapshot, portal.behind);
     if (z + rise < here.floor_z || z + rise_behind < behind.floor_z) return false;
     if (map[portal.sector].ceiling.sky && map[portal.behind].ceiling.sky) return true;
     return z + rise < here.ceiling_z && z + rise_behind < behind.ceiling_z;
@@ -59,7 +59,7 @@ bool LightRays::arrives(const Map& map, const Snapshot& snapshot, const LightIma
     const Ray& ray = rays_[number];
     if (!ray.is_straight) return false;
     const PointLight& light = map.lights[image.light];
-    const SectorSnapshot& home = snapshot[light.sector];
+    const Heights home = heights_at(snapshot, light.sector);
     if (light.z < home.floor_z || light.z > home.ceiling_z) return false;
     const double climb = z - image.z;
     for (std::size_t i = ray.first; i < std::size_t{ray.first} + ray.count; ++i) {

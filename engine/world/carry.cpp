@@ -13,7 +13,9 @@ constexpr int kCrushDamage = 10;
 
 /// Something that comes nearer to a body in a sector around it.
 struct Mover {
-    const Change* change;
+    SectorId sector;  ///< that leads its group
+    Channel channel;
+    const Change* change;  ///< none: it bobs
     bool crushes;
 };
 using Movers = ShortList<Mover, 8>;
@@ -56,7 +58,11 @@ private:
 
     void add(SectorId sector, Channel channel, Movers& found) const {
         const Change* change = change_of(then(), sector, channel);
-        found.push_back({change, crushes(map_, *change)});
+        if (change && change->holds_up_bob()) change = nullptr;
+        const SectorId leader = map_[sector].leader;
+        const auto is_it = [&](const Mover& m) { return m.sector == leader && m.channel == channel; };
+        if (std::none_of(found.begin(), found.end(), is_it))
+            found.push_back({leader, channel, change, change && crushes(map_, *change)});
     }
 
     /// What crushes may go on while there is room for who is crushed; then everything answers.
@@ -68,11 +74,15 @@ private:
         const bool is_crushed_to_the_last = !is_at_most(kCrushedHeight, room());
         ShortList<Change, 8> answers;
         for (const Mover& mover : found)
-            if (!mover.crushes || is_crushed_to_the_last)
+            if (!mover.change)
+                continue;
+            else if (!mover.crushes || is_crushed_to_the_last)
                 answers.push_back(answer_to(here(), *mover.change, world_.tick));
             else if (const std::optional<Change> slow = slowed(here(), *mover.change, world_.tick))
                 answers.push_back(*slow);
         for (const Change& answer : answers) world_.history.add(answer);
+        for (const Mover& mover : found)
+            if (!mover.change) hold_up_bob(map_, world_.history, mover.sector, mover.channel, world_.tick);
     }
 
     void hurt() {
@@ -97,7 +107,7 @@ private:
 }  // namespace
 
 void carry(const Map& map, World& world) {
-    if (world.history.changes().empty()) return;
+    if (world.history.changes().empty() && !map.has_bobs) return;
     Carrier(map, world).run();
 }
 

@@ -7,7 +7,8 @@ namespace enfilade {
 /// Lets floors and ceilings around the player go from this tick to the next: what would leave too little room turns
 /// round, waits, or crushes, by its own rules; who stands on a floor goes with it. Afterwards the player has room at
 /// tick + 1, and its feet and height are those of then.
-/// Cost: the sectors that the body overlaps, however many move elsewhere; none where nothing of them ever changed.
+/// Cost: the sectors that the body overlaps, however many move elsewhere; none in a map where nothing ever changed or
+/// bobs.
 void carry(const Map& map, World& world);
 
 }  // namespace enfilade

@@ -9,8 +9,7 @@
 namespace enfilade {
 namespace {
 
-/// How long what was held up waits before it tries again [ticks]: a quarter of a second.
-constexpr std::uint32_t kPatience = kTickRate / 4;
+static_assert(kPatience == kTickRate / 4);
 
 /// Longest wait [ticks]: a day, as much as maps may ask for.
 constexpr double kLongestWait = 86400.0 * kTickRate;
@@ -68,7 +67,7 @@ Course crush_course(const Target& t) {
     double top = t.here.ceiling_z;
     for (const Change* old = t.now.history->newest_of(t.sector, Channel::ceiling); old;
          old = old->before == Change::kNone ? nullptr : &t.now.history->changes()[old->before])
-        if (t.now.map[old->cause].deed == Deed::crush && old->course.count == 2)
+        if (!old->holds_up_bob() && t.now.map[old->cause].deed == Deed::crush && old->course.count == 2)
             top = std::max({top, old->course.stops[0].value, old->course.stops[1].value});
     return to_and_fro(t.here.ceiling_z, t.stop(t.here.floor_z + kCrushedHeight), t.stop(top));
 }
@@ -161,11 +160,18 @@ bool is_busy(const Change* change, std::uint64_t tick) {
     return !end || *end > tick;
 }
 
+/// Whether nothing but its bob moves the floor or ceiling, as far as is known.
+bool bobs(const Map& map, const History& history, SectorId sector, Channel channel) {
+    const Flat& flat = channel == Channel::floor ? map[sector].floor : map[sector].ceiling;
+    const Change* change = history.newest_of(sector, channel);
+    return flat.bob && (!change || change->holds_up_bob());
+}
+
 bool stop_what_loops(const Instant& now, History& history, TriggerId cause, SectorId sector, std::uint64_t tick) {
     bool has_stopped = false;
     for (const Channel channel : {Channel::floor, Channel::ceiling}) {
         const Change* change = history.newest_of(sector, channel);
-        if (!change || !change->course.loops) continue;
+        if (!bobs(now.map, history, sector, channel) && !(change && change->course.loops)) continue;
         history.add({sector, channel, {tick, height_now(now, sector, channel), {}, 0, false}, cause});
         has_stopped = true;
     }
@@ -185,8 +191,13 @@ bool change_target(const Map& map, History& history, TriggerId id, std::size_t n
     const SectorId sector = map.targets_of(trigger)[number];
     const Instant now(map, history, static_cast<double>(tick));
     if (trigger.deed == Deed::stop) return stop_what_loops(now, history, id, sector, tick);
-    const Target target{now, trigger, sector, number, heights_of(now, sector)};
     const Channel channel = channel_of(trigger.deed);
+    const std::uint64_t start = tick + ticks_of(trigger.after_s);
+    // What bobs is somewhere else when a course begins later, which sets off from there.
+    const Instant there = channel != Channel::light && bobs(map, history, sector, channel)
+                              ? Instant(map, history, static_cast<double>(start))
+                              : now;
+    const Target target{now, trigger, sector, number, heights_of(there, sector)};
     const Change* present = history.newest_of(sector, channel);
     if (channel == Channel::light && has_lasting_light(map, present)) return true;
     Course course;
@@ -199,7 +210,7 @@ bool change_target(const Map& map, History& history, TriggerId id, std::size_t n
         course = course_of(target);
         clip(target, channel, course);
     }
-    course.start = tick + ticks_of(trigger.after_s);
+    course.start = start;
     history.add({sector, channel, course, id});
     return true;
 }
@@ -236,6 +247,19 @@ Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tic
     }
     answer.course.start = tick;
     return answer;
+}
+
+void hold_up_bob(const Map& map, History& history, SectorId sector, Channel channel, std::uint64_t tick) {
+    const Instant now(map, history, static_cast<double>(tick));
+    const Change* before = change_of(now, sector, channel);
+    const Change* newest = history.newest_of(sector, channel);
+    const std::optional<Change> ordered = newest == before ? std::nullopt : std::optional(*newest);
+    const std::uint64_t lag = (before ? before->lag : 0) + kPatience;
+    history.add({sector, channel, {tick, height_now(now, sector, channel), {}, 0, false}, TriggerId(), lag});
+    if (!ordered) return;
+    Change later = *ordered;  // an order that begins later stays one, and sets off from where the bob then is
+    later.course.from = height_now({map, history, static_cast<double>(later.course.start)}, sector, channel);
+    history.add(later);
 }
 
 std::optional<Change> slowed(const Instant& now, const Change& crusher, std::uint64_t tick) {

@@ -24,6 +24,10 @@ History begun(const Map& map);
 /// again. `in_the_way`: the change, and it has not ended.
 Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick);
 
+/// What follows if somebody is in the way of a bob, from `tick` on: it stands still for kPatience ticks and then goes
+/// on from there. `sector`: leads its group; nothing but its bob moves the floor or ceiling at the tick.
+void hold_up_bob(const Map& map, History& history, SectorId sector, Channel channel, std::uint64_t tick);
+
 /// What follows if a change that crushes comes down on somebody, from `tick` on: the rest of its present way goes at
 /// its trigger's crush_speed; none where that is not given, or where it does so already.
 std::optional<Change> slowed(const Instant& now, const Change& crusher, std::uint64_t tick);

@@ -20,9 +20,12 @@ struct Change {
     SectorId sector;  ///< that leads its group
     Channel channel = Channel::floor;
     Course course;
-    TriggerId cause;
+    TriggerId cause;               ///< none: somebody was in the way of a bob (world/bob.h)
+    std::uint64_t lag = 0;         ///< of a bob that was held up: how far it then is behind the clock [ticks]
     std::uint32_t before = kNone;  ///< index of the change of the same value that this one ends, or kNone
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+    bool holds_up_bob() const { return !cause; }
 };
 
 /// A sector of which something ever changed, and the newest change of each of its values.

@@ -2,11 +2,22 @@
 
 #include <algorithm>
 
+#include "world/bob.h"
+#include "world/input.h"
+
 namespace enfilade {
 namespace {
 
-double value_of(const Instant& now, const Change* change, double at_rest) {
-    return change ? value_at(change->course, now.tick) : at_rest;
+/// What a bob calls now: it stands still while it is held up, and is late from then on.
+double bob_time_s(const Change* held_up, double tick) {
+    if (!held_up) return tick * kTickSeconds;
+    const double goes_on = static_cast<double>(held_up->course.start + kPatience);
+    return (std::max(tick, goes_on) - static_cast<double>(held_up->lag)) * kTickSeconds;
+}
+
+double value_of(const Instant& now, const Change* change, const Flat& flat) {
+    if (change && !change->holds_up_bob()) return value_at(change->course, now.tick);
+    return flat.bob ? flat.z + offset_at(*flat.bob, bob_time_s(change, now.tick)) : flat.z;
 }
 
 /// What gave a floor what `gives` looks for, the change it follows or one before: a rising floor has it at once,
@@ -17,7 +28,7 @@ const Trigger* giver_of(const Instant& now, const Change* change, Gives gives) {
         const Course& course = change->course;
         const bool rises = course.count > 0 && course.stops[0].value > course.from;
         const bool has_come = rises || stop_at(course, now.tick) > 0;
-        if (const Trigger& cause = now.map[change->cause]; gives(cause) && has_come) return &cause;
+        if (!change->holds_up_bob() && gives(now.map[change->cause]) && has_come) return &now.map[change->cause];
         change = change->before == Change::kNone ? nullptr : &now.history->changes()[change->before];
     }
     return nullptr;
@@ -35,17 +46,15 @@ ChangesNow changes_of(const Instant& now, const ChangedSector& sector) {
 }
 
 Heights heights_of(const Instant& now, SectorId id) {
-    const Sector& sector = now.map[id];
-    const ChangedSector* changed = now.history ? now.history->changed(sector.leader) : nullptr;
-    if (!changed) return {sector.floor.z, sector.ceiling.z};
-    return heights_of(now, id, changes_of(now, *changed));
+    const ChangedSector* changed = now.history ? now.history->changed(now.map[id].leader) : nullptr;
+    return heights_of(now, id, changed ? changes_of(now, *changed) : ChangesNow{});
 }
 
 Heights heights_of(const Instant& now, SectorId id, const ChangesNow& changes) {
     const Sector& sector = now.map[id];
-    const double floor_z = value_of(now, changes.floor, sector.floor.z);
+    const double floor_z = value_of(now, changes.floor, sector.floor);
     // Both may be on their way towards each other: where they meet, the floor carries the ceiling.
-    return {floor_z, std::max(floor_z, value_of(now, changes.ceiling, sector.ceiling.z))};
+    return {floor_z, std::max(floor_z, value_of(now, changes.ceiling, sector.ceiling))};
 }
 
 bool is_portal(const Instant& now, WallId id) {
@@ -64,7 +73,7 @@ bool is_open(const Instant& now, WallId id) {
 
 double foot_of(const Instant& now, ThingId id) {
     const Thing& thing = now.map[id];
-    if (!now.history || thing.footing == Footing::fixed) return thing.z;
+    if (thing.footing == Footing::fixed) return thing.z;
     const Heights here = heights_of(now, thing.sector);
     return thing.footing == Footing::floor ? here.floor_z : here.ceiling_z - thing.height;
 }

@@ -22,6 +22,9 @@ struct Heights {
     double ceiling_z;  ///< [m]; >= floor_z
 };
 
+/// How long what was held up waits before it tries again [ticks]: a quarter of a second.
+inline constexpr std::uint32_t kPatience = 15;
+
 /// The change that a value of the sector, and of all its group, now follows; null: it is as in the map.
 /// Cost: History::change_of.
 const Change* change_of(const Instant& now, SectorId sector, Channel channel);
@@ -36,7 +39,7 @@ struct ChangesNow {
 /// Of a record of the history of `now`. Cost: the newer changes of the sector.
 ChangesNow changes_of(const Instant& now, const ChangedSector& sector);
 
-/// Cost: that of two courses, and of finding them (History::changed).
+/// Cost: that of two courses or bobs, and of finding them (History::changed).
 Heights heights_of(const Instant& now, SectorId sector);
 
 /// The same of a sector whose changes have been found.

@@ -5,13 +5,14 @@
 #include <limits>
 
 #include "world/around.h"
+#include "world/bob.h"
 #include "world/input.h"
 #include "world/light.h"
 
 namespace enfilade {
 namespace {
 
-double foot_of(const Thing& thing, const SectorSnapshot& home) {
+double foot_of(const Thing& thing, const Heights& home) {
     switch (thing.footing) {
         case Footing::floor: return home.floor_z;
         case Footing::ceiling: return home.ceiling_z - thing.height;
@@ -20,14 +21,22 @@ double foot_of(const Thing& thing, const SectorSnapshot& home) {
     return thing.z;
 }
 
+/// Its bobs alone say where its floor and ceiling are, so that nobody need ask before somebody looks.
+bool only_bobs(const Sector& sector, const ChangesNow& changes) {
+    return (sector.floor.bob || sector.ceiling.bob) && !changes.floor && !changes.ceiling;
+}
+
 SectorSnapshot sector_now(const Instant& now, SectorId id, const ChangesNow& changes) {
-    const Heights heights = heights_of(now, id, changes);
+    const Sector& sector = now.map[id];
+    const bool bobs = only_bobs(sector, changes);
+    const Heights heights = bobs ? Heights{sector.floor.z, sector.ceiling.z} : heights_of(now, id, changes);
     return {heights.floor_z,
             heights.ceiling_z,
             plain_light_of(now, id, changes.light),
             effect_of(now, id, changes.light),
             changed_floor_picture(now, changes.floor),
-            now.map[id].leader};
+            bobs ? &sector : nullptr,
+            sector.leader};
 }
 
 SectorSnapshot sector_at_rest(const Map& map, SectorId id) { return sector_now(map, id, {}); }
@@ -86,6 +95,12 @@ void leave_out(const LeftOut& what, Snapshot& snapshot) {
     snapshot.is_light_still |= what.light_effects;
 }
 
+Heights heights_at(const Snapshot& snapshot, SectorId id) {
+    const SectorSnapshot& sector = snapshot[id];
+    if (!sector.bobbing) return {sector.floor_z, sector.ceiling_z};
+    return bobbing_heights(*sector.bobbing, snapshot.time_s);
+}
+
 double light_at(const Snapshot& snapshot, SectorId id) {
     const SectorSnapshot& sector = snapshot[id];
     if (!sector.effect || snapshot.is_light_still) return sector.light;
@@ -94,8 +109,8 @@ double light_at(const Snapshot& snapshot, SectorId id) {
 
 ThingSnapshot thing_at(const Map& map, const Snapshot& snapshot, ThingId id) {
     const Thing& thing = map[id];
-    const SectorSnapshot& home = snapshot[thing.sector];
-    return {foot_of(thing, home), thing.light ? *thing.light : light_at(snapshot, thing.sector),
+    const double foot_z = foot_of(thing, heights_at(snapshot, thing.sector));
+    return {foot_z, thing.light ? *thing.light : light_at(snapshot, thing.sector),
             thing.sprite ? frame_at(map[thing.sprite], snapshot.time_s) : 0};
 }
 

@@ -10,11 +10,12 @@ namespace enfilade {
 
 /// A sector at one instant.
 struct SectorSnapshot {
-    double floor_z = 0;                         ///< [m]
-    double ceiling_z = 0;                       ///< [m]; >= floor_z
+    double floor_z = 0;                         ///< without its bob [m]
+    double ceiling_z = 0;                       ///< likewise [m]; >= floor_z
     double light = 1;                           ///< 0..1, without its effect
     const LightEffectRecord* effect = nullptr;  ///< of the map, or null: the light is steady
     TextureId floor_picture;                    ///< that the floor was given, or none: the map's
+    const Sector* bobbing = nullptr;            ///< of the map, whose floor or ceiling bobs now; or null
     SectorId lot;                               ///< by whose number its effect draws lots: its group's leader's
 };
 
@@ -55,6 +56,9 @@ struct LeftOut {
 
 /// Takes it out of the snapshot, for good: show() brings none of it back.
 void leave_out(const LeftOut& what, Snapshot& snapshot);
+
+/// The heights of a sector with its bob: worked out when somebody looks.
+Heights heights_at(const Snapshot& snapshot, SectorId sector);
 
 /// The light of a sector with its effect, 0..1: worked out when somebody looks.
 double light_at(const Snapshot& snapshot, SectorId sector);

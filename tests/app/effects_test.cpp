@@ -40,6 +40,7 @@ MapFile full_map() {
     file.sectors[0].ceiling.layers = {{test::spec("clouds"), 1, {}}};
     file.sectors[0].light_effect = LightEffectRecord{};
     file.sectors[0].floor.scroll = {1, 0};
+    file.sectors[0].floor.bob = BobRecord{.amplitude = 0.5};
     file.sectors[0].unlit = true;
     file.sectors[0].loops[0].walls[0].mirror = true;
     test::wall(file, "main", {4, 0}, {4, 4}).middle = test::spec("fence");
@@ -64,7 +65,7 @@ TEST(Effects, ThatAreTakenOutAreGone) {
         EXPECT_TRUE(is_things || use.effect->count(without) == 0) << use.effect->name;
         ++taken_out;
     }
-    EXPECT_EQ(taken_out, 13u);
+    EXPECT_EQ(taken_out, 14u);
 }
 
 }  // namespace

@@ -110,6 +110,11 @@ private:
                                  {}};
     }
 
+    Boxed<BobRecord> bob() {
+        if (flip()) return {};
+        return BobRecord{number(0.1, 9), number(0.2, 99), number(0, 1), flip() ? BobShape::sine : BobShape::triangle};
+    }
+
     TriggerRecord trigger() {
         TriggerRecord trigger;
         trigger.on = static_cast<Occasion>(random_.below(5));
@@ -194,6 +199,7 @@ private:
         flat.parallax = flip();
         if (flip()) flat.scroll = {number(-9, 9), number(-9, 9)};
         flat.carries = flip();
+        flat.bob = bob();
         for (int i = whole(0, 2); i > 0; --i) flat.layers.push_back({spec(), number(-9, 9), {}, {}});
         return flat;
     }

@@ -14,8 +14,8 @@ constexpr double kBrightestDepth = 0;
 
 RelativeHeights heights_above(const Scene& scene, SectorId id, double eye_z) {
     if (!built_in::kMovers) return {scene.map[id].floor.z - eye_z, scene.map[id].ceiling.z - eye_z};
-    const SectorSnapshot& sector = scene.snapshot[id];
-    return {sector.floor_z - eye_z, sector.ceiling_z - eye_z};
+    const Heights heights = heights_at(scene.snapshot, id);
+    return {heights.floor_z - eye_z, heights.ceiling_z - eye_z};
 }
 
 Rigid passage_of(const Scene& scene, const Wall& portal) {

@@ -70,12 +70,13 @@ private:
 };
 
 void add_portal_mark(const OutsideScene& scene, Marks& marks, const UnfoldedRoom& room, const Wall& wall) {
-    const SectorSnapshot& own = scene.snapshot[room.sector];
+    const Heights own = heights_at(scene.snapshot, room.sector);
     double bottom = own.floor_z, top = own.ceiling_z;
-    if (wall.kind == WallKind::portal) {
+    if (wall.kind != WallKind::mirror) {
+        const Heights behind = heights_at(scene.snapshot, wall.behind);
         const double rise = scene.map.passage(wall).rise;
-        bottom = std::max(bottom, scene.snapshot[wall.behind].floor_z - rise);
-        top = std::min(top, scene.snapshot[wall.behind].ceiling_z - rise);
+        bottom = std::max(bottom, behind.floor_z - rise);
+        top = std::min(top, behind.ceiling_z - rise);
     }
     if (!(bottom < top)) return;
     const Vec2 a = room.to_eye.apply(wall.a), b = room.to_eye.apply(wall.b);

@@ -28,11 +28,13 @@ struct Gap {
 };
 
 Gap gap_of(const Map& map, const Snapshot& snapshot, const Wall& wall) {
-    Gap gap{snapshot[wall.sector].floor_z, snapshot[wall.sector].ceiling_z};
-    if (wall.kind != WallKind::portal) return gap;
+    const Heights own = heights_at(snapshot, wall.sector);
+    Gap gap{own.floor_z, own.ceiling_z};
+    if (wall.kind == WallKind::mirror) return gap;
+    const Heights behind = heights_at(snapshot, wall.behind);
     const double rise = map.passage(wall).rise;
-    if (has_lower_step(wall)) gap.bottom = std::max(gap.bottom, snapshot[wall.behind].floor_z - rise);
-    if (has_upper_step(map, wall)) gap.top = std::min(gap.top, snapshot[wall.behind].ceiling_z - rise);
+    if (has_lower_step(wall)) gap.bottom = std::max(gap.bottom, behind.floor_z - rise);
+    if (has_upper_step(map, wall)) gap.top = std::min(gap.top, behind.ceiling_z - rise);
     return gap;
 }
 
@@ -81,7 +83,7 @@ void SeenRooms::follow(const Map& map, const Snapshot& snapshot, int column) {
         const double at = begin + (1 - begin) * met;
         part.exit_depth = at * farthest;
         parts_.push_back(part);
-        if (!part.exit || map[part.exit].kind == WallKind::solid) return;
+        if (!part.exit || kind_now(map, snapshot, part.exit) == WallKind::solid) return;
         if (map[part.exit].link != Wall::kNoLink && ++links > map.render.max_depth) return;
         const auto next = go_on(map, snapshot, leg, part);
         if (!next) return;

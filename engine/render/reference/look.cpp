@@ -35,7 +35,8 @@ struct Arrival {
 };
 
 Opening opening_of(const Scene& scene, SectorId sector, double eye_z) {
-    return {scene.snapshot[sector].floor_z - eye_z, scene.snapshot[sector].ceiling_z - eye_z};
+    const Heights heights = heights_at(scene.snapshot, sector);
+    return {heights.floor_z - eye_z, heights.ceiling_z - eye_z};
 }
 
 /// Is the ray at `height` above the eye, or higher, where it meets the wall? A wall that passes through the eye is met

@@ -46,7 +46,7 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
 
 bool find_panels_met(const Scene& scene, const RoomRay& ray, std::vector<MetPane>& met) {
     bool ambiguous = false;
-    const SectorSnapshot& room = scene.snapshot[ray.hit.sector];
+    const Heights room = heights_at(scene.snapshot, ray.hit.sector);
     const double eye_z = ray.hit.space.eye_z;
     for (const PanelHit& at : ray.hit.panels) {
         const Panel& panel = scene.map[at.panel];

@@ -72,7 +72,7 @@ struct Meeting {
 /// [m].
 void require_on_picture(Verdict& verdict, const Scene& scene, const RoomRay& ray, const SpritePicture& picture,
                         const Meeting& at, double height) {
-    const SectorSnapshot& room = scene.snapshot[ray.hit.sector];
+    const Heights room = heights_at(scene.snapshot, ray.hit.sector);
     const double eye_z = ray.hit.space.eye_z, top = picture.foot_z - eye_z + picture.origin_m.y;
     const double bottom = top - picture.size_m.y;
     verdict.require(at.place_m.x >= 0, are_close(at.place_m.x, 0));

@@ -7,7 +7,8 @@
 namespace enfilade::stencil {
 
 Heights heights_of(const Snapshot& snapshot, SectorId room, double eye_z) {
-    return {snapshot[room].floor_z - eye_z, snapshot[room].ceiling_z - eye_z};
+    const enfilade::Heights heights = heights_at(snapshot, room);
+    return {heights.floor_z - eye_z, heights.ceiling_z - eye_z};
 }
 
 WallParts parts_of(const Map& map, const Snapshot& snapshot, WallId id, double eye_z) {
