@@ -124,6 +124,19 @@ Effect animated_things() {
                     if (thing.frames.size() > 1) thing.frames.resize(1);
             }};
 }
+Effect moving_things() {
+    return {"moving things", "thing", "one function of time while in view",
+            [](const MapFile& map) {
+                return static_cast<std::size_t>(
+                    std::ranges::count_if(map.things, [](const ThingRecord& t) { return t.turn != 0 || t.bob; }));
+            },
+            [](MapFile& map) {
+                for (ThingRecord& thing : map.things) {
+                    thing.turn = 0;
+                    thing.bob.reset();
+                }
+            }};
+}
 Effect animations() {
     return {"animations", "picture", "one look at the clock for each surface in view",
             [](const MapFile& map) { return map.animations.size(); }, [](MapFile& map) { map.animations.clear(); }};
@@ -196,6 +209,7 @@ const std::vector<Effect>& all_effects() {
                                          panels(),
                                          things(),
                                          animated_things(),
+                                         moving_things(),
                                          animations(),
                                          scrolling(),
                                          changing_lights(),

@@ -155,6 +155,8 @@ struct ThingRecord {
     Vec2 position;
     std::optional<double> z;  ///< feet [m]; absent: on the floor, or under the ceiling if hanging
     double yaw_degrees = 0;
+    double turn = 0;                  ///< how fast it turns [degrees/s]
+    Boxed<BobRecord> bob;             ///< its picture goes up and down
     double radius = 0.5, height = 1;  ///< [m]
     bool solid = false, hanging = false;
     HoldsUp holds_up = HoldsUp::all;  ///< solid: which floors and ceilings stop short of it

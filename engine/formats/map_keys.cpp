@@ -93,6 +93,7 @@ std::vector<KeyInfo> map_keys() {
     add_trigger_infos(all, "sectors.panels.triggers.");
     add_key_infos<DoomRecord>(all, "sectors.panels.doom.");
     add_key_infos<ThingRecord>(all, "things.");
+    add_key_infos<BobRecord>(all, "things.bob.");
     add_key_infos<SpriteFrameRecord>(all, "things.frames.");
     add_trigger_infos(all, "things.triggers.");
     add_key_infos<DoomRecord>(all, "things.doom.");

@@ -15,6 +15,9 @@ constexpr Range kOrigins{-0x1p14, 0x1p14};
 /// A picture may stay for a day [s].
 constexpr Range kFrameSeconds{0, 86400};
 
+/// Faster than twenty times round in a second nobody sees it turn [degrees/s].
+constexpr Range kTurns{-7200, 7200};
+
 /// A thing's radius and height [m].
 constexpr Range kThingSizes{0, 1024};
 
@@ -51,6 +54,8 @@ constexpr std::array kThingKeys{
     key<&ThingRecord::position, &Vec2::y>("y", kNew, Need::required, kPositions),
     key<&ThingRecord::z>("z", kNew, Need::optional, kHeights),
     key<&ThingRecord::yaw_degrees>("yaw", kNew, Need::optional, kAngles),
+    key<&ThingRecord::turn>("turn", kNew, Need::optional, kTurns),
+    key<&ThingRecord::bob>("bob", kNew),
     key<&ThingRecord::radius>("radius", kNew, Need::optional, kThingSizes),
     key<&ThingRecord::height>("height", kNew, Need::optional, kThingSizes),
     key<&ThingRecord::solid>("solid", kNew),

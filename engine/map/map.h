@@ -153,10 +153,12 @@ enum class Footing : std::uint8_t { floor, ceiling, fixed };
 
 /// Something that stands or hangs in a room: an upright cylinder, shown as a picture that faces whoever looks.
 struct Thing {
-    std::string name, kind;  ///< both may be empty
-    SectorId sector;         ///< contains its position
-    Vec2 position;           ///< on the point grid
-    Angle yaw;
+    std::string name, kind;        ///< both may be empty
+    SectorId sector;               ///< contains its position
+    Vec2 position;                 ///< on the point grid
+    Angle yaw;                     ///< at the start
+    double turn = 0;               ///< how fast it turns right [degrees/s]
+    std::optional<BobRecord> bob;  ///< its picture goes up and down; its body does not
     Footing footing = Footing::floor;
     double z = 0;                               ///< of its foot, at rest [m]
     double radius = 0;                          ///< of its body, on the point grid [m]

@@ -117,6 +117,8 @@ void add_thing(Draft& draft, const ThingRecord& record, SectorId sector, SpriteS
     thing.sector = sector;
     thing.position = snap_to_point_grid(record.position);
     thing.yaw = Angle::from_degrees(record.yaw_degrees);
+    thing.turn = record.turn;
+    if (record.bob) thing.bob = *record.bob;
     thing.radius = snap_to_point_grid(record.radius);
     thing.height = record.height;
     thing.solid = record.solid;

@@ -1,5 +1,7 @@
 #include "render/sprite.h"
 
+#include <cmath>
+
 #include "math/predicates.h"
 
 namespace enfilade {
@@ -11,8 +13,20 @@ constexpr std::uint32_t kEighth = 1u << 29, kHalfEighth = 1u << 28;  ///< of a t
 bool is_open(const Map& map, const Snapshot& snapshot, const Wall& wall) {
     if (wall.kind != WallKind::portal) return false;
     const double rise = map.passage(wall).rise;
-    const SectorSnapshot &here = snapshot[wall.sector], &there = snapshot[wall.behind];
+    const Heights here = heights_at(snapshot, wall.sector), there = heights_at(snapshot, wall.behind);
     return std::max(here.floor_z, there.floor_z - rise) < std::min(here.ceiling_z, there.ceiling_z - rise);
+}
+
+/// A thing with one picture that turns is seen as narrow as a card that is turned as far from the eye, and mirrored
+/// from behind.
+void turn_card(SpritePicture& picture, const Presence& presence, Angle yaw, Vec2 eye) {
+    const Vec2 to_eye = eye - presence.position, faces = presence.passage.turn(direction(yaw));
+    const double distance = std::sqrt(dot(to_eye, to_eye));
+    const double shown = distance > 0 ? dot(to_eye, faces) / distance : 0;
+    if (shown == 0) picture.texture = TextureId();
+    picture.size_m.x *= std::fabs(shown);
+    picture.origin_m.x *= std::fabs(shown);
+    picture.is_mirrored = shown < 0;
 }
 
 }  // namespace
@@ -56,7 +70,7 @@ SpritePicture picture_of(const Map& map, const TextureSet& textures, const Snaps
     const bool is_round = frame.views[0] == frame.views[1];
     SpritePicture picture;
     if (std::binary_search(snapshot.taken.begin(), snapshot.taken.end(), presence.thing)) return picture;
-    const std::size_t view = is_round ? 0 : view_from(eye, presence, thing.yaw);
+    const std::size_t view = is_round ? 0 : view_from(eye, presence, now.yaw);
     picture.texture = frame.views[view];
     if (!picture.texture) return picture;
     const Texture& texture = textures[picture.texture];
@@ -64,6 +78,7 @@ SpritePicture picture_of(const Map& map, const TextureSet& textures, const Snaps
     picture.origin_m = frame.origins_m[view];
     picture.foot_z = presence.passage.apply_height(now.z);
     picture.lighting = lighting_in(map, thing.sector, now.light, 1);
+    if (is_round && thing.turn != 0) turn_card(picture, presence, now.yaw, eye);
     return picture;
 }
 

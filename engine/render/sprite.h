@@ -85,6 +85,7 @@ struct SpritePicture {
     Vec2 origin_m;      ///< from the upper left corner, right and down, to the thing's place [m]
     double foot_z = 0;  ///< height of that place, in the space of the presence's sector [m]
     Lighting lighting;
+    bool is_mirrored = false;  ///< its left is to the right; `origin_m` is that of the picture as it was painted
 };
 
 /// eye: in the space of the presence's sector, on the point grid.

@@ -110,7 +110,9 @@ double light_at(const Snapshot& snapshot, SectorId id) {
 ThingSnapshot thing_at(const Map& map, const Snapshot& snapshot, ThingId id) {
     const Thing& thing = map[id];
     const double foot_z = foot_of(thing, heights_at(snapshot, thing.sector));
-    return {foot_z, thing.light ? *thing.light : light_at(snapshot, thing.sector),
+    return {thing.bob ? foot_z + offset_at(*thing.bob, snapshot.time_s) : foot_z,
+            thing.turn == 0 ? thing.yaw : thing.yaw + Angle::from_degrees(thing.turn * snapshot.time_s),
+            thing.light ? *thing.light : light_at(snapshot, thing.sector),
             thing.sprite ? frame_at(map[thing.sprite], snapshot.time_s) : 0};
 }
 

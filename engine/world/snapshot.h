@@ -68,7 +68,8 @@ inline constexpr double kSwitchSeconds = 1;
 
 /// A thing at one instant.
 struct ThingSnapshot {
-    double z = 0;           ///< of its foot, in the space of its own sector [m]
+    double z = 0;           ///< of its picture's foot, in the space of its own sector [m]
+    Angle yaw;              ///< turned
     double light = 1;       ///< 0..1
     std::size_t frame = 0;  ///< of its sprite
 };

@@ -47,6 +47,7 @@ MapFile full_map() {
     file.sectors[0].panels = {{{1, 1}, {2, 2}, 0, 1, test::spec("fence"), {}, false, false, {}, {}, {}}};
     ThingRecord thing;
     thing.frames = {{"figure", 1, {}}, {"figure", 1, {}}};
+    thing.turn = 90;
     file.things = {thing};
     file.animations = {{{"wall", "fence"}, 1, {}}};
     file.lights.emplace_back().position = {1, 1};
@@ -65,7 +66,7 @@ TEST(Effects, ThatAreTakenOutAreGone) {
         EXPECT_TRUE(is_things || use.effect->count(without) == 0) << use.effect->name;
         ++taken_out;
     }
-    EXPECT_EQ(taken_out, 14u);
+    EXPECT_EQ(taken_out, 15u);
 }
 
 }  // namespace

@@ -246,6 +246,8 @@ private:
         thing.position = point();
         thing.z = maybe(-9, 9);
         thing.yaw_degrees = number(-720, 720);
+        thing.turn = number(-720, 720);
+        thing.bob = bob();
         thing.radius = number(0, 9);
         thing.height = number(0, 9);
         thing.solid = flip();

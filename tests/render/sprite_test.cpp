@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "math/grid.h"
 #include "support/map_builder.h"
 
@@ -107,6 +109,46 @@ TEST(PictureOfAThing, IsAsLargeAsItsTexelsSay) {
     EXPECT_EQ(picture.size_m, (Vec2{4, 4}));
     EXPECT_EQ(picture.origin_m, (Vec2{2, 3.75}));
     EXPECT_EQ(picture.foot_z, 1);
+}
+
+/// A card 4 m wide whose origin is a metre from its left edge, at (10, 10), that faces +x at the start and turns.
+MapFile spinning_card() {
+    MapFile file = map_of({box_room("room", 0, 0, 20, 20, 0, 4)});
+    ThingRecord card;
+    card.position = {10, 10};
+    card.size = 16;
+    card.turn = 90;
+    card.frames = {{"card", 0, Vec2{16, 64}}};
+    file.things = {card};
+    return file;
+}
+
+SpritePicture card_at(double time_s, Vec2 eye) {
+    const MapFile file = spinning_card();
+    const Map map = built(file);
+    Snapshot snapshot = at_rest(map);
+    snapshot.time_s = time_s;
+    return picture_of(map, textures_for(file), snapshot, snapshot.things.in(SectorId(0u))[0], eye);
+}
+
+TEST(SpinningCard, IsNarrowedAsItTurnsAway) {
+    EXPECT_EQ(card_at(0, {18, 10}).size_m, (Vec2{4, 4}));
+    const SpritePicture turned = card_at(0.5, {18, 10});
+    EXPECT_NEAR(turned.size_m.x, 4 * std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(turned.origin_m.x, std::sqrt(0.5), 1e-12);
+    EXPECT_EQ(turned.size_m.y, 4);
+    EXPECT_FALSE(turned.is_mirrored);
+}
+
+TEST(SpinningCard, IsNotSeenFromItsVeryEdge) {
+    EXPECT_FALSE(card_at(1, {18, 10}).texture);
+    EXPECT_TRUE(card_at(1, {10, 18}).texture);
+}
+
+TEST(SpinningCard, IsMirroredFromBehind) {
+    EXPECT_TRUE(card_at(2, {18, 10}).is_mirrored);
+    EXPECT_FALSE(card_at(2, {2, 10}).is_mirrored);
+    EXPECT_EQ(card_at(2, {18, 10}).size_m.x, 4);
 }
 
 }  // namespace

@@ -223,5 +223,31 @@ TEST(BobbingGroup, MovesAsOneAndWaitsAsOne) {
     EXPECT_GT(game.world.history.changes().size(), 3u);
 }
 
+TEST(FloatingThing, MovesItsPictureAndNotItsBody) {
+    MapFile file = map_of({box_room("room", 0, 0, 8, 8, 0, 4)});
+    file.things.resize(1);
+    file.things[0].position = {4, 4};
+    file.things[0].bob = bob(0.5, 4);
+    place_player(file, "room", {1, 1}, kEyeOnFloor);
+    Game game(file);
+    game.hold(kNoKeys, 60);
+    Snapshot snapshot = at_rest(game.map);
+    show(now(game.map, game.world), snapshot);
+    EXPECT_EQ(thing_at(game.map, snapshot, ThingId(0u)).z, 0.5);
+    EXPECT_EQ(foot_of(now(game.map, game.world), ThingId(0u)), 0);
+}
+
+TEST(TurningThing, TurnsRight) {
+    MapFile file = map_of({box_room("room", 0, 0, 8, 8, 0, 4)});
+    file.things.resize(1);
+    file.things[0].position = {4, 4};
+    file.things[0].yaw_degrees = 10;
+    file.things[0].turn = 45;
+    const Map map = built(file);
+    Snapshot snapshot = at_rest(map);
+    snapshot.time_s = 10;
+    EXPECT_EQ(thing_at(map, snapshot, ThingId(0u)).yaw, Angle::from_degrees(10 + 90));
+}
+
 }  // namespace
 }  // namespace enfilade

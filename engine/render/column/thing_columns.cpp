@@ -24,7 +24,7 @@ void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedCol
     const SpritePicture picture = picture_of(scene.map, scene.textures, scene.snapshot, presence, view.pose.eye);
     if (!picture.texture) return;
     board.width = picture.size_m.x;
-    board.mirrored = view.pose.flip < 0;
+    board.mirrored = (view.pose.flip < 0) != picture.is_mirrored;
     const double left_of_it = board.mirrored ? board.width - picture.origin_m.x : picture.origin_m.x;
     board.left_v = dot(view.pose.right, to_it) - left_of_it;
     const ColumnRays rays{scene.screen.slopes, scene.screen.column_scale};

@@ -121,7 +121,8 @@ bool meet(const Scene& scene, const RoomRay& ray, const Presence& presence, std:
     if (!picture.texture) return false;
     const Vec2 from_it = space.direction(ray.course.slope) * at.depth - to_it;
     const double height = ray.course.climb * at.depth;
-    at.place_m = {picture.origin_m.x + dot(right_of(sight), from_it),
+    const double aside = dot(right_of(sight), from_it);
+    at.place_m = {picture.origin_m.x + (picture.is_mirrored ? -aside : aside),
                   picture.origin_m.y + (picture.foot_z - space.eye_z) - height};
     require_on_picture(verdict, scene, ray, picture, at, height);
     if (verdict.holds) {

@@ -33,7 +33,7 @@ std::optional<ThingOnScreen> in_view(const Map& map, const TextureSet& textures,
     if (std::fabs(thing.depth) < kNearestSprite) return {};
     const SpritePicture picture = picture_of(map, textures, snapshot, presence, pose.eye);
     if (!picture.texture) return {};
-    const bool mirrored = pose.flip < 0;
+    const bool mirrored = (pose.flip < 0) != picture.is_mirrored;
     const double left_of_it = mirrored ? picture.size_m.x - picture.origin_m.x : picture.origin_m.x;
     thing.place = place_of(dot(pose.right, to_it) - left_of_it, picture.size_m.x, thing.depth, mirrored);
     thing.thing = presence.thing;
