@@ -172,6 +172,14 @@ Effect unlit_rooms() {
                 for (SectorRecord& sector : map.sectors) sector.unlit = false;
             }};
 }
+Effect sunlight() {
+    return {"sunlight", "sector", "two mixes of light for each pixel of the surfaces that it falls on",
+            [](const MapFile& map) { return count_sectors(map, [](const SectorRecord& s) { return !s.sun.empty(); }); },
+            [](MapFile& map) {
+                for (SectorRecord& sector : map.sectors) sector.sun.clear();
+                map.suns.clear();
+            }};
+}
 Effect bobs() {
     return {"bobs", "flat", "one function of time for each look into the room, and each body in it",
             [](const MapFile& map) { return count_flats(map, [](const FlatRecord& f) { return bool(f.bob); }); },
@@ -215,6 +223,7 @@ const std::vector<Effect>& all_effects() {
                                          changing_lights(),
                                          point_lights(),
                                          unlit_rooms(),
+                                         sunlight(),
                                          bobs(),
                                          movers(),
                                          other_triggers(),

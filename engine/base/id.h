@@ -28,6 +28,7 @@ using ThingId = Id<struct ThingTag>;
 using SpriteId = Id<struct SpriteTag>;
 using PanelId = Id<struct PanelTag>;
 using SoundId = Id<struct SoundTag>;
+using SunId = Id<struct SunTag>;
 using TriggerId = Id<struct TriggerTag>;
 
 }  // namespace enfilade

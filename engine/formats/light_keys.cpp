@@ -1,4 +1,4 @@
-// The keys of point lights.
+// The keys of point lights and suns.
 #include <array>
 
 #include "formats/color_key.h"
@@ -26,13 +26,27 @@ constexpr std::array kPointLightKeys{
     key<&PointLightRecord::effect>("effect", kNew),
 };
 
+constexpr std::array kSunKeys{
+    key<&SunRecord::name>("name", kNew, Need::required),
+    key<&SunRecord::yaw_degrees>("yaw", kNew, Need::optional, kAngles),
+    key<&SunRecord::elevation_degrees>("elevation", kNew, Need::optional, {0, 90}),
+    color_key<&SunRecord::color>("color", kNew),
+    key<&SunRecord::brightness>("brightness", kNew, Need::optional, kBrightnesses),
+};
+
 constexpr KeyList<PointLightRecord> kPointLightList{"a light", kPointLightKeys};
+constexpr KeyList<SunRecord> kSunList{"a sun", kSunKeys};
 
 }  // namespace
 
 template <>
 const KeyList<PointLightRecord>& keys_of() {
     return kPointLightList;
+}
+
+template <>
+const KeyList<SunRecord>& keys_of() {
+    return kSunList;
 }
 
 }  // namespace enfilade

@@ -109,6 +109,7 @@ struct PanelRecord {
 struct SectorRecord {
     std::string name;
     double light = 1;
+    std::string sun;  ///< which one shines on it; empty: none
     FlatRecord floor;
     FlatRecord ceiling{2, {}, {}, false, false, {}, false, {}, {}, {}, {}};
     std::vector<LoopRecord> loops;
@@ -190,6 +191,18 @@ struct PointLightRecord {
     bool operator==(const PointLightRecord&) const = default;
 };
 
+/// Light that comes from far away, in one direction, and falls on the sectors that name it.
+struct SunRecord {
+    std::string name;
+    double yaw_degrees = 0;          ///< where one looks to see it
+    double elevation_degrees = 45;   ///< above the horizon, 0..90
+    std::uint32_t color = 0xFFFFFF;  ///< 0xRRGGBB
+    double brightness = 0.5;         ///< of what faces it; 1 adds as much as full light
+    TextPlace place;
+    KeyPlaces places{};
+    bool operator==(const SunRecord&) const = default;
+};
+
 struct PlayerRecord {
     std::string sector = "main";
     Vec2 position;
@@ -234,6 +247,7 @@ struct MapFile {
     std::optional<PlayerRecord> player;
     std::vector<ThingRecord> things;
     std::vector<PointLightRecord> lights;
+    std::vector<SunRecord> suns;
     std::vector<AnimationRecord> animations;
     std::vector<SwitchRecord> switches;
     std::vector<SoundRecord> sounds;

@@ -99,6 +99,7 @@ std::vector<KeyInfo> map_keys() {
     add_key_infos<DoomRecord>(all, "things.doom.");
     add_key_infos<PointLightRecord>(all, "lights.");
     add_key_infos<LightEffectRecord>(all, "lights.effect.");
+    add_key_infos<SunRecord>(all, "suns.");
     return all;
 }
 

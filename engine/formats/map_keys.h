@@ -72,6 +72,8 @@ const KeyList<ThingRecord>& keys_of();
 template <>
 const KeyList<PointLightRecord>& keys_of();
 template <>
+const KeyList<SunRecord>& keys_of();
+template <>
 const KeyList<PlayerRecord>& keys_of();
 template <>
 const KeyList<RenderRecord>& keys_of();

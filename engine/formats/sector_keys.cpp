@@ -60,6 +60,7 @@ constexpr std::array kSectorKeys{
     key<&SectorRecord::name>("name", kBoth, Need::required),
     key<&SectorRecord::light>("light", kBoth, Need::optional, kLight),
     key<&SectorRecord::unlit>("unlit", kNew),
+    key<&SectorRecord::sun>("sun", kNew),
     key<&SectorRecord::floor>("floor", kBoth),
     key<&SectorRecord::ceiling>("ceiling", kBoth),
     key<&SectorRecord::tags>("tags", kNew),

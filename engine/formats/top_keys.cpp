@@ -66,6 +66,7 @@ constexpr std::array kMapKeys{
     header_key<&MapFile::sectors>("sectors", kBoth, Need::required),
     header_key<&MapFile::things>("things", kNew),
     header_key<&MapFile::lights>("lights", kNew),
+    header_key<&MapFile::suns>("suns", kNew),
     header_key<&MapFile::animations>("animations", kNew),
     header_key<&MapFile::switches>("switches", kNew),
     header_key<&MapFile::sounds>("sounds", kNew),

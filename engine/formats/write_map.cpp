@@ -28,6 +28,7 @@ std::string write_map(const MapFile& map) {
     for (const AnimationRecord& animation : map.animations) add_under(text, "[[animations]]", animation);
     for (const SwitchRecord& faces : map.switches) add_under(text, "[[switches]]", faces);
     for (const SoundRecord& sound : map.sounds) add_under(text, "[[sounds]]", sound);
+    for (const SunRecord& sun : map.suns) add_under(text, "[[suns]]", sun);
     for (const SectorRecord& sector : map.sectors) add_sector(text, sector);
     for (const ThingRecord& thing : map.things) add_under(text, "[[things]]", thing);
     for (const PointLightRecord& light : map.lights) add_under(text, "[[lights]]", light);

@@ -40,6 +40,7 @@ std::optional<Map> build_map(const MapFile& file, const TextureSet& textures, Fi
     place_triggers(draft);
     place_keys(draft);
     place_sounds(draft);
+    place_suns(draft);
     note_picture_changes(draft);
     if (has_errors(findings)) return std::nullopt;
     take_fingerprint(draft);

@@ -111,6 +111,8 @@ void place_triggers(Draft& draft);
 void place_keys(Draft& draft);
 /// Things, sectors and triggers find their sounds (place_sounds.cpp).
 void place_sounds(Draft& draft);
+/// Suns, and which sectors they shine on (place_suns.cpp).
+void place_suns(Draft& draft);
 /// Animations and switches (picture_changes.cpp).
 void note_picture_changes(Draft& draft);
 

@@ -27,6 +27,7 @@ void add(Hash& hash, const Rigid& link) {
 void add(Hash& hash, const Sector& sector) {
     hash.add(sector.floor.sky);
     hash.add(sector.ceiling.sky);
+    hash.add(sector.sun.index);
 }
 
 void add(Hash& hash, const Panel& panel) {
@@ -50,6 +51,13 @@ void add(Hash& hash, const PointLight& light) {
     hash.add(light.reach);
 }
 
+void add(Hash& hash, const Sun& sun) {
+    add(hash, sun.level);
+    hash.add(sun.up);
+    hash.add(sun.color);
+    hash.add(sun.brightness);
+}
+
 template <class Parts>
 void add_all(Hash& hash, const Parts& parts) {
     hash.add(parts.size());
@@ -67,6 +75,7 @@ void take_fingerprint(Draft& draft) {
     add_all(hash, map.panels);
     add_all(hash, map.things);
     add_all(hash, map.lights);
+    add_all(hash, map.suns);
     map.fingerprint = hash.value();
 }
 

@@ -111,6 +111,7 @@ struct Sector {
     bool has_screens = false;  ///< one of them is_screen()
     double light = 1;          ///< at rest, 0..1
     bool unlit = false;        ///< neither depth nor direction changes its light
+    SunId sun;                 ///< that shines on it, or none
     Flat floor, ceiling;
     Vec2 min, max;                  ///< bounding box
     std::uint32_t first_solid = 0;  ///< its solid things are [first_solid, first_solid + solid_count) of
@@ -187,6 +188,15 @@ struct PointLight {
     std::optional<LightEffectRecord> effect;  ///< none: it is steady
 };
 
+/// Light from one direction that falls on every surface that faces it, of the sectors that name it. It throws no
+/// shadows.
+struct Sun {
+    Vec2 level;                      ///< towards it, its part in the plane: as long as the cosine of its elevation
+    double up = 0;                   ///< the sine of its elevation, 0..1
+    std::uint32_t color = 0xFFFFFF;  ///< 0xRRGGBB
+    double brightness = 1;           ///< on what faces it; 1 adds as much as full light
+};
+
 /// Where the player starts.
 struct PlayerStart {
     SectorId sector;
@@ -206,6 +216,7 @@ struct Map {
     std::vector<Thing> things;
     std::vector<Sprite> sprites;
     std::vector<PointLight> lights;
+    std::vector<Sun> suns;
     std::vector<ThingId> solid_things;  ///< by sector, each sector's in the order of their numbers
     double widest_solid_m = 0;          ///< largest radius among them; 0: there are none
     std::vector<ThingId> touchables;    ///< by sector, each sector's in the order of their numbers
@@ -228,6 +239,7 @@ struct Map {
     const Panel& operator[](PanelId id) const { return panels[id.index]; }
     const Thing& operator[](ThingId id) const { return things[id.index]; }
     const Sprite& operator[](SpriteId id) const { return sprites[id.index]; }
+    const Sun& operator[](SunId id) const { return suns[id.index]; }
     const Trigger& operator[](TriggerId id) const { return triggers[id.index]; }
     const Sound& operator[](SoundId id) const { return sounds[id.index]; }
     /// The sectors that the trigger is about.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "render/sunlight.h"
+
 namespace enfilade {
 bool LightGrids::start(const Map& map) {
-    if (map.lights.empty()) return false;
+    if (map.lights.empty() && map.suns.empty()) return false;
     const Held held(lock_);
     if (map_ != identity_of(map)) forget(map);
     map_ = identity_of(map);
@@ -65,9 +67,9 @@ bool LightGrids::colors_changed(const Moment& now, Memo& memo) {
 /// make(image): the lamp on this surface. patch(lamp, side): what arrives of it now.
 template <class Make, class Patch>
 const LightGrid* LightGrids::grid(const Moment& now, std::size_t number, SectorId home, int side, double own_height,
-                                  Make make, Patch patch) {
+                                  const Suns& suns, Make make, Patch patch) {
     const auto images = images_.in(home);
-    if (images.empty()) return nullptr;
+    if (images.empty() && suns == Suns{}) return nullptr;
     Memo& memo = this->memo(number);
     const Held held(memo.lock);
     if (memo.is_new) {
@@ -76,14 +78,14 @@ const LightGrid* LightGrids::grid(const Moment& now, std::size_t number, SectorI
         note_sectors(now.map, home, memo);
         memo.is_new = false;
     }
-    if (memo.lamps.empty()) return nullptr;
+    if (memo.lamps.empty() && suns == Suns{}) return nullptr;
     const bool moved = heights_changed(now.snapshot, memo, own_height);
     const bool recolored = colors_changed(now, memo);
     for (int s = 0; s < 2 && (moved || recolored); ++s) {
         if (moved) memo.patches[s].clear();
         for (const LampOnSurface& lamp : memo.lamps)
             if (moved) memo.patches[s].push_back(patch(lamp, s));
-        memo.grids[s] = sum_of(memo.patches[s], memo.colors);
+        memo.grids[s] = in_sun(sum_of(memo.patches[s], memo.colors), suns[static_cast<std::size_t>(s)]);
     }
     return memo.grids[side].columns > 0 ? &memo.grids[side] : nullptr;
 }
@@ -114,7 +116,7 @@ const LightGrid* LightGrids::on_wall(const Map& map, const Snapshot& snapshot, W
     const auto patch = [&](const LampOnSurface& lamp) {
         return patch_on(map, snapshot, surface, lamp, room.floor_z, room.ceiling_z);
     };
-    return grid({map, snapshot}, id.index, surface.sector, 0, 0, make, one_sided(patch));
+    return grid({map, snapshot}, id.index, surface.sector, 0, 0, {sunlight_on(map, map[id])}, make, one_sided(patch));
 }
 
 const LightGrid* LightGrids::on_panel(const Map& map, const Snapshot& snapshot, PanelId id) {
@@ -123,7 +125,8 @@ const LightGrid* LightGrids::on_panel(const Map& map, const Snapshot& snapshot, 
     const double bottom = std::max(map[id].bottom, room.floor_z), top = std::min(map[id].top, room.ceiling_z);
     const auto make = [&](const LightImage& image) { return lamp_on(map, surface, image); };
     const auto patch = [&](const LampOnSurface& lamp) { return patch_on(map, snapshot, surface, lamp, bottom, top); };
-    return grid({map, snapshot}, map.walls.size() + id.index, surface.sector, 0, 0, make, one_sided(patch));
+    return grid({map, snapshot}, map.walls.size() + id.index, surface.sector, 0, 0, {sunlight_on(map, map[id])}, make,
+                one_sided(patch));
 }
 
 const LightGrid* LightGrids::on_thing(const Map& map, const Snapshot& snapshot, ThingId id) {
@@ -132,7 +135,7 @@ const LightGrid* LightGrids::on_thing(const Map& map, const Snapshot& snapshot, 
     const auto make = [&](const LightImage& image) { return lamp_on(map, thing.sector, thing.position, image); };
     const auto patch = [&](const LampOnSurface& lamp) { return patch_at(map, snapshot, thing.position, z, lamp); };
     const std::size_t number = map.walls.size() + map.panels.size() + id.index;
-    return grid({map, snapshot}, number, thing.sector, 0, z, make, one_sided(patch));
+    return grid({map, snapshot}, number, thing.sector, 0, z, {sunlight_on(map, thing)}, make, one_sided(patch));
 }
 
 namespace {
@@ -159,7 +162,7 @@ const LightGrid* LightGrids::on_flat(const Map& map, const Snapshot& snapshot, S
         return patch_on(map, snapshot, which == kFloor ? room.floor_z : room.ceiling_z, lamp);
     };
     const std::size_t number = map.walls.size() + map.panels.size() + map.things.size() + sector.index;
-    return grid({map, snapshot}, number, sector, side, 0, make, patch);
+    return grid({map, snapshot}, number, sector, side, 0, {sunlight_on_floor(map, sector)}, make, patch);
 }
 
 }  // namespace enfilade

@@ -4,6 +4,7 @@
 // its way, and of the colours its lights have at that moment. What depends on neither, which light comes which way to
 // which place, is found once.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -14,11 +15,11 @@
 namespace enfilade {
 
 /// Grids of one map at one moment after another. Several threads may ask at the same time, about the same moment. A map
-/// without lights costs nothing: no memory, no time.
+/// without lights and suns costs nothing: no memory, no time.
 class LightGrids {
 public:
-    /// Before each picture, by each thread: forgets all if the map is another one. False: the map has no lights, do not
-    /// ask for any.
+    /// Before each picture, by each thread: forgets all if the map is another one. False: the map has no lights and no
+    /// suns, do not ask for any.
     bool start(const Map& map);
 
     // What falls on a surface, or null: nothing, as on a sky. Valid until another moment or map is asked about.
@@ -55,9 +56,10 @@ private:
     static void note_sectors(const Map& map, SectorId home, Memo& memo);
     static bool heights_changed(const Snapshot& snapshot, Memo& memo, double own_height);
     static bool colors_changed(const Moment& now, Memo& memo);
+    using Suns = std::array<LampColor, 2>;  ///< that falls on each side of a memo
     template <class Make, class Patch>
-    const LightGrid* grid(const Moment& now, std::size_t number, SectorId home, int side, double own_height, Make make,
-                          Patch patch);
+    const LightGrid* grid(const Moment& now, std::size_t number, SectorId home, int side, double own_height,
+                          const Suns& suns, Make make, Patch patch);
 
     Lock lock_;
     MapIdentity map_;

@@ -85,14 +85,18 @@ LightPatch patch_at(const Map& map, const Snapshot& snapshot, Vec2 place, double
     return {{0, 2, 0, 2}, std::vector<float>(4, is_lit ? static_cast<float>(free) : 0)};
 }
 
+LampColor color_of_light(std::uint32_t color, double brightness) {
+    const double bright = brightness * 256 * kLightSteps / 255;
+    const auto channel = [&](int shift) { return static_cast<float>((color >> shift & 0xFF) * bright); };
+    return {channel(16), channel(8), channel(0)};
+}
+
 LampColor lamp_color(const Map& map, const Snapshot& snapshot, std::uint32_t number) {
     const PointLight& light = map.lights[number];
     const double time_s = std::max(snapshot.time_s, 0.0);
     const bool changes = light.effect && !snapshot.is_light_still;
     const double level = changes ? level_of(*light.effect, 1, kLightSeeds + number, time_s) : 1;
-    const double bright = light.brightness * level * 256 * kLightSteps / 255;
-    const auto channel = [&](int shift) { return static_cast<float>((light.color >> shift & 0xFF) * bright); };
-    return {channel(16), channel(8), channel(0)};
+    return color_of_light(light.color, light.brightness * level);
 }
 
 }  // namespace enfilade

@@ -67,6 +67,9 @@ struct LampColor {
     bool operator==(const LampColor&) const = default;
 };
 
+/// color: 0xRRGGBB. brightness: 1 is as much as full light.
+LampColor color_of_light(std::uint32_t color, double brightness);
+
 /// Of the light with its effect: a function of the snapshot's time.
 LampColor lamp_color(const Map& map, const Snapshot& snapshot, std::uint32_t light);
 

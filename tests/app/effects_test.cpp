@@ -42,6 +42,8 @@ MapFile full_map() {
     file.sectors[0].floor.scroll = {1, 0};
     file.sectors[0].floor.bob = BobRecord{.amplitude = 0.5};
     file.sectors[0].unlit = true;
+    file.sectors[0].sun = "noon";
+    file.suns.emplace_back().name = "noon";
     file.sectors[0].loops[0].walls[0].mirror = true;
     test::wall(file, "main", {4, 0}, {4, 4}).middle = test::spec("fence");
     file.sectors[0].panels = {{{1, 1}, {2, 2}, 0, 1, test::spec("fence"), {}, false, false, {}, {}, {}}};
@@ -66,7 +68,7 @@ TEST(Effects, ThatAreTakenOutAreGone) {
         EXPECT_TRUE(is_things || use.effect->count(without) == 0) << use.effect->name;
         ++taken_out;
     }
-    EXPECT_EQ(taken_out, 15u);
+    EXPECT_EQ(taken_out, 16u);
 }
 
 }  // namespace

@@ -41,6 +41,13 @@ public:
                                   light_effect(),
                                   {}});
         for (int i = whole(0, 2); i > 0; --i)
+            map.suns.push_back({text(),
+                                number(-360, 360),
+                                number(0, 90),
+                                static_cast<std::uint32_t>(random_.below(1 << 24)),
+                                number(0, 2),
+                                {}});
+        for (int i = whole(0, 2); i > 0; --i)
             map.animations.push_back({{file_name(), file_name()}, number(0.1, 9), {}});
         for (int i = whole(0, 2); i > 0; --i) map.switches.push_back({file_name(), file_name(), {}});
         for (int i = whole(0, 2); i > 0; --i)
@@ -209,6 +216,7 @@ private:
         sector.name = text();
         sector.light = number(0, 1);
         sector.unlit = flip();
+        sector.sun = maybe_text();
         if (flip()) sector.floor = flat();
         if (flip()) sector.ceiling = flat();
         for (int i = whole(1, 3); i > 0; --i) sector.loops.push_back(loop());
@@ -310,6 +318,7 @@ inline MapFile without_places(MapFile map) {
         for (SpriteFrameRecord& frame : thing.frames) frame.place = {};
         forget_triggers(thing.triggers);
     }
+    for (SunRecord& sun : map.suns) sun.place = {};
     for (PointLightRecord& light : map.lights) {
         light.place = {};
         if (light.effect) light.effect->place = {};
