@@ -39,6 +39,7 @@ std::uint64_t mixed(std::uint64_t digest, const Change& change) {
     hash.add(change.course.loops);
     // Only where it says anything: other histories keep the digests that are recorded.
     if (change.course.first_per_tick > 0) hash.add(change.course.first_per_tick);
+    if (change.lag > 0) hash.add(change.lag);
     hash.add(change.cause.index);
     return hash.value();
 }

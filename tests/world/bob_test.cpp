@@ -65,6 +65,16 @@ TEST(BobbingFloor, CarriesWhoStandsOnIt) {
     EXPECT_TRUE(game.world.history.changes().empty());
 }
 
+TEST(BobbingFloor, ThatIsLateIsAnotherStateThanOneThatIsNot) {
+    std::vector<std::uint64_t> digests;
+    for (const std::uint64_t lag : {15, 30}) {
+        History history;
+        history.add({SectorId(0u), Channel::floor, {60, 0.5, {}, 0, false}, TriggerId(), lag});
+        for (const std::uint64_t other : digests) EXPECT_NE(history.digest(), other);
+        digests.push_back(history.digest());
+    }
+}
+
 /// How far the floor and the ceiling of the sector went in the last of many ticks, at most, while the keys were held
 /// and nobody was pressed into anything.
 double most_moved_in_a_tick(Game& game, std::uint32_t sector, const TickInput& keys, int ticks) {
