@@ -33,6 +33,13 @@ std::size_t count_flats(const MapFile& map, Test test) {
     return count;
 }
 template <class Test>
+std::size_t count_panels(const MapFile& map, Test test) {
+    std::size_t count = 0;
+    for (const SectorRecord& sector : map.sectors)
+        count += static_cast<std::size_t>(std::ranges::count_if(sector.panels, test));
+    return count;
+}
+template <class Test>
 std::size_t count_sectors(const MapFile& map, Test test) {
     return static_cast<std::size_t>(std::ranges::count_if(map.sectors, test));
 }
@@ -97,11 +104,7 @@ Effect masked_walls() {
 }
 Effect panels() {
     return {"panels", "wall", "a second pass over the pixels they cover",
-            [](const MapFile& map) {
-                std::size_t count = 0;
-                for (const SectorRecord& sector : map.sectors) count += sector.panels.size();
-                return count;
-            },
+            [](const MapFile& map) { return count_panels(map, [](const PanelRecord&) { return true; }); },
             [](MapFile& map) {
                 for (SectorRecord& sector : map.sectors) sector.panels.clear();
             }};
@@ -145,11 +148,14 @@ Effect scrolling() {
     return {"scrolling", "surface", "a sum for each of them in view",
             [](const MapFile& map) {
                 return count_flats(map, is_scrolled_flat) +
-                       count_walls(map, [](const WallRecord& w) { return w.scroll != Vec2{}; });
+                       count_walls(map, [](const WallRecord& w) { return w.scroll != Vec2{}; }) +
+                       count_panels(map, [](const PanelRecord& p) { return p.scroll != Vec2{}; });
             },
             [](MapFile& map) {
                 each_flat(map, [](FlatRecord& f) { f.scroll = {}; });
                 each_wall(map, [](WallRecord& w) { w.scroll = {}; });
+                for (SectorRecord& sector : map.sectors)
+                    for (PanelRecord& panel : sector.panels) panel.scroll = {};
             }};
 }
 Effect changing_lights() {

@@ -99,6 +99,7 @@ struct PanelRecord {
     std::optional<double> size;
     bool one_sided = false;  ///< seen only from the right of a -> b
     bool blocks = false;     ///< nobody passes, at whatever height
+    Vec2 scroll;             ///< how fast its picture moves along it and up [m/s]
     std::vector<TriggerRecord> triggers;
     std::optional<DoomRecord> doom;
     TextPlace place;

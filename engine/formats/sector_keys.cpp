@@ -46,6 +46,7 @@ constexpr std::array kPanelKeys{
     key<&PanelRecord::size>("size", kNew, Need::optional, kTexelsPerMetre),
     key<&PanelRecord::one_sided>("one_sided", kNew),
     key<&PanelRecord::blocks>("blocks", kNew),
+    key<&PanelRecord::scroll>("scroll", kNew, Need::optional, kScrollSpeeds),
     key<&PanelRecord::triggers>("triggers", kNew),
     key<&PanelRecord::doom>("doom", kNew),
 };

@@ -77,6 +77,7 @@ struct Panel {
     SectorId sector;
     double bottom = 0, top = 0;  ///< absolute; what is below the floor or above the ceiling is hidden [m]
     double contrast = 1;         ///< as a wall's
+    Vec2 scroll;                 ///< how fast its picture moves along it, from a to b, and up [m/s]
     Surface surface;             ///< hangs from `top`, whatever its peg; no texture: nothing to be seen
     bool one_sided = false;      ///< only seen by an eye for which a wall a -> b would face (math/predicates.h)
     bool blocks = false;         ///< looks pass, bodies do not, at whatever height

@@ -79,6 +79,7 @@ void lay_panel(Draft& draft, const SectorDraft& sector, std::size_t i, Panel& pa
     panel.contrast = contrast_in(draft, panel.b - panel.a);
     panel.surface = lay.surface(record.texture, Peg::ceiling);
     panel.one_sided = record.one_sided;
+    panel.scroll = record.scroll;
 }
 
 void lay_layers(Draft& draft, const FlatRecord& record, Flat& flat) {

@@ -27,6 +27,13 @@ TextureId face_of(const Map& map, const Snapshot& snapshot, WallId wall, Texture
 /// An offset that has grown by some tiles, still less than a tile.
 double moved(double offset_tiles, double by) { return offset_tiles + by - std::floor(offset_tiles + by); }
 
+/// Along a wall or panel, and up.
+void scroll_upright(Surface& surface, Vec2 scroll, double time_s) {
+    if (!built_in::kScrolling || scroll == Vec2{}) return;
+    surface.offset_tiles.x = moved(surface.offset_tiles.x, scroll.x * time_s / surface.tile_m.x);
+    surface.offset_tiles.y = moved(surface.offset_tiles.y, -scroll.y * time_s / surface.tile_m.y);
+}
+
 /// The flat with its picture `given`, if any, animated and moved.
 Flat flat_now(const Map& map, Flat flat, TextureId given, double time_s) {
     Surface& surface = flat.surface;
@@ -46,10 +53,13 @@ Flat flat_now(const Map& map, Flat flat, TextureId given, double time_s) {
 Surface picture_now(const Map& map, const Snapshot& snapshot, WallId id, const Surface& at_rest) {
     Surface surface = at_rest;
     surface.texture = animated(map.pictures, face_of(map, snapshot, id, at_rest.texture), snapshot.time_s);
-    const Vec2 scroll = map[id].scroll;
-    if (!built_in::kScrolling || scroll == Vec2{}) return surface;
-    surface.offset_tiles.x = moved(surface.offset_tiles.x, scroll.x * snapshot.time_s / surface.tile_m.x);
-    surface.offset_tiles.y = moved(surface.offset_tiles.y, -scroll.y * snapshot.time_s / surface.tile_m.y);
+    scroll_upright(surface, map[id].scroll, snapshot.time_s);
+    return surface;
+}
+
+Surface picture_now(const Snapshot& snapshot, const Panel& panel) {
+    Surface surface = panel.surface;
+    scroll_upright(surface, panel.scroll, snapshot.time_s);
     return surface;
 }
 

@@ -10,6 +10,9 @@ namespace enfilade {
 /// How one of a wall's surfaces lies at the snapshot's time: its switch turned, its animation's frame, scrolled.
 Surface picture_now(const Map& map, const Snapshot& snapshot, WallId wall, const Surface& surface);
 
+/// A panel's at that time: scrolled.
+Surface picture_now(const Snapshot& snapshot, const Panel& panel);
+
 /// A sector's floor and ceiling at the snapshot's time, in the same way.
 Flat floor_now(const Map& map, const Snapshot& snapshot, SectorId sector);
 Flat ceiling_now(const Map& map, const Snapshot& snapshot, SectorId sector);

@@ -46,7 +46,7 @@ MapFile full_map() {
     file.suns.emplace_back().name = "noon";
     file.sectors[0].loops[0].walls[0].mirror = true;
     test::wall(file, "main", {4, 0}, {4, 4}).middle = test::spec("fence");
-    file.sectors[0].panels = {{{1, 1}, {2, 2}, 0, 1, test::spec("fence"), {}, false, false, {}, {}, {}}};
+    file.sectors[0].panels = {{{1, 1}, {2, 2}, 0, 1, test::spec("fence"), {}, false, false, {0, 1}, {}, {}, {}}};
     ThingRecord thing;
     thing.frames = {{"figure", 1, {}}, {"figure", 1, {}}};
     thing.turn = 90;

@@ -229,6 +229,7 @@ private:
                                      {},
                                      flip(),
                                      flip(),
+                                     flip() ? Vec2{number(-9, 9), number(-9, 9)} : Vec2{},
                                      triggers(),
                                      doom(),
                                      {},

@@ -136,7 +136,7 @@ TEST(ReadMap, ListsTheKnownKeysWhereNoneIsNear) {
     ASSERT_EQ(findings.size(), 1u);
     EXPECT_EQ(findings[0].sentence,
               "a panel has no key 'transparency'; known here: v, bottom, top, texture, size, one_sided, blocks, "
-              "triggers, doom");
+              "scroll, triggers, doom");
 }
 
 struct WallCase {

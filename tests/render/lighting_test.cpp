@@ -55,8 +55,8 @@ MapFile sunny_octagon() {
     sun.brightness = 1;
     file.suns = {sun};
     file.sectors[0].sun = "noon";
-    file.sectors[0].panels = {{{-1, 0}, {1, 0}, 0, 1, spec("fence"), {}, false, false, {}, {}, {}},
-                              {{0, 1}, {0, 2}, 0, 1, spec("fence"), {}, false, false, {}, {}, {}}};
+    file.sectors[0].panels = {{{-1, 0}, {1, 0}, 0, 1, spec("fence"), {}, false, false, {}, {}, {}, {}},
+                              {{0, 1}, {0, 2}, 0, 1, spec("fence"), {}, false, false, {}, {}, {}, {}}};
     file.things.resize(1);
     file.things[0].position = {-1, -1};
     return file;

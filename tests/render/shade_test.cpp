@@ -198,6 +198,16 @@ TEST(SkyTexel, MovesByItsOffset) {
     EXPECT_EQ(moved.v, 0.625);
 }
 
+TEST(Panel, ScrollsAlongItselfAndUp) {
+    Panel panel;
+    panel.surface = {TextureId(), {2, 4}, {0.75, 0.125}};
+    panel.scroll = {1, -0.5};
+    Snapshot snapshot;
+    EXPECT_EQ(picture_now(snapshot, panel).offset_tiles, (Vec2{0.75, 0.125}));
+    snapshot.time_s = 3;  // 3 m along and 1.5 m down
+    EXPECT_EQ(picture_now(snapshot, panel).offset_tiles, (Vec2{0.25, 0.5}));
+}
+
 TEST(SkyLayer, TurnsByItsOwnSpeed) {
     const SkyLayer layer{{TextureId(), {4, 1}, {0.75, 0.125}}, 9};
     Snapshot snapshot;

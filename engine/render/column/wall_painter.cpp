@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/column/fog.h"
+#include "render/picture_now.h"
 
 namespace enfilade::column {
 void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& surface, double peg, double light,
@@ -13,7 +14,7 @@ void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& sur
 }
 
 void WallPainter::start_panel(const Scene& scene, const Panel& panel, double top, double light, SurfaceId id) {
-    hang(scene, panel.surface, panel.length, top);
+    hang(scene, picture_now(scene.snapshot, panel), panel.length, top);
     id_ = id;
     shade_by(scene, lighting_in(scene.map, panel.sector, light, panel.contrast));
 }

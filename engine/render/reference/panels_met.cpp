@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/picture_now.h"
+
 namespace enfilade {
 namespace {
 
@@ -21,7 +23,7 @@ bool is_close_to(const RoomRay& ray, const PanelHit& at, double height) {
 
 Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
     const Panel& panel = scene.map[at.panel];
-    const Surface& surface = panel.surface;
+    const Surface surface = picture_now(scene.snapshot, panel);
     const Texture& texture = scene.textures[surface.texture];
     const double top = panel.top - ray.hit.space.eye_z;
     const double u = at.along * panel.length / surface.tile_m.x - surface.offset_tiles.x;

@@ -163,8 +163,8 @@ Look panel_look(const Scene& scene, const PanelOnScreen& shown, const Pose& pose
     Look look = plain_look(scene, shown.place);
     set_light(look,
               lighting_in(scene.map(), panel.sector, light_at(scene.world.snapshot, panel.sector), panel.contrast));
-    set_surface(look, scene, shown.place, panel.surface, panel.length, panel.top - pose.eye_z,
-                panel_id(scene.map(), shown.panel));
+    set_surface(look, scene, shown.place, picture_now(scene.world.snapshot, panel), panel.length,
+                panel.top - pose.eye_z, panel_id(scene.map(), shown.panel));
     if (scene.lights)
         set_glow(look, scene, scene.lights->on_panel(scene.map(), scene.world.snapshot, shown.panel), panel.length,
                  pose.eye_z);
