@@ -98,6 +98,28 @@ void paint_by_table(TextureSet& textures) {
     }
 }
 
+void enliven(MapFile& file) {
+    SunRecord sun;
+    sun.name = "sun";
+    sun.yaw_degrees = 70;
+    sun.color = 0xFFB060;
+    file.suns = {sun};
+    for (std::size_t i = 0; i < file.sectors.size(); ++i) {
+        SectorRecord& sector = file.sectors[i];
+        const double phase = 0.37 * static_cast<double>(i % 3);
+        sector.light = 0.4;
+        sector.unlit = i % 3 == 0;
+        if (i % 2 == 0) sector.sun = "sun";
+        sector.floor.bob = BobRecord{0.2, 3, phase};
+        sector.ceiling.bob = BobRecord{0.3, 4, phase, BobShape::triangle};
+        for (PanelRecord& panel : sector.panels) panel.scroll = {0.7, -1.1};
+    }
+    for (ThingRecord& thing : file.things) {
+        thing.turn = 50;
+        thing.bob = BobRecord{0.25, 3};
+    }
+}
+
 Texture lattice() {
     Texture texture;
     texture.name = "lattice";

@@ -20,6 +20,10 @@ void scatter_lights(MapFile& file, int count, std::uint64_t seed);
 /// Paints every other picture, holes aside, in squares of the colours of a table that darkens them to quite other ones.
 void paint_by_table(TextureSet& textures);
 
+/// Lets everything go that moves and shines by itself: floors and ceilings bob, things turn and float, panels scroll, a
+/// sun shines on every other room, and every third is unlit.
+void enliven(MapFile& file);
+
 /// A lattice: every other square of 8 x 8 is a hole, some squares are coloured glass.
 Texture lattice();
 

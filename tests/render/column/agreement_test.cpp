@@ -164,7 +164,9 @@ TEST(ColumnRenderer, AgreesWithTheReferenceWhereColorsAreLookedUp) {
             dark.render.light = lamps.render.light = model;
             dark.render.fog_reach = lamps.render.fog_reach = fog_reach;
             for (SectorRecord& s : dark.sectors) s.light = 0.6;
-            for (const MapFile& file : {dark, lamps}) {
+            MapFile alive = lamps;
+            enliven(alive);
+            for (const MapFile& file : {dark, lamps, alive}) {
                 World world(file);
                 world.snapshot.time_s = 3.21;
                 if (const TextureId found = world.textures.find("lattice"))
@@ -173,6 +175,19 @@ TEST(ColumnRenderer, AgreesWithTheReferenceWhereColorsAreLookedUp) {
                 expect_agreement(world, 15, 10);
             }
         }
+}
+
+TEST(ColumnRenderer, AgreesWithTheReferenceWhereEverythingMovesAndShinesByItself) {
+    for (const LightModel model : {LightModel::smooth, LightModel::classic}) {
+        MapFile file = lit_palace();
+        enliven(file);
+        file.render.light = model;
+        World world = lit_world(file);
+        for (const double time_s : {0.0, 3.21, 1000.7}) {
+            world.snapshot.time_s = time_s;
+            expect_agreement(world, 11, 20);
+        }
+    }
 }
 
 TEST(ColumnRenderer, DrawsStripsOfLampsThatEqualTheWholePicture) {

@@ -55,6 +55,24 @@ TEST_P(StencilLamps, ShineAsInTheColumnRenderer) {
     expect_agreement(sight.compare_poses(6, {160, 100}, 5));
 }
 
+TEST_P(StencilLamps, ShineAsInTheColumnRendererWhereEverythingMovesByItself) {
+    for (const LightModel model : {LightModel::smooth, LightModel::classic}) {
+        MapFile file = GetParam().file();
+        scatter_lights(file, 6, 1);
+        scatter_panels(file, 20, 2);
+        scatter_things(file, 10, 3);
+        enliven(file);
+        file.render.light = model;
+        const Map map = built(file);
+        const TextureSet textures = textures_for(file);
+        Sight sight(map, textures);
+        for (const double time_s : {0.0, 3.21, 1000.7}) {
+            sight.snapshot().time_s = time_s;
+            expect_agreement(sight.compare_poses(4, {160, 100}, 5));
+        }
+    }
+}
+
 /// A picture with alpha whose neighbouring texels are alike, so that the edges between them hardly show.
 Texture haze() {
     Texture texture;
