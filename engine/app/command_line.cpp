@@ -92,7 +92,7 @@ CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
         "(+ and - zoom), R held goes back in time, F5 saves and F9 loads, F2 changes between the column and the "
         "stencil renderer, F3 shows times and viewports, F4\n"
         "shows the rooms one sees from outside (F6 from above or from behind, + and - zoom), F7 tells what one looks "
-        "at, F11 fills the screen, F12 "
+        "at, F8 flies through walls and comes back, F11 fills the screen, F12 "
         "saves a picture, Esc opens the menu.\nA gamepad works, too. Saving the map's file while "
         "playing loads it again in place.");
     return command;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/file_kind.h"
+#include "app/play/eye_view.h"
 #include "base/hash.h"
 #include "map/load.h"
 #include "math/grid.h"
@@ -41,12 +42,6 @@ Status copy_saved(const std::string& from, const std::string& to) {
     if (!std::filesystem::exists(from, unknown)) return {};
     const auto bytes = read_file(from);
     return bytes.ok() ? write_file(to, std::span<const std::byte>(bytes.value())) : Status(bytes.error());
-}
-
-/// The angle of pitch_steps, within ±kMaxPitchSteps.
-Angle pitch_of(std::int64_t steps) {
-    const std::int64_t within = std::clamp<std::int64_t>(steps, -kMaxPitchSteps, kMaxPitchSteps);
-    return Angle{static_cast<std::uint32_t>(within)};
 }
 
 }  // namespace
@@ -186,20 +181,7 @@ void Game::keep_player(const Player& before, const std::string& sector_name) {
 }
 
 View Game::view(double part, const LookSteps& ahead, double fov_degrees, bool true_pitch) const {
-    const Eye eye = eye_between_ticks(map(), world(), part);
-    View view;
-    view.sector = eye.place.sector;
-    view.eye = eye.place.point;
-    view.eye_z = eye.z;
-    view.forward = direction(eye.yaw + Angle{static_cast<std::uint32_t>(ahead.yaw)});
-    const Angle pitch = pitch_of(eye.pitch_steps + ahead.pitch);
-    if (true_pitch)
-        view.tilt = Tilt{direction(pitch), {1, 0}};
-    else
-        view.pitch_tangent = tangent(pitch);
-    view.fov_degrees = fov_degrees;
-    view.stretch = map().render.stretch;
-    return view;
+    return view_of(eye_between_ticks(map(), world(), part), ahead, fov_degrees, map().render.stretch, true_pitch);
 }
 
 const Snapshot& Game::snapshot(double part) {

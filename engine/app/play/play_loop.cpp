@@ -38,7 +38,7 @@ Status PlayLoop::play() {
         if (Status failed = game_.record(options_.tape)) return failed;
     started_ns_ = passed_until_ns_ = ticked_until_ns_ = looked_ns_ = now_ns();
     window_.grab_mouse(true);
-    notices_.say("Esc: menu   Tab: map   F2: renderer   F3: times   F4: from outside   F12: picture", 0,
+    notices_.say("Esc: menu   Tab: map   F2: renderer   F3: times   F4: from outside   F8: fly   F12: picture", 0,
                  kWelcomeSeconds);
     begin_sounds();
     const auto frame_time = static_cast<std::int64_t>(kSecond / window_.refresh_hz());
@@ -87,6 +87,7 @@ void PlayLoop::handle_key(Key key) {
         case Key::f2: change_renderer(); return;
         case Key::f3: readout_open_ = !readout_open_; return;
         case Key::f4: return outside_.show_next();
+        case Key::f8: return fly_or_land();
         case Key::f7: pixel_text_open_ = !pixel_text_open_; return;
         case Key::f6: return outside_.change_side();
         case Key::f5: return save_game();
@@ -102,6 +103,13 @@ void PlayLoop::change_focus(bool focused) {
     if (focused) return;
     rewinding_ = false;
     if (settings_.pauses_unfocused && !menu_.is_open()) open_menu();
+}
+
+void PlayLoop::fly_or_land() {
+    if (free_camera_)
+        free_camera_.reset();
+    else
+        free_camera_.emplace(eye_between_ticks(game_.map(), game_.world(), 1));
 }
 
 void PlayLoop::turn_wheel(int steps) {
@@ -126,7 +134,7 @@ void PlayLoop::obey(MenuAction action) {
     switch (action) {
         case MenuAction::none: return;
         case MenuAction::resume: return close_menu();
-        case MenuAction::restart: game_.restart(); return close_menu();
+        case MenuAction::restart: free_camera_.reset(), game_.restart(); return close_menu();
         case MenuAction::settings_changed: return apply_settings();
         case MenuAction::quit: quit_ = true; return;
     }
@@ -154,13 +162,15 @@ void PlayLoop::pass_time(std::int64_t now) {
     ticked_until_ns_ = std::max(ticked_until_ns_, now - kMostToCatchUp);
     if (!rewinding_) rewound_ticks_ = 0;
     for (; now - ticked_until_ns_ >= kTick; ticked_until_ns_ += kTick) {
-        const TickInput input = input_.take_tick(game_.player().pitch_steps);
+        const TickInput input =
+            input_.take_tick(free_camera_ ? free_camera_->eye().pitch_steps : game_.player().pitch_steps);
         if (rewinding_) {
             const std::uint64_t before = game_.world().tick;
             game_.rewind(kRewindSpeed);
             rewound_ticks_ += before - game_.world().tick;
         } else {
-            game_.tick(input);
+            if (free_camera_) free_camera_->move(game_.map(), input);
+            game_.tick(free_camera_ ? TickInput() : input);
         }
     }
     follow_events();

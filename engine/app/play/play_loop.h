@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/options.h"
+#include "app/play/free_camera.h"
 #include "app/play/game.h"
 #include "app/play/menu.h"
 #include "app/play/notices.h"
@@ -69,6 +70,12 @@ private:
     /// From the column to the stencil renderer or back; false, with a notice, where there is no OpenGL.
     bool change_renderer();
     View view_now(double part) const;
+    /// Leaves the body, or comes back to it.
+    void fly_or_land();
+    /// Whether the eye is somewhere that renderers can look from: always, unless one flies.
+    bool is_in_room(double part);
+    /// What the free camera sees where it is in no room: the rooms from outside, and the body's view in them.
+    void draw_surroundings(double part);
     Status try_to_draw(double part);
     /// Draws the view, by the other renderer where this one fails.
     Status draw_view(double part);
@@ -78,7 +85,7 @@ private:
     void remember_seen(std::int64_t now);
     Status show(std::int64_t now);
     void draw_over(double part);
-    /// F7: what is in the middle of the picture, or under the mouse where that is free.
+    /// F7: what is in the middle of the picture, or under the mouse where that is free; over the menu while it is open.
     void draw_pixel_text(Overlay& overlay, const View& view, double part);
     void take_screenshot();
     /// Says so where the recording could not be written on.
@@ -102,7 +109,9 @@ private:
     Menu menu_;
     Notices notices_;
     OutsideView outside_;
-    bool was_cut_short_ = false;  ///< the last picture was
+    std::optional<FreeCamera> free_camera_;  ///< while one flies
+    OutsideRenderer surroundings_;           ///< draws what one sees outside the rooms
+    bool was_cut_short_ = false;             ///< the last picture was
     Soundscape sounds_;
     FrameTimes times_;
     std::int64_t started_ns_ = 0, passed_until_ns_ = 0, ticked_until_ns_ = 0, looked_ns_ = 0, remembered_ns_ = 0;

@@ -45,6 +45,7 @@ void PlayLoop::reload() {
         lines.emplace_back("The map before is kept until this is put right.");
         return notices_.pin(std::move(lines));
     }
+    free_camera_.reset();
     begin_sounds();
     notices_.pin({});
     tell("The map was changed and loaded again.");
@@ -69,6 +70,7 @@ void PlayLoop::leave_map() {
     const std::string left = game_.map().name, next = game_.map()[*game_.world().left_by].leads_to;
     const std::string path = next_map_path(game_.path(), next);
     std::error_code unknown;
+    free_camera_.reset();
     told_ = 0;
     if (next.empty() || !fs::exists(path, unknown)) {
         game_.restart();
@@ -92,6 +94,7 @@ void PlayLoop::save_game() {
 }
 
 void PlayLoop::load_game() {
+    free_camera_.reset();
     const Status failed = game_.load_saved(options_.save);
     told_ = game_.world().tick;
     tell(failed ? failed->text() : "Back where you saved.");

@@ -3,6 +3,7 @@
 
 #include "app/cut_short.h"
 #include "app/pixel_text.h"
+#include "app/play/eye_view.h"
 #include "app/play/play_loop.h"
 #include "app/play/screenshot.h"
 #include "base/attempt.h"
@@ -11,9 +12,15 @@
 #include "platform/gl_context.h"
 
 namespace enfilade {
+namespace {
+
+/// From outside the rooms one sees those that are so near [m].
+constexpr double kSeenFromOutside = 200;
+
+}  // namespace
 
 void PlayLoop::remember_seen(std::int64_t now) {
-    if (now - remembered_ns_ < kBetweenLooks) return;
+    if (free_camera_ || now - remembered_ns_ < kBetweenLooks) return;
     remembered_ns_ = now;
     for (const ViewportShape& shape : renderer_->viewports()) game_.automap().see(shape.sector);
 }
@@ -34,12 +41,31 @@ bool PlayLoop::change_renderer() {
 
 View PlayLoop::view_now(double part) const {
     const bool tilts = settings_.true_pitch && options_.renderer == RendererKind::stencil;
+    if (free_camera_)
+        return view_of(free_camera_->eye(), input_.ahead(part), settings_.fov_degrees, game_.map().render.stretch,
+                       tilts);
     return game_.view(part, input_.ahead(part), settings_.fov_degrees, tilts);
+}
+
+bool PlayLoop::is_in_room(double part) {
+    return !free_camera_ || free_camera_->whereabouts(game_.snapshot(part)) == Whereabouts::in_room;
+}
+
+void PlayLoop::draw_surroundings(double part) {
+    const View camera = view_of(free_camera_->eye(), input_.ahead(part), settings_.fov_degrees, 1, false);
+    const View body = game_.view(1, {}, settings_.fov_degrees);
+    OutsideLook look;
+    look.camera = &camera;
+    look.reach_m = kSeenFromOutside;
+    look.seen_width = frame_.width;
+    look.seen_height = frame_.height;
+    surroundings_.render(frame_, game_.map(), game_.textures(), game_.snapshot(part), body, look, hardware_threads());
 }
 
 Status PlayLoop::try_to_draw(double part) {
     Status failed;
     const Status broken = attempt([&] {
+        if (!is_in_room(part)) return draw_surroundings(part);
         failed =
             renderer_->render(frame_, nullptr, game_.map(), game_.textures(), game_.snapshot(part), view_now(part));
     });
@@ -73,27 +99,31 @@ Status PlayLoop::show(std::int64_t now) {
 void PlayLoop::draw_over(double part) {
     const View view = view_now(part);
     Overlay overlay(frame_, font_, comfortable_scale(frame_.height));
-    outside_.draw(overlay, frame_, game_.map(), game_.textures(), game_.snapshot(part), view, hardware_threads());
+    if (is_in_room(part))
+        outside_.draw(overlay, frame_, game_.map(), game_.textures(), game_.snapshot(part), view, hardware_threads());
     game_.automap().draw(overlay, game_.map(), {view.sector, view.eye}, view.forward);
     if (readout_open_) {
         const double degrees_per_step = 360 / 4294967296.0;
-        draw_readout(
-            overlay, times_,
-            {game_.map()[view.sector].name, name_of(options_.renderer), view.eye.x, view.eye.y, view.eye_z,
-             game_.player().yaw.degrees(), game_.player().pitch_steps * degrees_per_step},
-            outside_.shown() == OutsideView::Shown::full ? std::vector<ViewportShape>() : renderer_->viewports());
+        draw_readout(overlay, times_,
+                     {game_.map()[view.sector].name, name_of(options_.renderer), view.eye.x, view.eye.y, view.eye_z,
+                      game_.player().yaw.degrees(), game_.player().pitch_steps * degrees_per_step},
+                     outside_.shown() == OutsideView::Shown::full || !is_in_room(part) ? std::vector<ViewportShape>()
+                                                                                       : renderer_->viewports());
     }
     draw_status(overlay, game_.map(), game_.world());
     if (game_.world().health == 0) draw_death(overlay);
     if (rewinding_) draw_rewind(overlay, rewound_ticks_);
+    if (free_camera_) draw_flight(overlay, free_camera_->text(game_.map(), game_.snapshot(part)));
+    if (!menu_.is_open()) draw_pixel_text(overlay, view, part);
     if (screenshot_wanted_) take_screenshot();
     notices_.draw(overlay, now_s());
     Overlay menu_overlay(frame_, font_, Menu::scale_for(frame_.height));
     menu_.draw(menu_overlay, settings_);
-    if (pixel_text_open_) draw_pixel_text(overlay, view, part);
+    if (menu_.is_open()) draw_pixel_text(overlay, view, part);
 }
 
 void PlayLoop::draw_pixel_text(Overlay& overlay, const View& view, double part) {
+    if (!pixel_text_open_ || !is_in_room(part)) return;
     const bool by_mouse = !window_.mouse_grabbed();
     const int x = by_mouse ? int(std::clamp(mouse_.x, 0.0, frame_.width - 1.0)) : frame_.width / 2;
     const int y = by_mouse ? int(std::clamp(mouse_.y, 0.0, frame_.height - 1.0)) : frame_.height / 2;

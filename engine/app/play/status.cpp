@@ -47,6 +47,10 @@ void draw_status(Overlay& overlay, const Map& map, const World& world) {
     if (world.keys != 0) line(keys_text(map, world), kInk);
 }
 
+void draw_flight(Overlay& overlay, const std::string& text) {
+    overlay.rimmed_text((overlay.width() - overlay.text_width(text)) / 2, overlay.height() / 6, text, kInk);
+}
+
 void draw_death(Overlay& overlay) { draw_centred(overlay, "You died. Press E to start again.", kAlarm); }
 
 void draw_rewind(Overlay& overlay, std::size_t ticks_back) {

@@ -14,6 +14,9 @@ std::string news_text(const Map& map, const News& news);
 /// In the lower left corner: health, once it is less than full, and the keys one has. Nothing in a map without either.
 void draw_status(Overlay& overlay, const Map& map, const World& world);
 
+/// Above the middle: where one flies.
+void draw_flight(Overlay& overlay, const std::string& text);
+
 /// Across the middle: that one is dead, or how far back one has gone [ticks].
 void draw_death(Overlay& overlay);
 void draw_rewind(Overlay& overlay, std::size_t ticks_back);

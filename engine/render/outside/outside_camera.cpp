@@ -1,5 +1,7 @@
 #include "render/outside/outside_camera.h"
 
+#include <cmath>
+
 namespace enfilade {
 namespace {
 
@@ -29,6 +31,17 @@ OutsideCamera::OutsideCamera(OutsideFrom from, const View& view, double reach_m,
         place_ = view.eye - forward_ * (kBehind * reach_m * pitch_.x);
         z_ = view.eye_z + kBehind * reach_m * pitch_.y;
     }
+}
+
+OutsideCamera::OutsideCamera(const View& view, int width, int height)
+    : place_(view.eye),
+      z_(view.eye_z),
+      forward_(view.forward),
+      right_(right_of(view.forward)),
+      middle_px_{width / 2.0, height / 2.0},
+      focal_px_(middle_px_.x / tangent(Angle::from_degrees(view.fov_degrees / 2))) {
+    const double length = std::sqrt(1 + view.pitch_tangent * view.pitch_tangent);
+    pitch_ = {1 / length, -view.pitch_tangent / length};
 }
 
 double OutsideCamera::depth(Vec2 p, double z) const {

@@ -25,6 +25,9 @@ public:
     /// reach: kLeastReach..kMostReach. width, height: 1..kMaxPictureSide [px]
     OutsideCamera(OutsideFrom from, const View& view, double reach_m, int width, int height);
 
+    /// At the view's own eye, looking as it does; its sector does not count, nor does a tilt.
+    OutsideCamera(const View& view, int width, int height);
+
     /// p, z: in the space of the view's eye [m].
     PicturePoint project(Vec2 p, double z) const;
 

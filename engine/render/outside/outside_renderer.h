@@ -10,6 +10,7 @@ struct OutsideLook {
     OutsideFrom from = OutsideFrom::above;
     double reach_m = kUsualReach;              ///< kLeastReach..kMostReach [m]
     int seen_width = 1280, seen_height = 800;  ///< of the picture whose view is shown, 1..kMaxPictureSide [px]
+    const View* camera = nullptr;              ///< not null: from there instead, with what is around its sector
 };
 
 /// Draws pictures from outside, one at a time. What is seen is bright, the rest of the rooms dim; where rooms lie on

@@ -127,7 +127,8 @@ std::uint32_t SeenRooms::find_or_add(const Map& map, const UnfoldedRoom& room) {
     return static_cast<std::uint32_t>(rooms_.size() - 1);
 }
 
-void SeenRooms::add_surroundings(const Map& map, double reach) {
+void SeenRooms::add_surroundings(const Map& map, SectorId first, Vec2 middle, double reach) {
+    find_or_add(map, {first, {}});
     const double radius = snap_to_point_grid(std::min(reach, kWorldLimit));
     for (std::uint32_t room = 0; room < rooms_.size(); ++room) {
         if (!rooms_[room].to_eye.is_identity()) continue;
@@ -135,7 +136,7 @@ void SeenRooms::add_surroundings(const Map& map, double reach) {
         for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w) {
             const Wall& wall = map.walls[w];
             const bool is_plain = wall.kind == WallKind::portal && wall.link == Wall::kNoLink;
-            if (is_plain && segment_is_nearer(wall.a, wall.b, view_.eye, radius)) room_behind(map, room, WallId(w));
+            if (is_plain && segment_is_nearer(wall.a, wall.b, middle, radius)) room_behind(map, room, WallId(w));
         }
     }
 }

@@ -29,9 +29,9 @@ public:
     /// Cost: for each column the walls of the rooms it looks into, at most kLookBudget and one room more.
     void look(const Map& map, const Snapshot& snapshot, const View& view, int width, int height);
 
-    /// Adds the rooms that one can walk to from the eye's room by plain doorways, as far away as `reach` [m]: nothing
-    /// of them is seen where looks did not get to them. Cost: their walls.
-    void add_surroundings(const Map& map, double reach);
+    /// Adds a room, and the rooms that one can walk to from it and from the eye's room by plain doorways, those nearer
+    /// to `middle` than `reach` [m]: nothing of them is seen where looks did not get to them. Cost: their walls.
+    void add_surroundings(const Map& map, SectorId room, Vec2 middle, double reach);
 
     /// The eye's own room first, each room once for each way in which it lies around the eye; kMostRooms at most.
     const std::vector<UnfoldedRoom>& rooms() const { return rooms_; }

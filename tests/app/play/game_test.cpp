@@ -295,5 +295,14 @@ TEST_F(GameOnDisk, EntersAnotherMapAndRefusesOneThatIsNotThere) {
     EXPECT_FALSE(game_->map_changed());
 }
 
+TEST_F(GameOnDisk, KnowsWhereItsWallsAreWrittenAsLongAsTheFileIsTheSame) {
+    EXPECT_EQ(game_->places().walls.size(), game_->map().walls.size());
+    const std::unique_ptr<Game> other = Game::start(path(), {}).value();
+    save_text("# changed\n" + write_map(two_rooms()));
+    EXPECT_TRUE(other->places().walls.empty());
+    EXPECT_FALSE(other->reload());
+    EXPECT_EQ(other->places().walls.size(), other->map().walls.size());
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -129,5 +129,32 @@ TEST_F(KeysOfPlay, StopGoingBackInTimeWhereTheMenuOpens) {
     EXPECT_GT(after, before);
 }
 
+TEST_F(KeysOfPlay, FlyAwayFromTheBodyAndComeBackToIt) {
+    options_.tape = dir_.path("walk.tape");
+    const Place body = game_->player().place;
+    window_.press_after(5, SDL_SCANCODE_F8);
+    window_.after(6, [&] { window_.key(SDL_SCANCODE_W, true); });
+    window_.after(100, [&] { window_.key(SDL_SCANCODE_W, false); });
+    window_.press_after(110, SDL_SCANCODE_F8);
+    play_until(115);
+    EXPECT_NE(own_view(109), own_view(4));
+    EXPECT_EQ(own_view(114), own_view(4));
+    EXPECT_EQ(game_->player().place, body);
+    const Tape tape = read_tape(read_file(options_.tape).value()).value();
+    EXPECT_GT(tape.ticks.size(), 3u) << "the world goes on";
+    for (const InputRecord& tick : tape.ticks) EXPECT_EQ(tick, InputRecord{});
+}
+
+TEST_F(KeysOfPlay, EndTheFlightWhereTheGameBeginsAgain) {
+    window_.press_after(5, SDL_SCANCODE_F8);
+    window_.after(6, [&] { window_.key(SDL_SCANCODE_W, true); });
+    window_.after(60, [&] { window_.key(SDL_SCANCODE_W, false); });
+    window_.press_after(61, SDL_SCANCODE_ESCAPE);
+    window_.press_after(62, SDL_SCANCODE_DOWN);
+    window_.press_after(62, SDL_SCANCODE_RETURN);
+    play_until(70);
+    EXPECT_EQ(own_view(69), own_view(4));
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -60,5 +60,15 @@ TEST(OutsideCamera, TellsHowWideAPixelIs) {
     EXPECT_NEAR(pixel(behind, {10, 21}, 1.5).x - 200, 1 / behind.metres_per_px(4), 1e-9);
 }
 
+TEST(OutsideCamera, LooksFromAnywhereAsTheViewDoes) {
+    View view = looking_east();
+    view.pitch_tangent = -0.5;
+    const OutsideCamera camera(view, 400, 240);
+    EXPECT_NEAR(pixel(camera, {14, 20}, -0.5).x, 200, 1e-9);
+    EXPECT_NEAR(pixel(camera, {14, 20}, -0.5).y, 120, 1e-9);  // down by half of the way
+    EXPECT_GT(pixel(camera, {14, 22}, -0.5).x, 200);
+    EXPECT_LT(pixel(camera, {14, 20}, 0).y, 120);
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -145,5 +145,22 @@ TEST_F(FromOutside, ForgetsTheMapBefore) {
     EXPECT_EQ(at({6, 2.2}, 0), kFarFloor);
 }
 
+TEST_F(FromOutside, LooksAtTheHouseFromAnotherPlace) {
+    MapFile file = test::map_of({box_room("room", 0, 0, 8, 4), box_room("far", 20, 0, 24, 4)});
+    load(file);
+    View camera = view_;
+    camera.sector = SectorId(1u);
+    camera.eye = {22, -10};
+    camera.eye_z = 8;
+    camera.forward = {0, 1};
+    camera.fov_degrees = 140;
+    camera.pitch_tangent = -8.0 / 12;  // at the middle of the far floor, over its near wall
+    OutsideLook look;
+    look.camera = &camera;
+    renderer_.render(frame_, map_, textures_, at_rest(map_), view_, look, 1);
+    EXPECT_EQ(frame_.pixels[std::size_t(180 * 480 + 240)], dim(kFarFloor));
+    EXPECT_GT(std::ranges::count(frame_.pixels, dim(kFloor)), 0) << "the room of the eye";
+}
+
 }  // namespace
 }  // namespace enfilade

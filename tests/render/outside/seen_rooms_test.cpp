@@ -128,9 +128,9 @@ TEST(SeenRooms, AddTheSurroundingsUnseen) {
     west.forward = {-1, 0};
     SeenRooms rooms = seen(map, west);
     EXPECT_EQ(rooms.rooms().size(), 1u);
-    rooms.add_surroundings(map, 1.5);
+    rooms.add_surroundings(map, SectorId(0u), {2, 2}, 1.5);
     EXPECT_EQ(rooms.rooms().size(), 1u) << "the doorway is 2 m away";
-    rooms.add_surroundings(map, 2.5);
+    rooms.add_surroundings(map, SectorId(0u), {2, 2}, 2.5);
     ASSERT_EQ(rooms.rooms().size(), 2u);
     EXPECT_FALSE(rooms.shows(1, {}, {5, 2}, 1));
 }
