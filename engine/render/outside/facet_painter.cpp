@@ -186,9 +186,10 @@ FacetCorner Facet::at(int x, int row) const {
     std::array<double, 3> part;
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) sum += part[i] = value_at(opposite_[i], middle_of(x), middle_of(row));
+    const double scale = 1 / sum;
     FacetCorner at{};
     for (std::size_t i = 0; i < 3; ++i) {
-        const double share = part[i] / sum;
+        const double share = part[i] * scale;
         at.p = at.p + corners_[i].p * share;
         at.z += corners_[i].z * share;
         at.uv = at.uv + corners_[i].uv * share;

@@ -9,9 +9,6 @@ namespace {
 
 constexpr std::uint32_t kBackground = 0xFF281C14;  ///< a dark blue
 
-/// Rooms of the same space are shown as far as the picture reaches [parts of the reach].
-constexpr double kSurroundings = 1;
-
 }  // namespace
 
 void OutsideRenderer::render(Frame& frame, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
@@ -25,7 +22,7 @@ void OutsideRenderer::render(Frame& frame, const Map& map, const TextureSet& tex
     facets_.clear();
     add_eye_marks(scene, rooms_, facets_);
     add_portal_marks(scene, rooms_, facets_);
-    rooms_.add_surroundings(map, middle.sector, middle.eye, kSurroundings * look.reach_m);
+    rooms_.add_surroundings(map, middle.sector, middle.eye, look.reach_m);
     for (std::size_t room = 0; room < rooms_.rooms().size(); ++room) add_room_facets(scene, rooms_, room, facets_);
     std::ranges::fill(frame.pixels, kBackground);
     frame.is_cut_short = false;

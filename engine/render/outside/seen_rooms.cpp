@@ -57,7 +57,7 @@ void SeenRooms::look(const Map& map, const Snapshot& snapshot, const View& view,
     half_fov_tangent_ = projection.half_fov_tangent();
     lowest_ = projection.climb(height - 1);
     highest_ = projection.climb(0);
-    rooms_.clear(), rises_.clear(), first_behind_.clear(), behind_.clear(), parts_.clear();
+    rooms_.clear(), first_behind_.clear(), behind_.clear(), parts_.clear();
     slopes_.resize(static_cast<std::size_t>(width));
     first_.assign(1, 0);
     find_or_add(map, {view.sector, {}});
@@ -95,7 +95,7 @@ void SeenRooms::follow(const Map& map, const Snapshot& snapshot, int column) {
 std::optional<Leg> SeenRooms::go_on(const Map& map, const Snapshot& snapshot, const Leg& leg, Part& part) {
     const Wall& wall = map[part.exit];
     const Gap gap = gap_of(map, snapshot, wall);
-    const double eye_z = view_.eye_z + rises_[part.room];
+    const double eye_z = view_.eye_z - rooms_[part.room].to_eye.rise;
     part.low = std::max(part.low, (gap.bottom - eye_z) / part.exit_depth);
     part.high = std::min(part.high, (gap.top - eye_z) / part.exit_depth);
     if (!(part.low < part.high)) return {};
@@ -121,7 +121,6 @@ std::uint32_t SeenRooms::find_or_add(const Map& map, const UnfoldedRoom& room) {
     if (found != rooms_.end()) return static_cast<std::uint32_t>(found - rooms_.begin());
     if (rooms_.size() == kMostRooms) return kNone;
     rooms_.push_back(room);
-    rises_.push_back(-room.to_eye.rise);
     first_behind_.push_back(static_cast<std::uint32_t>(behind_.size()));
     behind_.resize(behind_.size() + map[room.sector].wall_count, kNone);
     return static_cast<std::uint32_t>(rooms_.size() - 1);

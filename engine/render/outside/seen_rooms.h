@@ -78,7 +78,6 @@ private:
     double half_fov_tangent_ = 1;
     double lowest_ = 0, highest_ = 0;  ///< climbs of the picture's last and first row [1]
     std::vector<UnfoldedRoom> rooms_;
-    std::vector<double> rises_;  ///< by room: from heights in the eye's space to those in the room's [m]
     std::vector<std::uint32_t> first_behind_, behind_;  ///< rooms behind a room's walls: behind_[first_behind_[room]…]
     std::vector<Part> parts_;
     std::vector<std::size_t> first_;  ///< those of column x are parts_[first_[x]] to parts_[first_[x + 1]]
