@@ -35,6 +35,13 @@ TEST(SdlEvents, NamesKeysByTheirPlaceOnTheKeyboard) {
     EXPECT_TRUE(change.down);
 }
 
+TEST(SdlEvents, TellsBothAltKeysAndTheFunctionKeysApart) {
+    const std::pair<SDL_Scancode, Key> keys[] = {
+        {SDL_SCANCODE_LALT, Key::left_alt}, {SDL_SCANCODE_RALT, Key::right_alt}, {SDL_SCANCODE_F4, Key::f4},
+        {SDL_SCANCODE_F6, Key::f6},         {SDL_SCANCODE_F7, Key::f7},          {SDL_SCANCODE_F8, Key::f8}};
+    for (const auto& [code, key] : keys) EXPECT_EQ(translated<KeyChange>(key_event(SDL_KEYDOWN, code)).key, key);
+}
+
 TEST(SdlEvents, TellsAReleaseFromAPress) {
     EXPECT_FALSE(translated<KeyChange>(key_event(SDL_KEYUP, SDL_SCANCODE_TAB)).down);
 }

@@ -40,6 +40,9 @@ public:
     /// What a pixel is wide at that depth [m].
     double metres_per_px(double depth_m) const { return is_parallel_ ? 1 / focal_px_ : depth_m / focal_px_; }
 
+    /// Where it looks on the plan.
+    Vec2 forward() const { return forward_; }
+
     /// To the right in the picture, level.
     Vec2 right() const { return right_; }
 

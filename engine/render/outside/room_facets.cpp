@@ -13,7 +13,7 @@ namespace {
 /// How bright a room is in full and in no light: nobody should have to look for dark rooms [1/256].
 constexpr double kBrightest = 256, kDarkest = 96;
 
-/// A thing's picture is taken as it looks from so far behind the player [m].
+/// A thing's picture is taken as it looks from so far away, towards the camera [m].
 constexpr double kLookedAtFrom = 8;
 
 Shade shade_of(double light, double contrast) {
@@ -146,7 +146,7 @@ private:
     void add_thing(const Presence& presence) {
         const Rigid& to_eye = room_.to_eye;
         const Vec2 place = to_eye.apply(presence.position);
-        const Vec2 from = inverse(to_eye).apply(place - scene_.view.forward * kLookedAtFrom);
+        const Vec2 from = inverse(to_eye).apply(place - scene_.camera.forward() * kLookedAtFrom);
         const SpritePicture picture =
             picture_of(scene_.map, scene_.textures, scene_.snapshot, presence, snap_to_point_grid(from));
         if (!picture.texture) return;

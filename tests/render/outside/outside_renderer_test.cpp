@@ -162,5 +162,28 @@ TEST_F(FromOutside, LooksAtTheHouseFromAnotherPlace) {
     EXPECT_GT(std::ranges::count(frame_.pixels, dim(kFloor)), 0) << "the room of the eye";
 }
 
+TEST_F(FromOutside, ShowsThingsFromTheSideOnWhichItIs) {
+    MapFile file = test::map_of({box_room("room", 0, 0, 12, 4)});
+    ThingRecord statue;
+    statue.position = {7, 2};
+    statue.rotations = 8;  // looks along +x: its back, picture 5, to who looks that way
+    statue.frames.push_back({"statue", 0, {}});
+    file.things.push_back(statue);
+    load(file);
+    const auto paint = [&](const std::string& name, std::uint32_t color) {
+        std::ranges::fill(textures_.textures[textures_.find(name).index].pixels, color);
+    };
+    paint("statue5", 0xFF00FF00), paint("statue1", 0xFFFF00FF);
+    draw();
+    EXPECT_EQ(at({7, 2}, 0.5), 0xFF00FF00u);
+    View camera = view_;
+    camera.eye = {30, 2};
+    camera.forward = {-1, 0};
+    OutsideLook look;
+    look.camera = &camera;
+    renderer_.render(frame_, map_, textures_, at_rest(map_), view_, look, 1);
+    EXPECT_GT(std::ranges::count(frame_.pixels, 0xFFFF00FFu), 0);
+}
+
 }  // namespace
 }  // namespace enfilade
