@@ -60,6 +60,14 @@ constexpr std::array kCrossed = {2,  3,  4,  5,  6,   8,   10,  16,  19,  22,  2
                                  56, 58, 59, 72, 73,  75,  76,  77,  82,  83,  84,  86,  87,  88,  90,  91,  92,  93,
                                  94, 95, 96, 98, 100, 105, 106, 107, 108, 109, 110, 119, 120, 121, 128, 129, 130, 141};
 
+/// Those that keep their special (p_spec.c, "RETRIGGERS" and what is shot; p_switch.c, "BUTTONS"; p_doors.c, pushed).
+constexpr std::array kAgain = {1,   26,  27,  28,  117, 46,  42,  43,  45,  60,  61,  62,  63,  64, 65,  66,
+                               67,  68,  69,  70,  99,  72,  73,  74,  75,  76,  77,  79,  80,  81, 82,  83,
+                               84,  86,  87,  88,  89,  90,  91,  92,  93,  94,  95,  96,  97,  98, 105, 106,
+                               107, 114, 115, 116, 120, 123, 126, 128, 129, 132, 134, 136, 138, 139};
+constexpr std::array kExits = {11, 51, 52, 124};
+constexpr int kLastOfDoom = 141, kFirstInBits = 0x2F80;
+
 constexpr double kDoorWait = 150, kPlatWait = 105, kHalfMinute = 30 * 35;  // [tics]
 
 bool is_one_of(std::span<const int> numbers, int number) { return std::ranges::find(numbers, number) != numbers.end(); }
@@ -98,5 +106,31 @@ std::optional<DoomSpecial> special_of(int number) {
                                is_one_of(kCrossed, number)};
     return read_bits(number);
 }
+
+std::optional<bool> repeats(int number) {
+    if (number >= kFirstInBits) return (number & 1) != 0;
+    if (number > kLastOfDoom || is_one_of(kExits, number)) return {};
+    return is_one_of(kAgain, number);
+}
+
+bool turns_round(int number) { return is_one_of(std::array{1, 26, 27, 28, 117}, number); }
+
+std::optional<DoomLight> light_of(int number) {
+    switch (number) {
+        case 12:
+        case 80: return DoomLight{LightRule::brightest, 0};
+        case 13:
+        case 81:
+        case 138: return DoomLight{LightRule::to_level, 255};
+        case 35:
+        case 79:
+        case 139: return DoomLight{LightRule::to_level, 35};
+        case 17: return DoomLight{LightRule::strobe, 0};
+        case 104: return DoomLight{LightRule::darkest, 0};
+        default: return {};
+    }
+}
+
+bool is_teleport(int number) { return number == 39 || number == 97; }
 
 }  // namespace enfilade::test

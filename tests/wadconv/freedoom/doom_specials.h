@@ -43,4 +43,27 @@ struct DoomSpecial {
 /// and of its lifts to the lowest floor around.
 std::optional<DoomSpecial> special_of(int number);
 
+/// Whether a line of that special can be set off again and again; else once in a level. Of Doom's own specials and
+/// Boom's generalized ones; none for others, and for those that end the level.
+std::optional<bool> repeats(int number);
+
+/// Whether who pushes such a door while it moves turns it round: Doom's own doors that are pushed again and again.
+bool turns_round(int number);
+
+/// What a line does to the light of the sectors with its tag.
+enum class LightRule {
+    brightest,  ///< as bright as the brightest around, which may be darker than they are
+    darkest,    ///< as dark as the darkest of them and those around
+    to_level,   ///< to amount
+    strobe,     ///< flashes, to the darkest around
+};
+struct DoomLight {
+    LightRule rule;
+    double amount;  ///< 0 to 255
+};
+std::optional<DoomLight> light_of(int number);
+
+/// Whether it is a teleport for players.
+bool is_teleport(int number);
+
 }  // namespace enfilade::test

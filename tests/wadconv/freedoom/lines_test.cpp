@@ -6,11 +6,10 @@
 #include <set>
 
 #include "map/build.h"
-#include "math/predicates.h"
 #include "wadconv/convert.h"
 #include "wadconv/freedoom/doom_rules.h"
+#include "wadconv/freedoom/firing_range.h"
 #include "wadconv/freedoom/wads.h"
-#include "world/deed.h"
 #include "world/input.h"
 
 namespace enfilade::test {
@@ -20,55 +19,6 @@ using wadconv::DoomMap;
 using wadconv::Linedef;
 
 constexpr double kUnits = wadconv::kUnitsPerMetre, kTics = 35;
-
-/// The number of the Doom sector that a part belongs to: 12 of "s12b".
-std::uint32_t doom_sector_of(const Sector& part) {
-    return static_cast<std::uint32_t>(std::strtoul(part.name.c_str() + 1, nullptr, 10));
-}
-
-/// Where one fired the lines of a map, and what is found by where it lies on the drawing.
-class Range {
-public:
-    Range(const DoomMap& doom, const Map& map) : doom_(doom), map_(map) {
-        for (const Wall& wall : map.walls) add(wall.a, wall.b, wall.triggers);
-        for (const Panel& panel : map.panels) add(panel.a, panel.b, panel.triggers);
-    }
-
-    /// What happens at once where the line is set off, in a map in which nothing has happened yet.
-    History fire(const Linedef& line) const {
-        History history;
-        const TriggerRange range = triggers_of(line);
-        for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
-            carry_out(map_, history, TriggerId(i), 0);
-        return history;
-    }
-
-private:
-    using Ends = std::pair<std::pair<double, double>, std::pair<double, double>>;
-
-    static Ends ends(Vec2 a, Vec2 b) { return {{a.x, a.y}, {b.x, b.y}}; }
-    Vec2 point(std::uint16_t v) const { return {doom_.vertices[v].x / kUnits, 0 - doom_.vertices[v].y / kUnits}; }
-
-    void add(Vec2 a, Vec2 b, TriggerRange triggers) {
-        if (triggers.count > 0) found_[ends(a, b)] = triggers;
-    }
-
-    /// They are on the right side's wall where it has one, else on the left side's, or on each panel of a line in the
-    /// middle of a room: on the first.
-    TriggerRange triggers_of(const Linedef& line) const {
-        const Vec2 a = point(line.start), b = point(line.end);
-        for (const Ends& side : {ends(a, b), ends(b, a)})
-            if (const auto found = found_.find(side); found != found_.end()) return found->second;
-        const auto is_along = [&](Vec2 p) { return corner(a, b, p) == 0 && dot(p - a, p - b) <= 0; };
-        for (const Panel& panel : map_.panels)
-            if (panel.triggers.count > 0 && is_along(panel.a) && is_along(panel.b)) return panel.triggers;
-        return {};
-    }
-
-    const DoomMap& doom_;
-    const Map& map_;
-    std::map<Ends, TriggerRange> found_;
-};
 
 std::string text_of(const std::vector<Leg>& legs, bool loops) {
     std::string text;
@@ -157,10 +107,10 @@ Row compared(const std::map<Mover, std::string>& expected, const std::map<Mover,
 class FreeDoomLines : public ::testing::TestWithParam<FreeDoomWad> {
 protected:
     void compare(const DoomMap& doom, const Map& map, const TextureHeight& height_of) {
-        const Range range(doom, map);
+        const FiringRange range(doom, map);
         for (std::size_t i = 0; i < doom.lines.size(); ++i) {
             const Linedef& line = doom.lines[i];
-            const std::map<Mover, std::string> found = found_of(map, range.fire(line));
+            const std::map<Mover, std::string> found = found_of(map, range.fire(line).history);
             const std::optional<DoomSpecial> special = special_of(line.special);
             const std::string where =
                 doom.name + " line " + std::to_string(i) + ", special " + std::to_string(line.special);
