@@ -53,6 +53,16 @@ TEST(ConvertMap, AccountsForEverySide) {
     EXPECT_EQ(c.report.sides.panels, 4u);
 }
 
+/// A room whose walls have another picture than all that come after it.
+Level level_before_doorway() {
+    Level level;
+    level.sector();
+    level.box(256, 0, 320, 64, 0);
+    for (Sidedef& side : level.map.sides) side.middle = "SW1WALL";
+    level.thing(288, 32, 1);
+    return level;
+}
+
 TEST(ConvertMap, ClosesTheDoorwaysIntoALostRoom) {
     Doorway doorway;
     doorway.level.map.lines.resize(4);
@@ -71,6 +81,19 @@ TEST(ConvertMap, ClosesTheDoorwaysIntoALostRoom) {
         EXPECT_TRUE(build_map(c.file, c.pictures.sizes(), findings));
         EXPECT_THAT(findings, IsEmpty());
     }
+}
+
+TEST(ConvertMap, ClosesDoorwaysWithAPictureOfTheirRoom) {
+    Level level = level_before_doorway();
+    const int here = level.sector(), lost = level.sector();
+    level.line({64, 0}, {0, 0}, here);
+    level.line({0, 0}, {0, 64}, here);
+    level.line({0, 64}, {64, 64}, here);
+    level.line({64, 64}, {64, 0}, here, lost);
+    level.line({64, 64}, {128, 0}, lost);
+    level.line({128, 0}, {160, 96}, lost);
+    level.line({160, 96}, {64, 0}, lost);
+    EXPECT_EQ(Converted(level).wall("s1", 64, 64).texture->name, "wall");
 }
 
 TEST(ConvertMap, ClosesDoorwaysOfARoomWithoutPicturesWithTheLevelsFirst) {
