@@ -87,6 +87,10 @@ Effect fog() {
             [](const MapFile& map) { return std::size_t{map.render.fog_reach > 0}; },
             [](MapFile& map) { map.render.fog_reach = 0; }};
 }
+Effect color_table() {
+    return {"color table", "map", "a look into the table for each pixel, instead of a product",
+            [](const MapFile& map) { return std::size_t{!map.render.color_table.empty()}; }, nullptr};
+}
 Effect links() {
     return {"linked portals", "wall", "the rooms behind, drawn once for each way they are seen",
             [](const MapFile& map) { return count_walls(map, [](const WallRecord& w) { return !w.via.empty(); }); },
@@ -214,27 +218,11 @@ Effect sounds() {
 }  // namespace
 
 const std::vector<Effect>& all_effects() {
-    static const std::vector<Effect> all{sky(),
-                                         sky_layers(),
-                                         fog(),
-                                         links(),
-                                         mirrors(),
-                                         masked_walls(),
-                                         panels(),
-                                         things(),
-                                         animated_things(),
-                                         moving_things(),
-                                         animations(),
-                                         scrolling(),
-                                         changing_lights(),
-                                         point_lights(),
-                                         unlit_rooms(),
-                                         sunlight(),
-                                         bobs(),
-                                         movers(),
-                                         other_triggers(),
-                                         damage(),
-                                         sounds()};
+    static const std::vector<Effect> all{
+        sky(),          sky_layers(),      fog(),          color_table(),     links(),         mirrors(),
+        masked_walls(), panels(),          things(),       animated_things(), moving_things(), animations(),
+        scrolling(),    changing_lights(), point_lights(), unlit_rooms(),     sunlight(),      bobs(),
+        movers(),       other_triggers(),  damage(),       sounds()};
     return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "map/textures.h"
 
@@ -12,16 +13,14 @@ constexpr std::uint32_t kAlpha = 0xFF000000u;
 
 }  // namespace
 
-ColorTable ColorTable::read(const Texture& picture, std::string& fault) {
+Result<ColorTable> ColorTable::read(const Texture& picture) {
+    if (picture.width > kMostColors || picture.height != kLevels + 1 || picture.has_holes)
+        return Error{"",
+                     "expected up to 256 columns, one for each colour, of 33 opaque pixels: the colour as painted, and "
+                     "below it what it becomes at 32 levels of light, the brightest first; found " +
+                         std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+                         (picture.has_holes ? " with holes" : "")};
     ColorTable table;
-    if (picture.width > kMostColors || picture.height != kLevels + 1 || picture.has_holes) {
-        fault =
-            "expected up to 256 columns, one for each colour, of 33 opaque pixels: the colour as painted, and "
-            "below it what it becomes at 32 levels of light, the brightest first; found " +
-            std::to_string(picture.width) + " x " + std::to_string(picture.height) +
-            (picture.has_holes ? " with holes" : "");
-        return table;
-    }
     table.levels_.resize(kLevels * kMostColors, kAlpha);
     for (std::uint32_t x = 0; x < picture.width; ++x) {
         table.painted_.push_back({picture.at(x, 0), static_cast<std::uint8_t>(x)});

@@ -3,8 +3,9 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
+
+#include "base/result.h"
 
 namespace enfilade {
 
@@ -18,8 +19,8 @@ public:
 
     /// Reads a picture whose top row has the colours as they are painted, and whose other rows have what becomes of
     /// each at the 32 levels, full light first. Of equal colours in the top row the first counts.
-    /// fault: set to what was expected and found where the picture is no such table; the result is then empty.
-    static ColorTable read(const Texture& picture, std::string& fault);
+    /// An error without a place says what was expected and found where the picture is no such table.
+    static Result<ColorTable> read(const Texture& picture);
 
     bool is_empty() const { return levels_.empty(); }
 

@@ -172,8 +172,13 @@ void TextureLoader::read_color_table(const std::string& name) {
     if (picture == pictures_.end()) return;
     picture->is_color_table = true;
     if (!picture->bytes) return;
-    if (const Result<Image> image = read_png(*picture->bytes))
-        color_table_ = ColorTable::read(by_columns(image.value()), table_fault_);
+    const Result<Image> image = read_png(*picture->bytes);
+    if (!image) return;  // said of the picture
+    Result<ColorTable> table = ColorTable::read(by_columns(image.value()));
+    if (table)
+        color_table_ = std::move(table).value();
+    else
+        table_fault_ = table.error().what;
 }
 
 void TextureLoader::suggest_names(const std::vector<std::string>& folders, const FolderLister& list) {

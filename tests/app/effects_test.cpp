@@ -26,6 +26,13 @@ TEST(EffectsIn, CountsWhatTheMapUses) {
     EXPECT_STREQ(effects_in(file)[0].effect->name, "sky");
 }
 
+TEST(EffectsIn, CountsAColorTable) {
+    MapFile file = test::map_of({test::box_room("main", 0, 0, 4, 4)});
+    file.render.color_table = "colors";
+    ASSERT_EQ(effects_in(file).size(), 1u);
+    EXPECT_STREQ(effects_in(file)[0].effect->name, "color table");
+}
+
 TEST(EffectsIn, DoesNotCountAMiddleThatIsNoTexture) {
     MapFile file = test::map_of({test::box_room("main", 0, 0, 4, 4)});
     file.sectors[0].loops[0].walls[0].middle = test::spec("-");

@@ -223,9 +223,7 @@ TEST(ColorTable, HasALevelForEveryThirtySecondOfAShade) {
     picture.height = ColorTable::kLevels + 1;
     for (std::uint32_t x = 0; x < 2; ++x)
         for (std::uint32_t y = 0; y < picture.height; ++y) picture.pixels.push_back(0xFF000000u | x << 8 | y);
-    std::string fault;
-    const ColorTable table = ColorTable::read(picture, fault);
-    ASSERT_EQ(fault, "");
+    const ColorTable table = ColorTable::read(picture).value();
     EXPECT_EQ(darkened_colors(table, 256)[0], 0xFF000001u);
     EXPECT_EQ(darkened_colors(table, 249)[0], 0xFF000001u);
     EXPECT_EQ(darkened_colors(table, 248)[1], 0xFF000102u);

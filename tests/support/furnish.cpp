@@ -84,8 +84,7 @@ void paint_by_table(TextureSet& textures) {
     table.height = ColorTable::kLevels + 1;
     for (std::size_t i = 0; i < std::size_t{table.width} * table.height; ++i)
         table.pixels.push_back(0xFF000000u | static_cast<std::uint32_t>(random.below(1 << 24)));
-    std::string fault;
-    textures.color_table = ColorTable::read(table, fault);
+    textures.color_table = ColorTable::read(table).value();
     for (std::size_t i = 0; i < textures.textures.size(); i += 2) {
         Texture& picture = textures.textures[i];
         for (std::uint32_t x = 0; x < picture.width; ++x)
