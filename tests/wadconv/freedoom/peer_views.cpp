@@ -1,11 +1,12 @@
 // Compares what the column renderer draws of FreeDoom with pictures that another engine drew of the same views.
 //
 //   peer_views FOLDER     FOLDER/paths/E1M1_walk.csv  lists of views
-//                         FOLDER/frames/E1M1_0120.png the picture of row 120, counted from 0
+//                         FOLDER/frames/E1M1_0120.png the picture of row 120, counted from 0, without things
+//                         FOLDER/frames/E1M1_0120_things.png the same with those of skill 4
 //
-// Prints for each picture which share of its blocks is alike; exits with 1 where one is below the bound. Fields of view
-// are 90 degrees, the picture is not stretched, things are left out: pictures called …_things.png are passed over.
-// Lights have not begun to change, as when a level has just been entered.
+// Prints for each picture which share of its blocks is alike, and the mean; exits with 1 where one of them, or the
+// mean, is below its bound. Fields of view are 90 degrees, the picture is not stretched. Lights have not begun to
+// change, as when a level has just been entered.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -28,8 +29,11 @@ using namespace enfilade;
 
 constexpr int kBlock = 8;             ///< side of the squares whose means are compared [px]
 constexpr double kAlike = 12;         ///< largest difference of means in any channel [of 255]
-constexpr double kBound = 97;         ///< least share of blocks that are alike [%]
+constexpr double kBound = 98;         ///< least share of blocks that are alike [%]
+constexpr double kMeanBound = 99.5;   ///< least mean of these shares [%]
 constexpr std::size_t kNumberAt = 5;  ///< from the end of "E1M1_0120", where its number begins, with the '_'
+constexpr std::string_view kThings = "_things";
+constexpr int kSkill = 4;  ///< whose things are shown
 
 /// Means of a block's red, green and blue.
 struct Mean {
@@ -68,7 +72,7 @@ View view_of(const Map& map, const ViewRow& row) {
     return view;
 }
 
-/// One of FreeDoom's maps, without things, and the views of its walk.
+/// One of FreeDoom's maps, and the views of its walk.
 struct Walk {
     LoadedMap loaded;
     std::vector<ViewRow> views;
@@ -78,15 +82,13 @@ std::optional<Walk> load_walk(const std::string& folder, const std::string& map)
     const test::FreeDoomWad wad{map.starts_with('E') ? "freedoom1" : "freedoom2", 0};
     const auto csv = read_file(folder + "/paths/" + map + "_walk.csv");
     if (!csv) return {};
-    Walk walk{test::ConvertedWad(wad, test::Doors::as_they_are, {map}).load(test::lower(map)),
+    Walk walk{test::ConvertedWad(wad, test::Doors::as_they_are, {map}).load(test::lower(map), kSkill),
               read_views(as_text(csv.value())).views};
     if (!walk.loaded.map) return {};
-    walk.loaded.map->things.clear();
-    for (Sector& sector : walk.loaded.map->sectors) sector.light_effect.reset();
     return walk;
 }
 
-std::optional<double> compare_picture(const Walk& walk, const std::string& path, std::size_t row) {
+std::optional<double> compare_picture(const Walk& walk, const std::string& path, std::size_t row, bool with_things) {
     const auto bytes = read_file(path);
     if (!bytes || row >= walk.views.size()) return {};
     const auto theirs = read_png(bytes.value());
@@ -95,29 +97,56 @@ std::optional<double> compare_picture(const Walk& walk, const std::string& path,
     if (!view.sector) return {};
     Frame frame;
     frame.resize(static_cast<int>(theirs.value().width), static_cast<int>(theirs.value().height));
-    ColumnRenderer().render(frame, nullptr, *walk.loaded.map, walk.loaded.textures, at_rest(*walk.loaded.map), view);
+    Snapshot snapshot = at_rest(*walk.loaded.map);
+    leave_out({!with_things, true}, snapshot);
+    ColumnRenderer().render(frame, nullptr, *walk.loaded.map, walk.loaded.textures, snapshot, view);
     return likeness(frame, theirs.value());
 }
 
-/// True where every picture is alike enough.
+/// What a picture's file is called says what it shows.
+struct Shown {
+    std::string stem;  ///< without ".png"
+    std::string map;
+    std::size_t row = 0;
+    bool with_things = false;
+};
+
+std::optional<Shown> shown_in(const std::filesystem::path& file) {
+    Shown shown{file.stem().string(), {}, 0, false};
+    std::string view = shown.stem;
+    shown.with_things = view.ends_with(kThings);
+    if (shown.with_things) view.resize(view.size() - kThings.size());
+    if (view.size() <= kNumberAt) return {};
+    shown.map = view.substr(0, view.size() - kNumberAt);
+    shown.row = static_cast<std::size_t>(std::atoi(view.c_str() + view.size() - kNumberAt + 1));
+    return shown;
+}
+
+std::vector<Shown> pictures_in(const std::string& folder) {
+    std::vector<Shown> pictures;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (const auto shown = shown_in(entry.path())) pictures.push_back(*shown);
+    std::ranges::sort(pictures, {}, &Shown::stem);
+    return pictures;
+}
+
+/// True where every picture, and their mean, is alike enough.
 bool compare_folder(const std::string& folder) {
-    std::vector<std::string> stems;
-    for (const auto& entry : std::filesystem::directory_iterator(folder + "/frames"))
-        if (!entry.path().stem().string().ends_with("_things")) stems.push_back(entry.path().stem().string());
-    std::ranges::sort(stems);
     std::map<std::string, std::optional<Walk>> walks;
     bool all_alike = true;
-    for (const std::string& stem : stems) {
-        if (stem.size() <= kNumberAt) continue;
-        const std::string map = stem.substr(0, stem.size() - kNumberAt);
+    double sum = 0;
+    const std::vector<Shown> pictures = pictures_in(folder + "/frames");
+    for (const auto& [stem, map, row, with_things] : pictures) {
         if (!walks.contains(map)) walks[map] = load_walk(folder, map);
-        const auto row = static_cast<std::size_t>(std::atoi(stem.c_str() + stem.size() - kNumberAt + 1));
-        const auto share =
-            walks[map] ? compare_picture(*walks[map], folder + "/frames/" + stem + ".png", row) : std::nullopt;
+        const std::string path = folder + "/frames/" + stem + ".png";
+        const auto share = walks[map] ? compare_picture(*walks[map], path, row, with_things) : std::nullopt;
         std::printf("%s: %s\n", stem.c_str(), share ? (std::to_string(*share) + " %").c_str() : "cannot be compared");
         all_alike = all_alike && share && *share >= kBound;
+        sum += share.value_or(0);
     }
-    return all_alike;
+    const double mean = sum / static_cast<double>(pictures.size());
+    std::printf("mean: %f %%\n", mean);
+    return all_alike && mean >= kMeanBound;
 }
 
 }  // namespace
