@@ -119,7 +119,8 @@ std::uint32_t SeenRooms::find_or_add(const Map& map, const UnfoldedRoom& room) {
     const auto is_it = [&](const UnfoldedRoom& r) { return r.sector == room.sector && r.to_eye == room.to_eye; };
     const auto found = std::ranges::find_if(rooms_, is_it);
     if (found != rooms_.end()) return static_cast<std::uint32_t>(found - rooms_.begin());
-    if (rooms_.size() == kMostRooms) return kNone;
+    const std::size_t walls = behind_.size() + map[room.sector].wall_count;
+    if (rooms_.size() == kMostRooms || (!rooms_.empty() && walls > kMostWalls)) return kNone;
     rooms_.push_back(room);
     first_behind_.push_back(static_cast<std::uint32_t>(behind_.size()));
     behind_.resize(behind_.size() + map[room.sector].wall_count, kNone);

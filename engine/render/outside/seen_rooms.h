@@ -33,7 +33,8 @@ public:
     /// to `middle` than `reach` [m]: nothing of them is seen where looks did not get to them. Cost: their walls.
     void add_surroundings(const Map& map, SectorId room, Vec2 middle, double reach);
 
-    /// The eye's own room first, each room once for each way in which it lies around the eye; kMostRooms at most.
+    /// The eye's own room first, each room once for each way in which it lies around the eye; kMostRooms at most, and
+    /// but for the first with no more than kMostWalls together.
     const std::vector<UnfoldedRoom>& rooms() const { return rooms_; }
 
     /// Whether the picture shows this point of a room's ground or air, or of one of its walls: `wall`.
@@ -53,6 +54,9 @@ public:
 
     /// More cannot be told apart in a picture; looks end where another would be needed.
     static constexpr std::size_t kMostRooms = 1024;
+
+    /// Several times what a large level of Doom has as a whole; what is drawn of so many takes some 50 megabytes.
+    static constexpr std::size_t kMostWalls = std::size_t{1} << 17;
 
 private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/map_builder.h"
 
 namespace enfilade {
@@ -142,6 +144,29 @@ TEST(SeenRooms, TakeATurnedPictureForTheShearedOne) {
     sheared.pitch_tangent = tangent(Angle::from_degrees(-20));
     const SeenRooms a = seen(map, turned), b = seen(map, sheared);
     for (double z = 0; z < 2; z += 0.01) EXPECT_EQ(a.shows(0, {}, {3, 2}, z), b.shows(0, {}, {3, 2}, z)) << z;
+}
+
+/// A pillar of so many walls, thin as a comb.
+LoopRecord comb(int walls) {
+    std::vector<Vec2> vertices;
+    for (int i = 0; i < walls - 2; ++i) vertices.push_back({1 + i / 1024.0, i % 2 ? 1.125 : 1.0});
+    vertices.push_back({vertices.back().x, 1.25});
+    vertices.push_back({1, 1.25});
+    std::reverse(vertices.begin(), vertices.end());  // a hole
+    return test::loop_of(vertices);
+}
+
+TEST(SeenRooms, EndWhereRoomsHaveTooManyWalls) {
+    MapFile file = test::map_of({box_room("main", 0, 0, 4, 4)});
+    test::link(file, "main", {4, 0}, {4, 4}, "main", {0, 4}, {0, 0});
+    test::link(file, "main", {0, 0}, {4, 0}, "main", {4, 4}, {0, 4});
+    test::sector(file, "main").loops.push_back(comb(500));
+    file.render.max_depth = 1024;
+    const Map map = test::built(file);
+    SeenRooms rooms = seen(map, view_east({2, 2}));
+    EXPECT_EQ(rooms.rooms().size(), SeenRooms::kMostWalls / 504);
+    rooms.add_surroundings(map, SectorId(0u), {2, 2}, 100);
+    EXPECT_EQ(rooms.rooms().size(), SeenRooms::kMostWalls / 504);
 }
 
 }  // namespace
