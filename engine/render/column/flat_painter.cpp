@@ -24,6 +24,7 @@ void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, 
     pose_ = &pose;
     flat_ = flat;
     texture_ = &scene.textures[flat.surface.texture];
+    color_table_ = texture_->numbers.empty() ? nullptr : &scene.textures.color_table;
     id_ = id;
     height_ = height;
     lighting_ = lighting;
@@ -48,8 +49,9 @@ void FlatPainter::paint(const Scene& scene, int x, int top, int bottom, double w
         paint_level(scene, x, top, bottom, wall_depth);
 }
 
-// Out of line, so that flats without point lights do not save registers for it.
-[[gnu::noinline]] void FlatPainter::fill_lit(const Run& run, const FlatRun& flat, Vec2 ray) const {
+// Out of line, so that flats without point lights and color tables do not save registers for them.
+[[gnu::noinline]] void FlatPainter::fill_rich(const Run& run, const FlatRun& flat, Vec2 ray) const {
+    if (!built_in::kPointLights || !glow_) return fill_flat_by_table(run, flat);
     fill_lit_flat(run, flat,
                   {glow_, (pose_->eye.x - glow_->u) / kLightCell, (pose_->eye.y - glow_->v) / kLightCell,
                    ray.x / kLightCell, ray.y / kLightCell});
@@ -70,10 +72,10 @@ void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, do
                        row_shades_.data(),
                        is_there(fog_) ? row_mists_.data() : nullptr,
                        fog_.color,
-                       texture_->numbers.empty() ? nullptr : &scene.textures.color_table};
+                       color_table_};
     const Run run = scene.canvas.run(x, top, bottom);
-    if (built_in::kPointLights && glow_)
-        fill_lit(run, flat, ray);
+    if ((built_in::kPointLights && glow_) || color_table_)
+        fill_rich(run, flat, ray);
     else
         fill_flat(run, flat);
     if (scene.facts == nullptr) return;

@@ -24,7 +24,7 @@ public:
 
 private:
     void paint_level(const Scene& scene, int x, int top, int bottom, double wall_depth);
-    void fill_lit(const Run& run, const FlatRun& flat, Vec2 ray) const;
+    void fill_rich(const Run& run, const FlatRun& flat, Vec2 ray) const;
     void paint_sky(const Scene& scene, int x, int top, int bottom);
     SkyRun sky_run(const Scene& scene, const Surface& surface, Vec2 ray) const;
     void prepare_rows(const Scene& scene, int top, int bottom);
@@ -36,6 +36,7 @@ private:
     Flat flat_;
     std::vector<Surface> layers_;  ///< over a sky, the farthest first
     const Texture* texture_ = nullptr;
+    const ColorTable* color_table_ = nullptr;  ///< that it goes by, if it does
     SurfaceId id_ = kNothing;
     double height_ = 0;
     Lighting lighting_;

@@ -42,7 +42,7 @@ void fill_wall_as(const Run& run, const WallRun& wall) {
 
 /// Where colours are looked up.
 template <bool kHasFog>
-[[gnu::noinline]] void fill_wall_by_table(const Run& run, const WallRun& wall) {
+void fill_wall_looked_up(const Run& run, const WallRun& wall) {
     TileSteps v = first_of(run, wall);
     for (int i = 0; i < run.count; ++i, v += wall.v_per_row) {
         const std::uint32_t color = wall.darkened[wall.numbers[texel_row(wall, v)]];
@@ -150,7 +150,7 @@ void fill_flat_as(const Run& run, const FlatRun& flat) {
 
 /// Where colours are looked up.
 template <bool kHasFog>
-[[gnu::noinline]] void fill_flat_by_table(const Run& run, const FlatRun& flat) {
+void fill_flat_looked_up(const Run& run, const FlatRun& flat) {
     const std::uint8_t* numbers = flat.texture->numbers.data();
     fill_flat_with<kHasFog>(run, flat, [&flat, numbers](std::uint32_t, std::size_t number, int row, double) {
         return darkened_colors(*flat.color_table, flat.row_shades[row])[numbers[number]];
@@ -195,15 +195,19 @@ Run part_of(const Run& run, int first, int end) { return {run.pixels + first, ru
 TileSteps tile_steps(double tiles) { return static_cast<TileSteps>(fraction(tiles) * 0x1p64); }
 
 void fill_wall(const Run& run, const WallRun& wall) {
-    const bool has_fog = built_in::kFog && wall.mist != 0;
-    if (wall.numbers)
-        has_fog ? fill_wall_by_table<true>(run, wall) : fill_wall_by_table<false>(run, wall);
-    else if (has_fog)
+    if (built_in::kFog && wall.mist != 0)
         fill_wall_in_fog(run, wall);
     else if (wall.shade == kFullBright)
         fill_wall_as<false>(run, wall);
     else
         fill_wall_as<true>(run, wall);
+}
+
+void fill_wall_by_table(const Run& run, const WallRun& wall) {
+    if (built_in::kFog && wall.mist != 0)
+        fill_wall_looked_up<true>(run, wall);
+    else
+        fill_wall_looked_up<false>(run, wall);
 }
 
 void lay_wall(const Run& run, const WallRun& wall) {
@@ -215,7 +219,7 @@ void lay_wall(const Run& run, const WallRun& wall) {
 }
 
 void fill_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
-    if (is_dark(glow)) return fill_wall(run, wall);
+    if (is_dark(glow)) return wall.numbers ? fill_wall_by_table(run, wall) : fill_wall(run, wall);
     paint_lit_wall<false>(run, wall, glow);
 }
 
@@ -225,26 +229,31 @@ void lay_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
 }
 
 void fill_flat(const Run& run, const FlatRun& flat) {
-    const bool has_fog = built_in::kFog && flat.row_mists;
-    if (flat.color_table)
-        has_fog ? fill_flat_by_table<true>(run, flat) : fill_flat_by_table<false>(run, flat);
-    else if (has_fog)
+    if (built_in::kFog && flat.row_mists)
         fill_flat_in_fog(run, flat);
     else
         fill_flat_as<false>(run, flat);
+}
+
+void fill_flat_by_table(const Run& run, const FlatRun& flat) {
+    if (built_in::kFog && flat.row_mists)
+        fill_flat_looked_up<true>(run, flat);
+    else
+        fill_flat_looked_up<false>(run, flat);
 }
 
 void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
     const auto [first, end] = lit_part(run, flat, glow);
     const Run middle = part_of(run, first, end);
     const bool has_fog = built_in::kFog && flat.row_mists;
-    fill_flat(part_of(run, 0, first), flat);
+    const auto fill_dark = flat.color_table ? fill_flat_by_table : fill_flat;
+    fill_dark(part_of(run, 0, first), flat);
     if (flat.color_table)
         has_fog ? fill_lit_flat_as<true, true>(middle, flat, glow) : fill_lit_flat_as<false, true>(middle, flat, glow);
     else
         has_fog ? fill_lit_flat_as<true, false>(middle, flat, glow)
                 : fill_lit_flat_as<false, false>(middle, flat, glow);
-    fill_flat(part_of(run, end, run.count), flat);
+    fill_dark(part_of(run, end, run.count), flat);
 }
 
 void fill_sky(const Run& run, const SkyRun& sky) {

@@ -36,6 +36,8 @@ struct WallRun {
     const std::uint32_t* darkened = nullptr;  ///< by number, in this shade
 };
 void fill_wall(const Run& run, const WallRun& wall);
+/// The same for texels that have numbers.
+void fill_wall_by_table(const Run& run, const WallRun& wall);
 
 /// Point lights down one column of a wall.
 struct WallGlow {
@@ -63,6 +65,8 @@ struct FlatRun {
     const ColorTable* color_table = nullptr;  ///< that the texture goes by; null: it is darkened in proportion
 };
 void fill_flat(const Run& run, const FlatRun& flat);
+/// The same for a texture that goes by a color table.
+void fill_flat_by_table(const Run& run, const FlatRun& flat);
 
 /// Point lights on a floor or ceiling along one column: position in the grid = base + depth(row) * step.
 struct FlatGlow {

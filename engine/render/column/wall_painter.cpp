@@ -86,25 +86,32 @@ WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallH
         run.mist = mist_at(fog_.reach, hit.depth);
         run.fog = fog_.color;
     }
-    if (color_table_) {
-        run.numbers = &texture_->numbers[first];
-        run.darkened = darkened_colors(*color_table_, run.shade);
-    }
     return run;
 }
 
-// Out of line, so that walls without point lights do not save registers for it.
-[[gnu::noinline]] void WallPainter::fill_lit(const Scene& scene, const Run& run, const ColumnTexels& at,
-                                             const WallHit& hit) const {
-    fill_lit_wall(run, run_of(at, hit), glow_at(scene, run.first_row, run.first_row + run.count, hit));
+WallRun WallPainter::looked_up(WallRun run) const {
+    if (!color_table_) return run;
+    run.numbers = &texture_->numbers[static_cast<std::size_t>(run.texels - texture_->pixels.data())];
+    run.darkened = darkened_colors(*color_table_, run.shade);
+    return run;
+}
+
+// Out of line, so that walls without point lights and color tables do not save registers for them.
+[[gnu::noinline]] void WallPainter::fill_rich(const Scene& scene, const Run& run, const ColumnTexels& at,
+                                              const WallHit& hit) const {
+    const WallRun wall = looked_up(run_of(at, hit));
+    if (built_in::kPointLights && light_grid_)
+        fill_lit_wall(run, wall, glow_at(scene, run.first_row, run.first_row + run.count, hit));
+    else
+        fill_wall_by_table(run, wall);
 }
 
 void WallPainter::paint(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
     if (top >= bottom) return;
     const ColumnTexels at = texels_at(scene, hit);
     const Run run = scene.canvas.run(x, top, bottom);
-    if (built_in::kPointLights && light_grid_)
-        fill_lit(scene, run, at, hit);
+    if ((built_in::kPointLights && light_grid_) || color_table_)
+        fill_rich(scene, run, at, hit);
     else
         fill_wall(run, run_of(at, hit));
     if (scene.facts == nullptr) return;
@@ -128,7 +135,7 @@ int WallPainter::end_of_picture(const ColumnTexels& at, int top, int bottom) con
 
 void WallPainter::lay_rows(const Scene& scene, int x, OpenRows rows, const ColumnTexels& at, const WallHit& hit) const {
     if (rows.is_closed()) return;
-    const WallRun run = run_of(at, hit);
+    const WallRun run = looked_up(run_of(at, hit));
     if (built_in::kPointLights && light_grid_)
         lay_lit_wall(scene.canvas.run(x, rows.top, rows.bottom), run, glow_at(scene, rows.top, rows.bottom, hit));
     else

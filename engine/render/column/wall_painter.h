@@ -47,7 +47,8 @@ private:
     int end_of_picture(const ColumnTexels& at, int top, int bottom) const;
     void lay_rows(const Scene& scene, int x, OpenRows rows, const ColumnTexels& at, const WallHit& hit) const;
     ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
-    void fill_lit(const Scene& scene, const Run& run, const ColumnTexels& at, const WallHit& hit) const;
+    void fill_rich(const Scene& scene, const Run& run, const ColumnTexels& at, const WallHit& hit) const;
+    WallRun looked_up(WallRun run) const;
     WallRun run_of(const ColumnTexels& at, const WallHit& hit) const;
     void shade_by(const Scene& scene, const Lighting& lighting);
 
