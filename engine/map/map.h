@@ -100,7 +100,6 @@ struct Flat {
     Vec2 scroll;  ///< how fast the picture moves [m/s]
     bool sky = false;
     bool carries = false;           ///< floor: moves who stands on it with the picture
-    std::optional<BobRecord> bob;   ///< it goes up and down around z
     std::uint32_t first_layer = 0;  ///< sky: what is laid over it, the farthest first, is
     std::uint32_t layer_count = 0;  ///< [first_layer, first_layer + layer_count) of Map::sky_layers
 };
@@ -114,7 +113,8 @@ struct Sector {
     bool unlit = false;        ///< neither depth nor direction changes its light
     SunId sun;                 ///< that shines on it, or none
     Flat floor, ceiling;
-    Vec2 min, max;                  ///< bounding box
+    std::optional<BobRecord> floor_bob, ceiling_bob;  ///< up and down around their z
+    Vec2 min, max;                                    ///< bounding box
     std::uint32_t first_solid = 0;  ///< its solid things are [first_solid, first_solid + solid_count) of
     std::uint32_t solid_count = 0;  ///< Map::solid_things
     std::uint32_t first_panel = 0;  ///< its panels are [first_panel, first_panel + panel_count) of Map::panels

@@ -108,11 +108,15 @@ void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record,
     if (flat.sky && is_tutorial(draft)) lay_tutorial_sky(flat.surface);
     flat.scroll = record.scroll;
     flat.carries = record.carries;
-    if (record.bob) flat.bob = *record.bob;
-    draft.map.has_bobs |= flat.bob.has_value();
     lay_layers(draft, record, flat);
     if (record.is_relative && sector.loop_count > 0)
         flat.origin = draft.map.walls[draft.loops[sector.first_loop].first_wall].a;
+}
+
+void lay_bobs(Draft& draft, const SectorRecord& record, Sector& sector) {
+    if (record.floor.bob) sector.floor_bob = *record.floor.bob;
+    if (record.ceiling.bob) sector.ceiling_bob = *record.ceiling.bob;
+    draft.map.has_bobs |= sector.floor_bob || sector.ceiling_bob;
 }
 
 }  // namespace
@@ -126,6 +130,7 @@ void lay_surfaces(Draft& draft) {
             lay_panel(draft, sector, p, draft.map.panels[laid.first_panel + p]);
         lay_flat(draft, sector, sector.record->floor, draft.map.sectors[i].floor);
         lay_flat(draft, sector, sector.record->ceiling, draft.map.sectors[i].ceiling);
+        lay_bobs(draft, *sector.record, draft.map.sectors[i]);
     }
 }
 

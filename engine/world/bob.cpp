@@ -14,7 +14,9 @@ double triangle(double part) {
     return part < 0.75 ? 2 - 4 * part : 4 * part - 4;
 }
 
-double height_of(const Flat& flat, double time_s) { return flat.bob ? flat.z + offset_at(*flat.bob, time_s) : flat.z; }
+double height_of(const Flat& flat, const std::optional<BobRecord>& bob, double time_s) {
+    return bob ? flat.z + offset_at(*bob, time_s) : flat.z;
+}
 
 }  // namespace
 
@@ -26,8 +28,8 @@ double offset_at(const BobRecord& bob, double time_s) {
 }
 
 Heights bobbing_heights(const Sector& sector, double time_s) {
-    const double floor_z = height_of(sector.floor, time_s);
-    return {floor_z, std::max(floor_z, height_of(sector.ceiling, time_s))};
+    const double floor_z = height_of(sector.floor, sector.floor_bob, time_s);
+    return {floor_z, std::max(floor_z, height_of(sector.ceiling, sector.ceiling_bob, time_s))};
 }
 
 }  // namespace enfilade

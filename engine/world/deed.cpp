@@ -162,9 +162,9 @@ bool is_busy(const Change* change, std::uint64_t tick) {
 
 /// Whether nothing but its bob moves the floor or ceiling, as far as is known.
 bool bobs(const Map& map, const History& history, SectorId sector, Channel channel) {
-    const Flat& flat = channel == Channel::floor ? map[sector].floor : map[sector].ceiling;
+    const auto& bob = channel == Channel::floor ? map[sector].floor_bob : map[sector].ceiling_bob;
     const Change* change = history.newest_of(sector, channel);
-    return flat.bob && (!change || change->holds_up_bob());
+    return bob && (!change || change->holds_up_bob());
 }
 
 bool stop_what_loops(const Instant& now, History& history, TriggerId cause, SectorId sector, std::uint64_t tick) {

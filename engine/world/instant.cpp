@@ -15,9 +15,9 @@ double bob_time_s(const Change* held_up, double tick) {
     return (std::max(tick, goes_on) - static_cast<double>(held_up->lag)) * kTickSeconds;
 }
 
-double value_of(const Instant& now, const Change* change, const Flat& flat) {
+double value_of(const Instant& now, const Change* change, const Flat& flat, const std::optional<BobRecord>& bob) {
     if (change && !change->holds_up_bob()) return value_at(change->course, now.tick);
-    return flat.bob ? flat.z + offset_at(*flat.bob, bob_time_s(change, now.tick)) : flat.z;
+    return bob ? flat.z + offset_at(*bob, bob_time_s(change, now.tick)) : flat.z;
 }
 
 /// What gave a floor what `gives` looks for, the change it follows or one before: a rising floor has it at once,
@@ -52,9 +52,9 @@ Heights heights_of(const Instant& now, SectorId id) {
 
 Heights heights_of(const Instant& now, SectorId id, const ChangesNow& changes) {
     const Sector& sector = now.map[id];
-    const double floor_z = value_of(now, changes.floor, sector.floor);
+    const double floor_z = value_of(now, changes.floor, sector.floor, sector.floor_bob);
     // Both may be on their way towards each other: where they meet, the floor carries the ceiling.
-    return {floor_z, std::max(floor_z, value_of(now, changes.ceiling, sector.ceiling))};
+    return {floor_z, std::max(floor_z, value_of(now, changes.ceiling, sector.ceiling, sector.ceiling_bob))};
 }
 
 bool is_portal(const Instant& now, WallId id) {

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "world/around.h"
-#include "world/bob.h"
 #include "world/input.h"
 #include "world/light.h"
 
@@ -23,7 +22,7 @@ double foot_of(const Thing& thing, const Heights& home) {
 
 /// Its bobs alone say where its floor and ceiling are, so that nobody need ask before somebody looks.
 bool only_bobs(const Sector& sector, const ChangesNow& changes) {
-    return (sector.floor.bob || sector.ceiling.bob) && !changes.floor && !changes.ceiling;
+    return (sector.floor_bob || sector.ceiling_bob) && !changes.floor && !changes.ceiling;
 }
 
 SectorSnapshot sector_now(const Instant& now, SectorId id, const ChangesNow& changes) {
@@ -93,12 +92,6 @@ void show(const Instant& now, Snapshot& snapshot) {
 void leave_out(const LeftOut& what, Snapshot& snapshot) {
     if (what.things) snapshot.things = {};
     snapshot.is_light_still |= what.light_effects;
-}
-
-Heights heights_at(const Snapshot& snapshot, SectorId id) {
-    const SectorSnapshot& sector = snapshot[id];
-    if (!sector.bobbing) return {sector.floor_z, sector.ceiling_z};
-    return bobbing_heights(*sector.bobbing, snapshot.time_s);
 }
 
 double light_at(const Snapshot& snapshot, SectorId id) {

@@ -4,6 +4,7 @@
 
 #include "map/map.h"
 #include "space/presence.h"
+#include "world/bob.h"
 #include "world/instant.h"
 
 namespace enfilade {
@@ -58,7 +59,11 @@ struct LeftOut {
 void leave_out(const LeftOut& what, Snapshot& snapshot);
 
 /// The heights of a sector with its bob: worked out when somebody looks.
-Heights heights_at(const Snapshot& snapshot, SectorId sector);
+inline Heights heights_at(const Snapshot& snapshot, SectorId id) {
+    const SectorSnapshot& sector = snapshot[id];
+    if (!sector.bobbing) return {sector.floor_z, sector.ceiling_z};
+    return bobbing_heights(*sector.bobbing, snapshot.time_s);
+}
 
 /// The light of a sector with its effect, 0..1: worked out when somebody looks.
 double light_at(const Snapshot& snapshot, SectorId sector);

@@ -169,7 +169,7 @@ TEST(BobbingRooms, AreInASnapshotWhereTheWorldHasThem) {
     }
     EXPECT_GT(game.world.history.changes().size(), 3u);
     show({game.map, game.world.history, 0}, snapshot);  // nothing has held them up then
-    EXPECT_EQ(heights_at(snapshot, SectorId(1u)).floor_z, offset_at(*game.map.sectors[1].floor.bob, 0));
+    EXPECT_EQ(heights_at(snapshot, SectorId(1u)).floor_z, offset_at(*game.map.sectors[1].floor_bob, 0));
 }
 
 TEST(BobbingRooms, AreNoChangesThatSnapshotsSeeTo) {
