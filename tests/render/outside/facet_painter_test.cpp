@@ -76,7 +76,9 @@ TEST(Facets, OfWallsOfDifferentHeightMeetAtTheirEdge) {
         // A wall of one piece, and the same in two of which one is taller: where the whole is, each pixel once.
         const auto whole = covered({wall(a, b, -1, 2)}), parts = covered({wall(a, edge, -1, 2), wall(edge, b, -2, 3)});
         for (std::size_t i = 0; i < whole.size(); ++i)
-            if (whole[i]) ASSERT_EQ(parts[i], 1) << round;
+            if (whole[i]) {
+                ASSERT_EQ(parts[i], 1) << round;
+            }
         ASSERT_EQ(std::count(parts.begin(), parts.end(), 2), 0) << round;
     }
 }

@@ -76,7 +76,9 @@ TEST_F(FromOutside, LightsWallsWithoutSpeckles) {
     const std::uint32_t lit = shaded(kWall, Shade(256 * map_.walls[1].contrast));
     for (double part = 0.2; part < 0.8; part += 0.01)
         for (double z = 0.3; z < 1.8; z += 0.1)
-            if (const Vec2 p = Vec2{8, 0} + Vec2{-2, 4} * part; at(p, z) != kEyeMark) EXPECT_EQ(at(p, z), lit) << part;
+            if (const Vec2 p = Vec2{8, 0} + Vec2{-2, 4} * part; at(p, z) != kEyeMark) {
+                EXPECT_EQ(at(p, z), lit) << part;
+            }
 }
 
 TEST_F(FromOutside, DrawsTheEyeAndTheEdgesOfItsView) {

@@ -64,9 +64,12 @@ TEST(SeenRooms, ShowTheWallsThatTheyMeetAndNoOthers) {
     for (std::size_t i = 0; i < map.walls.size(); ++i) {
         const Wall& wall = map.walls[i];
         const bool is_end_of_right = wall.sector == SectorId(1u) && wall.a.x == 8 && wall.b.x == 8;
-        if (is_end_of_right) EXPECT_TRUE(rooms.shows(1, WallId(i), {8, 2}, 1));
-        if (wall.kind == WallKind::solid && !is_end_of_right)
+        if (is_end_of_right) {
+            EXPECT_TRUE(rooms.shows(1, WallId(i), {8, 2}, 1));
+        }
+        if (wall.kind == WallKind::solid && !is_end_of_right) {
             EXPECT_FALSE(rooms.shows(wall.sector.index, WallId(i), {8, 2}, 1)) << i;
+        }
     }
 }
 
