@@ -49,11 +49,46 @@ Course door_course(const Target& t) {
     return there_and_back(t.here.ceiling_z, t.stop_and_wait(t.door_top()), t.stop(t.here.floor_z));
 }
 
-/// A door that is used while it moves or waits: one that comes down turns round, any other comes down.
-Course used_again(const Target& t, const Course& under_way) {
-    const Stop top = under_way.stops[0], bottom = under_way.stops[1];
-    const bool comes_down = stop_at(under_way, t.now.tick) == 1;
-    return comes_down ? there_and_back(t.here.ceiling_z, top, bottom) : once(t.here.ceiling_z, bottom);
+bool moves_doors(Deed deed) {
+    return deed == Deed::door || deed == Deed::open || deed == Deed::close || deed == Deed::close_then_open;
+}
+
+/// A door on its way, or waiting, as whoever uses it finds it.
+struct DoorUnderWay {
+    Deed deed;  ///< what set it off
+    bool comes_down;
+    bool has_two_ways;  ///< it goes on after a wait
+    Stop up, down;
+};
+
+DoorUnderWay door_under_way(const Target& t, const Change& change) {
+    const Course& old = change.course;
+    const std::size_t heading = std::min<std::size_t>(stop_at(old, t.now.tick), old.count - 1u);
+    const Stop& next = old.stops[heading];
+    DoorUnderWay door{t.now.map[change.cause].deed, next.value < t.here.ceiling_z, old.count == 2, {}, {}};
+    door.up = {t.door_top(), next.per_tick, door.deed == Deed::door ? t.wait() : 0};
+    door.down = {t.here.floor_z, next.per_tick, 0};
+    if (!door.has_two_ways) return door;
+    if (door.deed == Deed::close) {  // held up by whoever is in its way
+        door.comes_down = true;
+        door.has_two_ways = false;
+        return door;
+    }
+    const std::size_t lower = door.deed == Deed::door ? 1 : 0;
+    door.comes_down &= heading == lower;
+    door.down = old.stops[lower];
+    door.up = old.stops[1 - lower];
+    return door;
+}
+
+/// A door that is used while it moves or waits, whatever set it off: one that comes down turns round, any other comes
+/// down, as fast as it went. What would have gone on after a wait still does.
+Course used_again(const Target& t, const Change& under_way) {
+    const DoorUnderWay door = door_under_way(t, under_way);
+    const double z = t.here.ceiling_z;
+    if (door.comes_down) return door.deed == Deed::door ? there_and_back(z, door.up, door.down) : once(z, door.up);
+    const bool opens_again = door.deed == Deed::close_then_open && door.has_two_ways;
+    return opens_again ? there_and_back(z, door.down, door.up) : once(z, door.down);
 }
 
 Course shuttle_course(const Target& t) {
@@ -200,18 +235,20 @@ bool change_target(const Map& map, History& history, TriggerId id, std::size_t n
     const Target target{now, trigger, sector, number, heights_of(there, sector)};
     const Change* present = history.newest_of(sector, channel);
     if (channel == Channel::light && has_lasting_light(map, present)) return true;
+    TriggerId cause = id;  // of a door that something else moves it stays that
     Course course;
     if (channel != Channel::light && is_busy(present, tick)) {
-        const bool is_door = trigger.deed == Deed::door && map[present->cause].deed == Deed::door;
+        const bool is_door = trigger.deed == Deed::door && moves_doors(map[present->cause].deed);
         const bool reverses = is_door && trigger.on == Occasion::use && trigger.reverses;
-        if (!reverses || present->course.count != 2) return false;
-        course = used_again(target, present->course);
+        if (!reverses || present->course.count == 0) return false;
+        course = used_again(target, *present);
+        if (map[present->cause].deed != Deed::door) cause = present->cause;
     } else {
         course = course_of(target);
         clip(target, channel, course);
     }
     course.start = start;
-    history.add({sector, channel, course, id});
+    history.add({sector, channel, course, cause});
     return true;
 }
 

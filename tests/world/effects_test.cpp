@@ -71,6 +71,46 @@ TEST(Door, UsedAgainWhileItClosesOpens) {
     EXPECT_GT(passage(game).ceiling_z, before);
 }
 
+/// A door that the start sets off by another deed, and that one may use.
+Game door_moved_by(Deed deed, double height) {
+    MapFile file = hall_passage_room(0, height);
+    sector(file, "passage").triggers = {trigger_on(Occasion::use, Deed::door), trigger_on(Occasion::start, deed)};
+    return Game(file);
+}
+
+/// Uses the door, and says whether it is higher or lower after some ticks: 1 or -1.
+int direction_after_use(Game& game) {
+    const double before = passage(game).ceiling_z;
+    game.hold(kUse);
+    game.hold(kNoKeys, 10);
+    const double after = passage(game).ceiling_z;
+    return after > before ? 1 : after < before ? -1 : 0;
+}
+
+TEST(Door, UsedWhileSomethingElseMovesItTurnsRound) {
+    Game opening = door_moved_by(Deed::open, 0), closing = door_moved_by(Deed::close, 2.5),
+         closing_for_now = door_moved_by(Deed::close_then_open, 2.5);
+    for (Game* game : {&opening, &closing, &closing_for_now}) game->hold(kNoKeys, 30);
+    EXPECT_EQ(direction_after_use(opening), -1);
+    EXPECT_EQ(direction_after_use(closing), 1);
+    EXPECT_EQ(direction_after_use(closing_for_now), 1);
+    for (Game* game : {&opening, &closing, &closing_for_now}) game->hold(kNoKeys, 1000);
+    EXPECT_EQ(passage(opening).ceiling_z, 0);
+    EXPECT_EQ(passage(closing).ceiling_z, 3 - kDoorHead) << "it stays open: nothing was to close it again";
+    EXPECT_EQ(passage(closing_for_now).ceiling_z, 2.5);
+}
+
+TEST(Door, UsedAgainAndAgainTurnsRoundEachTime) {
+    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
+    game.hold(kUse);
+    game.hold(kNoKeys, 40);
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(direction_after_use(game), i % 2 == 0 ? -1 : 1) << i;
+    game.hold(kNoKeys, 60);
+    EXPECT_EQ(passage(game).ceiling_z, 3 - kDoorHead);
+    game.hold(kNoKeys, 240 + 90);
+    EXPECT_EQ(passage(game).ceiling_z, 0) << "and it closes after its wait, as ever";
+}
+
 TEST(Door, ThatDoesNotReverseIgnoresWhoUsesItAgain) {
     TriggerRecord door = trigger_on(Occasion::use, Deed::door);
     door.reverses = false;
