@@ -32,8 +32,8 @@ void turn_card(SpritePicture& picture, const Presence& presence, Angle yaw, Vec2
 }  // namespace
 
 bool is_behind(const Middle& middle, Vec2 a, Vec2 b) {
-    const auto [nearest, farthest] =
-        std::minmax(depth_steps(dot(middle.forward, a - middle.eye)), depth_steps(dot(middle.forward, b - middle.eye)));
+    const auto [nearest, farthest] = std::minmax(
+        {depth_steps(dot(middle.forward, a - middle.eye)), depth_steps(dot(middle.forward, b - middle.eye))});
     const std::int64_t own = depth_steps(middle.depth);
     if (farthest <= own || nearest > own) return farthest <= own;
     return side_of_line(a, b, middle.place) < 0;
