@@ -109,13 +109,13 @@ inline TilePlace place_on_tile(double tiles) {
     return place_on_near_tile(is_near ? tiles : tiles - std::floor(tiles / kNearTiles) * kNearTiles);
 }
 
-/// A picture that is shown once: its end is its last texel's. part: where on it, 0..1.
-constexpr TilePlace place_on_picture(double part) {
-    return static_cast<TilePlace>(std::clamp<std::int64_t>(nearest_steps(part), 0, 0xFFFFFFFF));
-}
-
-/// Its last place: half a step on, and the picture would begin again [1].
+/// The last place of a picture that is shown once: half a step on, and it would begin again [1].
 inline constexpr double kLastPlace = 1 - 0x1p-32;
+
+/// Such a picture, whose end is its last texel's. part: where on it, 0..1; below and above that its ends go on.
+constexpr TilePlace place_on_picture(double part) {
+    return static_cast<TilePlace>(nearest_steps(std::clamp(part, 0.0, kLastPlace)));
+}
 
 /// The texel there, below size_px. Nearest, as painted: no filter.
 constexpr std::uint32_t texel_of(TilePlace place, std::uint32_t size_px) {

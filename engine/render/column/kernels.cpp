@@ -258,15 +258,14 @@ void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
 
 void fill_sky(const Run& run, const SkyRun& sky) {
     for (int i = 0; i < run.count; ++i) {
-        const double v = std::clamp(sky.v_at_horizon + sky.row_rises[run.first_row + i] * sky.v_per_rise, 0.0, 1.0);
+        const double v = sky.v_at_horizon + sky.row_rises[run.first_row + i] * sky.v_per_rise;
         run.pixels[i] = sky.texels[texel_of(place_on_picture(v), sky.height)] | 0xFF000000u;
     }
 }
 
 void lay_sky(const Run& run, const SkyRun& layer) {
     for (int i = 0; i < run.count; ++i) {
-        const double v =
-            std::clamp(layer.v_at_horizon + layer.row_rises[run.first_row + i] * layer.v_per_rise, 0.0, 1.0);
+        const double v = layer.v_at_horizon + layer.row_rises[run.first_row + i] * layer.v_per_rise;
         const std::uint32_t texel = layer.texels[texel_of(place_on_picture(v), layer.height)];
         if (texel >> 24 != 0) run.pixels[i] = laid_over(run.pixels[i], texel);
     }
