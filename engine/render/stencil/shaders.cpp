@@ -141,10 +141,17 @@ uvec3 darkened(uvec3 color, vec2 tile, uint shade) {
     return color * shade >> 8u;
 }
 
+// Round heights and looks put whole pictures on the very edge between two levels of classic light. A depth in 32 bits is
+// off by about 2^-22 of itself, at 23 levels by 2^-17 of a level, so a step of 2^-14 gathers what should stand there
+// (on_nearest_step() of render/shade.h has finer ones).
+float on_level(float levels) {
+    return floor(levels * 16384.0 + 0.5) / 16384.0;
+}
+
 uint classic_shade(float light, float contrast, float depth) {
     float towards = contrast < 1.0 ? -2.0 : contrast > 1.0 ? 2.0 : 0.0;
     float number = clamp(floor(light * 32.0) + towards, 0.0, 31.0);
-    float level = 2.0 * (30.0 - number) - min(floor(40.0 / max(depth, 0.01)), 23.0);
+    float level = 2.0 * (30.0 - number) - min(floor(on_level(40.0 / max(depth, 0.01))), 23.0);
     return uint((32.0 - clamp(level, 0.0, 31.0)) * 8.0);
 }
 

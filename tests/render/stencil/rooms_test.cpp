@@ -4,6 +4,7 @@
 #include "hard_cases/scenes.h"
 #include "render/stencil/agreement.h"
 #include "support/furnish.h"
+#include "support/looks.h"
 #include "support/map_builder.h"
 
 namespace enfilade::test {
@@ -29,6 +30,26 @@ TEST(StencilLight, IsTheColumnRenderersInBothModels) {
         const TextureSet textures = textures_for(file);
         expect_agreement(Sight(map, textures).compare_poses(10, {160, 100}, 2));
     }
+}
+
+/// Looks along an axis at a wall and a thing as far away as classic light changes by a level: all of them is on the
+/// very edge.
+TEST(StencilLight, IsTheColumnRenderersOnTheEdgeBetweenTwoLevels) {
+    MapFile file = map_of({box_room("hall", 0, 0, 4, 32, 0, 3)});
+    scatter_things(file, 1, 1);
+    file.things.front().position = {2, 4};
+    file.render.light = LightModel::classic;
+    file.sectors[0].light = 0.6;
+    const Map map = built(file);
+    const TextureSet textures = textures_for(file);
+    Sight sight(map, textures);
+    for (const double stands_at : {0.0, 4.0})
+        for (const double level : {2.0, 4.0, 5.0, 8.0, 10.0, 16.0, 20.0}) {
+            const View view = look_from(map, {2, stands_at + 40 / level}, 1.5, -90);
+            const Agreement agreement = sight.compare(view, {160, 100});
+            expect_agreement(agreement);
+            EXPECT_LT(agreement.other_texel, agreement.pixels / 100) << describe(agreement);
+        }
 }
 
 TEST(StencilFog, IsTheColumnRenderers) {
