@@ -76,8 +76,11 @@ PictureKeeper::PictureKeeper(const std::string& script_path, const DrawPlan& pla
       contact_sheet_(plan.last + 1, plan.width, plan.height) {}
 
 Status PictureKeeper::start() const {
+    std::error_code unremovable;
     for (const int number : before_)
-        if (!std::ranges::binary_search(full_size_, number)) fs::remove(numbered_picture(folder_, std::size_t(number)));
+        if (!std::ranges::binary_search(full_size_, number))
+            fs::remove(numbered_picture(folder_, std::size_t(number)), unremovable);
+    if (full_size_.empty() && !before_.empty()) fs::remove(folder_, unremovable);  // where nothing else is in it
     if (full_size_.empty()) return {};
     return make_folder(folder_);
 }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <regex>
 
 #include "app/pictures.h"
+#include "base/files.h"
 #include "flight/contact_sheet.h"
 
 namespace enfilade {
@@ -47,7 +49,22 @@ Result<MismatchRow> add_row(const std::string& folder, const BadFrame& bad) {
 
 }  // namespace
 
+void remove_report(const std::string& folder) {
+    const std::regex picture("[0-9]{6,}-(actual|expected|difference)\\.png");
+    bool is_report = false;
+    std::error_code unremovable;
+    for (const std::string& name : list_folder(folder)) {
+        if (!std::regex_match(name, picture)) continue;
+        is_report = true;
+        std::filesystem::remove(std::filesystem::path(folder) / name, unremovable);
+    }
+    if (!is_report) return;
+    std::filesystem::remove(std::filesystem::path(folder) / "index.html", unremovable);
+    std::filesystem::remove(folder, unremovable);  // where it is empty
+}
+
 Status write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames) {
+    remove_report(folder);
     if (Status failed = make_folder(folder)) return failed;
     std::vector<MismatchRow> rows;
     for (const BadFrame& bad : frames) {

@@ -21,7 +21,11 @@ struct BadFrame {
 /// Frames that a report shows; more would be more than anybody looks at.
 inline constexpr std::size_t kMostShown = 12;
 
-/// Writes the pictures and index.html into the folder, which is made where it is missing.
+/// Takes out of the folder what an earlier report put there, and the folder where nothing else is in it. What is not a
+/// report's stays.
+void remove_report(const std::string& folder);
+
+/// Writes the pictures and index.html into the folder, which is made where it is missing, instead of an earlier report.
 Status write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames);
 
 }  // namespace enfilade

@@ -84,14 +84,15 @@ Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPl
     return frame;
 }
 
-/// Which of the frames found a report shows, growing: the first, those that a picture was kept of, and the next ones.
+/// Which of the frames found a report shows, growing: the first, and those that a picture was kept of; where there is
+/// none of these, the next ones.
 std::vector<Mismatch> choose_shown(const std::vector<Mismatch>& found, const KeptPictures& kept) {
     std::vector<Mismatch> shown{found.front()}, others;
     for (std::size_t i = 1; i < found.size() && shown.size() < kMostShown; ++i) {
         const bool has_picture = kept.of({static_cast<std::uint32_t>(found[i].frame), found[i].expected}).has_value();
         (has_picture ? shown : others).push_back(found[i]);
     }
-    others.resize(std::min(others.size(), kMostShown - shown.size()));
+    others.resize(shown.size() > 1 ? 0 : std::min(others.size(), kMostShown - shown.size()));
     shown.insert(shown.end(), others.begin(), others.end());
     std::ranges::sort(shown, {}, &Mismatch::frame);
     return shown;
@@ -202,6 +203,7 @@ Status check_flight(const FlightScene& scene, const DrawPlan& plan, const std::s
     const auto hashes = hash_frames(scene, plan);
     if (!hashes.ok()) return hashes.error();
     const auto found = mismatches(recorded.value().frames, plan.first, hashes.value());
+    remove_report(report_folder);
     if (found.empty()) return {};
     if (Status failed = report_mismatches(scene, plan, script_path, recorded.value(), found, report_folder))
         return failed;
@@ -213,6 +215,7 @@ Status compare_renderers(const FlightScene& scene, const DrawPlan& plan, Rendere
     const auto disagreeing = disagreements(scene, plan, other, tolerance * plan.width * plan.height);
     if (!disagreeing.ok()) return disagreeing.error();
     const std::vector<int>& found = disagreeing.value();
+    remove_report(report_folder);
     if (found.empty()) return {};
     std::vector<BadFrame> shown;
     for (std::size_t i = 0; i < std::min(found.size(), kMostShown); ++i) {

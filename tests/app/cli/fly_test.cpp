@@ -148,6 +148,21 @@ TEST_F(Fly, ShowsWhatAChangedMapLookedLike) {
     EXPECT_NE(program_.text("report/000005-expected.png"), program_.text("report/000005-actual.png"));
 }
 
+TEST_F(Fly, LeavesNothingOfAnEarlierReport) {
+    fly({"--record"});
+    program_.write("map.toml", other_walls());
+    fly({"--check", "--out", "report"});
+    program_.write("report/notes.txt", "mine");
+    fly({"--check", "--frames", "3..3", "--out", "report"});
+    EXPECT_TRUE(program_.exists("report/000003-actual.png"));
+    EXPECT_FALSE(program_.exists("report/000000-actual.png"));
+    fly({"--record"});
+    EXPECT_EQ(fly({"--check", "--out", "report"}).exit_code, 0);
+    EXPECT_FALSE(program_.exists("report/000003-actual.png"));
+    EXPECT_FALSE(program_.exists("report/index.html"));
+    EXPECT_EQ(program_.text("report/notes.txt"), "mine") << "what is not the report's stays";
+}
+
 TEST_F(Fly, ShowsSmallPicturesOfLargeFrames) {
     fly({"--record", "--size", "320x200"});
     program_.write("map.toml", other_walls());
