@@ -159,7 +159,8 @@ void declare_outside(CLI::App& command, RenderRequest& request) {
 void declare_readout(CLI::App& command, RenderRequest& request) {
     command
         .add_option("--at", request.at,
-                    "Tell what this pixel shows: the surface, how far away it is, the texel, and the line of the map's "
+                    "Tell what this pixel shows: the surface, how far ahead it is (its depth), the texel, and the line "
+                    "of the map's "
                     "file. May be given many times")
         ->type_name("X,Y")
         ->allow_extra_args(false);

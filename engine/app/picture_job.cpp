@@ -15,6 +15,7 @@
 #include "base/output_file.h"
 #include "base/parallel.h"
 #include "formats/number_text.h"
+#include "formats/quoted.h"
 #include "platform/clock.h"
 #include "platform/gl_context.h"
 #include "render/outside/outside_renderer.h"
@@ -152,7 +153,13 @@ Status check_outputs(const PictureJob& job) {
         return Error{"",
                      "only one of --out, --ids, --from-above, --from-behind and --timing can be '-', standard output, "
                      "and none with --at, which tells there what it finds"};
+    if (job.reach_m != kUsualReach && job.from_above.empty() && job.from_behind.empty())
+        return Error{"--reach", "needs --from-above or --from-behind, whose pictures it is about"};
     for (const auto& [argument, path] : outputs) {
+        const auto is_same = [&p = path](const auto& output) { return output.second == p; };
+        if (!path.empty() && path != "-" && std::ranges::count_if(outputs, is_same) > 1)
+            return Error{argument,
+                         fmt::format("{} is given twice; each kind of picture needs a place of its own", quoted(path))};
         if (names_film(path) && !names_picture(path))
             return Error{argument, "render writes pictures; `enfilade fly` writes films"};
         const std::size_t count = job.views.size();

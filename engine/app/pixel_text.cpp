@@ -104,9 +104,9 @@ std::string pixel_text(const OpenMap& map, const Snapshot& snapshot, const Pixel
     const PixelFacts facts =
         look_through_pixel(map.map, map.textures, snapshot, pixel.view, pixel.width, pixel.height, pixel.x, pixel.y);
     const auto owner = owner_of(map.map, facts.id);
-    if (!owner) return fmt::format("the end of a chain of links, {} m away", number_text(facts.depth));
+    if (!owner) return fmt::format("the end of a chain of links, {} m ahead", number_text(facts.depth));
     const Shown shown{map.map, snapshot, *owner};
-    const std::string away = std::isinf(facts.depth) ? "" : fmt::format(", {:.2f} m away", facts.depth);
+    const std::string away = std::isinf(facts.depth) ? "" : fmt::format(", {:.2f} m ahead", facts.depth);
     return fmt::format("{} of sector {}{}, {}; {}", surface_text(shown), quoted(map.map[shown.sector()].name), away,
                        texel_text(shown, map.textures, facts.texel), place_text(shown, path, places));
 }

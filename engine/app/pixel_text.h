@@ -15,7 +15,7 @@ struct PixelOf {
     int x = 0, y = 0;           ///< in the picture
 };
 
-/// "upper part of wall 3 of sector 'hall', 4.21 m away, texel 12, 40 of 'brick'; maps/hall.toml:17". Walls, things and
+/// "upper part of wall 3 of sector 'hall', 4.21 m ahead, texel 12, 40 of 'brick'; maps/hall.toml:17". Walls, things and
 /// panels are counted from 0, walls and panels in their sector, all in the order of the file. The ray is the
 /// reference's, whatever drew the picture.
 /// path: of the map's file. places: empty lists where they are not known; then only the file is named.

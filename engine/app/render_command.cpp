@@ -102,7 +102,8 @@ void mention_hidden_eyes(const Map& map, const RenderRequest& request, const std
 /// "120,80: floor of sector 'hall' …", with the view's number before it where there are several.
 void tell_pixels(const OpenMap& map, const PictureJob& job, const RenderRequest& request) {
     if (job.at.empty()) return;
-    const Snapshot snapshot = snapshot_at(map.map, job.time_s);
+    Snapshot snapshot = snapshot_at(map.map, job.time_s);
+    leave_out(job.left_out, snapshot);
     const auto text = read_file(request.map);
     const MapPlaces places = text.ok() ? places_in(as_text(text.value()), request.skill) : MapPlaces();
     for (std::size_t i = 0; i < job.views.size(); ++i)

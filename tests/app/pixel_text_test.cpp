@@ -56,10 +56,10 @@ protected:
 };
 
 TEST_F(PixelText, NamesWallsByTheirPartsAndNumbers) {
-    EXPECT_THAT(text({8, 2}, 0.5), StartsWith("lower part of wall 2 of sector 'hall', 6.00 m away, texel "));
+    EXPECT_THAT(text({8, 2}, 0.5), StartsWith("lower part of wall 2 of sector 'hall', 6.00 m ahead, texel "));
     EXPECT_THAT(text({8, 2}, 0.5), HasSubstr(" of 'riser'; hall.toml:40"));
     EXPECT_THAT(text({8, 2}, 3.5), StartsWith("upper part of wall 2 of sector 'hall'"));
-    EXPECT_THAT(text({10, 2}, 2), StartsWith("wall 1 of sector 'niche', 8.00 m away"));
+    EXPECT_THAT(text({10, 2}, 2), StartsWith("wall 1 of sector 'niche', 8.00 m ahead"));
 }
 
 TEST_F(PixelText, NamesFlatsAndTheSky) {
@@ -69,8 +69,8 @@ TEST_F(PixelText, NamesFlatsAndTheSky) {
 }
 
 TEST_F(PixelText, NamesThingsAndPanels) {
-    EXPECT_THAT(text({4, 1}, 1), StartsWith("thing 0 ('statue') of sector 'hall', 2.00 m away, at 0."));
-    EXPECT_THAT(text({4, 3.25}, 1), StartsWith("panel 0 of sector 'hall', 2.00 m away"));
+    EXPECT_THAT(text({4, 1}, 1), StartsWith("thing 0 ('statue') of sector 'hall', 2.00 m ahead, at 0."));
+    EXPECT_THAT(text({4, 3.25}, 1), StartsWith("panel 0 of sector 'hall', 2.00 m ahead"));
 }
 
 TEST_F(PixelText, NamesTheLineOfTheSectorOrTheFileWhereItKnowsNoNearer) {

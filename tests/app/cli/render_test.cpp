@@ -103,6 +103,12 @@ TEST_F(Render, RefusesOutsideViewsThatCannotBe) {
     const Ended near = render({"--out", "a.png", "--from-above", "above.png", "--reach", "1"});
     EXPECT_EQ(near.exit_code, 2);
     EXPECT_THAT(near.err, HasSubstr("expected a number from 2 to 4096"));
+    const Ended of_nothing = render({"--out", "a.png", "--reach", "60"});
+    EXPECT_EQ(of_nothing.exit_code, 2);
+    EXPECT_THAT(of_nothing.err, HasSubstr("--reach: needs --from-above or --from-behind"));
+    const Ended over_itself = render({"--out", "a.png", "--from-above", "a.png"});
+    EXPECT_EQ(over_itself.exit_code, 2);
+    EXPECT_THAT(over_itself.err, HasSubstr("'a.png' is given twice"));
 }
 
 TEST_F(Render, TellsWhatPixelsShow) {
@@ -113,10 +119,20 @@ TEST_F(Render, TellsWhatPixelsShow) {
     EXPECT_THAT(ended.out, HasSubstr(" of 'floor'; map.toml:13\n"));
 }
 
+TEST_F(Render, TellsNothingOfThingsThatAreLeftOut) {
+    program_.write("map.toml", test::kTwoRooms + std::string("\n[[things]]\nx = 4\ny = 3\nname = \"statue\"\n"
+                                                             "frames = [{ texture = \"statue\" }]\n"));
+    const std::vector<std::string> look{"--view", "2,3,1,0,0", "--out", "a.png", "--at", "32,25"};
+    std::vector<std::string> without = look;
+    without.push_back("--no-things");
+    EXPECT_THAT(render(look).out, HasSubstr("thing 0 ('statue')"));
+    EXPECT_THAT(render(without).out, ::testing::Not(HasSubstr("thing")));
+}
+
 TEST_F(Render, TellsWhatPixelsOfEachViewShow) {
     program_.write("views.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n2,3,1.5,180,0\n");
     const Ended ended = render({"--views", "views.csv", "--out", "all", "--at", "32,20"});
-    EXPECT_THAT(ended.out, HasSubstr("view 1: 32,20: wall 5 of sector 'hall', 2.00 m away"));
+    EXPECT_THAT(ended.out, HasSubstr("view 1: 32,20: wall 5 of sector 'hall', 2.00 m ahead"));
 }
 
 TEST_F(Render, RefusesPixelsOutsideThePictureAndTwoThingsOnStandardOutput) {
