@@ -16,7 +16,9 @@ std::optional<std::uint32_t> read_color(Reading& reading, const NamedValue& valu
         const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, color, 16);
         if (error == std::errc() && end == text.data() + 7) return color;
     }
-    reading.error(node.place(), "bad-color", quoted(value.name) + " must be a colour like \"#ff00ff\"");
+    reading.error(node.place(), "bad-color",
+                  quoted(value.name) + " must be a colour like \"#ff00ff\", found " +
+                      (node.kind() == TomlKind::string ? quoted(node.text()) : std::string(name_of(node.kind()))));
     return {};
 }
 

@@ -59,8 +59,9 @@ void Reading::error(TextPlace place, std::string_view code, std::string sentence
 }
 
 void wrong_type(Reading& reading, const NamedValue& value, std::string_view expected) {
-    reading.error(value.node.place(), "wrong-type",
-                  is_to_be(value, expected) + ", found " + std::string(name_of(value.node.kind())));
+    std::string found(name_of(value.node.kind()));
+    if (value.node.kind() == TomlKind::array) found += " of " + std::to_string(value.node.size());
+    reading.error(value.node.place(), "wrong-type", is_to_be(value, expected) + ", found " + found);
 }
 
 bool expect(Reading& reading, const NamedValue& value, TomlKind kind) {

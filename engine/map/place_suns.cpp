@@ -35,12 +35,14 @@ void place_suns(Draft& draft) {
     for (std::size_t i = 0; i < draft.map.sectors.size(); ++i) {
         const SectorRecord& record = *draft.sectors[i].record;
         if (record.sun.empty()) continue;
-        if (const auto found = names.find(0, record.sun))
+        if (const auto found = names.find(0, record.sun)) {
             draft.map.sectors[i].sun = SunId(*found);
-        else
-            draft.error(record, "sun", "unknown-sun",
-                        "expected the name of a sun, found " + quoted(record.sun) + names.suggestion(0, record.sun) +
-                            "; add [[suns]] with that name");
+            continue;
+        }
+        const std::string alike = names.suggestion(0, record.sun);
+        draft.error(record, "sun", "unknown-sun",
+                    "expected the name of a sun, found " + quoted(record.sun) +
+                        (alike.empty() ? "; add [[suns]] with that name" : alike));
     }
 }
 

@@ -139,6 +139,15 @@ TEST(ReadMap, ListsTheKnownKeysWhereNoneIsNear) {
               "scroll, triggers, doom");
 }
 
+TEST(ReadMap, SaysWhatItFoundInsteadOfTwoNumbersOrAColour) {
+    const auto numbers = read_map(room("{ texture = \"A\", scroll = [0.1] }")).findings;
+    ASSERT_EQ(numbers.size(), 1u);
+    EXPECT_EQ(numbers[0].sentence, "'scroll' must be an array of two numbers, found an array of 1");
+    const auto colour = read_map(room("{ texture = \"A\" }", "render = { fog_color = \"orange\" }")).findings;
+    ASSERT_EQ(colour.size(), 1u);
+    EXPECT_EQ(colour[0].sentence, "'fog_color' must be a colour like \"#ff00ff\", found 'orange'");
+}
+
 struct WallCase {
     const char* wall;
     const char* complaint;
