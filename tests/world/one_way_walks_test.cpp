@@ -111,7 +111,7 @@ TEST(OneWayWalks, AllGetThroughAndOutOfTheExit) {
 
 /// The same ways with a way back, to and fro.
 TEST(OneWayWalks, GoBackAndForthByAWayBack) {
-    const int walks = std::getenv("ENFILADE_LONG") ? 20'000 : 500;
+    const int walks = std::getenv("ENFILADE_LONG") ? 100'000 : 500;
     int came_back = 0;
     for (int i = 0; i < walks && !HasFatalFailure(); ++i) {
         Random random(static_cast<std::uint64_t>(i));
