@@ -47,6 +47,9 @@ void PlayerInput::handle(const InputEvent& event, double mouse_speed, bool mouse
     if (const auto* key = std::get_if<KeyChange>(&event)) {
         hold(key->key, key->down);
         if (key->key == Key::home && key->down) center_ = true;
+        control_zooms_ = control_zooms_ && control_held();
+    } else if (std::holds_alternative<MouseWheel>(event)) {
+        control_zooms_ = control_held();
     } else if (const auto* motion = std::get_if<MouseMotion>(&event); motion && mouse_looks) {
         mouse_yaw_ += motion->dx * mouse_speed * kDegreesPerPixel * kStepsPerDegree;
         mouse_pitch_ -= motion->dy * mouse_speed * kDegreesPerPixel * kStepsPerDegree;
@@ -84,7 +87,7 @@ LookSteps PlayerInput::held_look() const {
 std::uint8_t PlayerInput::pressed() const {
     const bool run = held(Key::left_shift) || held(Key::right_shift) || held(GamepadButton::left_shoulder) ||
                      held(GamepadButton::left_stick);
-    const bool crouch = held(Key::c) || held(Key::left_control) || held(Key::right_control) || held(GamepadButton::b);
+    const bool crouch = held(Key::c) || (control_held() && !control_zooms_) || held(GamepadButton::b);
     const bool use = held(Key::e) || held(Key::space) || held(GamepadButton::a) || held(GamepadButton::x);
     return static_cast<std::uint8_t>((run ? kButtonRun : 0) | (crouch ? kButtonCrouch : 0) | (use ? kButtonUse : 0));
 }

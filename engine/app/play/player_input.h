@@ -18,8 +18,8 @@ struct LookSteps {
 ///
 /// WASD and up/down walk, left/right turn, Page Up/Down look up and down, Home looks ahead; Shift runs, Alt walks
 /// slowly (a part of the pace, as a stick that is pushed half way: nothing that a tape would have to know), C or
-/// Control crouches, E or Space uses. Gamepad: left stick walks, right stick looks, left shoulder or stick runs, B
-/// crouches, A or X uses.
+/// Control crouches, unless the wheel turns while Control is held, which zooms; E or Space uses. Gamepad: left stick
+/// walks, right stick looks, left shoulder or stick runs, B crouches, A or X uses.
 class PlayerInput {
 public:
     /// mouse_speed: factor on the turn per pixel. The mouse turns the head only where `mouse_looks`.
@@ -52,6 +52,7 @@ private:
     double strafe() const;
     LookSteps held_look() const;
     std::uint8_t pressed() const;
+    bool control_held() const { return held(Key::left_control) || held(Key::right_control); }
 
     std::array<bool, kKeyCount> keys_{};
     std::array<bool, 16> buttons_{};
@@ -60,6 +61,7 @@ private:
     LookSteps mouse_tick_;                    ///< the mouse's share of the last tick
     std::uint8_t tapped_ = 0;                 ///< InputButton bits that were down at some time since the last tick
     bool center_ = false;                     ///< Home was pressed
+    bool control_zooms_ = false;              ///< the wheel has turned since Control was pressed
 };
 
 }  // namespace enfilade

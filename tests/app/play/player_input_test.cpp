@@ -61,6 +61,19 @@ TEST_F(PlayerInputFromEvents, UsesOnceForATapThatIsOverBeforeTheTick) {
     EXPECT_EQ(tick().buttons, 0);
 }
 
+TEST_F(PlayerInputFromEvents, StandsUpWhileControlAndTheWheelZoom) {
+    press(Key::left_control);
+    EXPECT_EQ(tick().buttons, kButtonCrouch);
+    input_.handle(MouseWheel{1}, 1, true);
+    EXPECT_EQ(tick().buttons, 0);
+    press(Key::c);
+    EXPECT_EQ(tick().buttons, kButtonCrouch);
+    release(Key::c);
+    release(Key::left_control);
+    press(Key::left_control);
+    EXPECT_EQ(tick().buttons, kButtonCrouch);
+}
+
 TEST_F(PlayerInputFromEvents, RunsCrouchesAndUses) {
     press(Key::left_shift);
     EXPECT_EQ(tick().buttons, kButtonRun);
