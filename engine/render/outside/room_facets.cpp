@@ -21,12 +21,12 @@ Shade shade_of(double light, double contrast) {
 }
 
 /// Heights between which something is [m].
-struct Span {
+struct HeightRange {
     double bottom, top;
 };
 
 /// From floor to ceiling, in a space that is `rise` lower.
-Span span_of(const Heights& room, double rise) { return {room.floor_z - rise, room.ceiling_z - rise}; }
+HeightRange range_of(const Heights& room, double rise) { return {room.floor_z - rise, room.ceiling_z - rise}; }
 
 class RoomFacets {
 public:
@@ -35,7 +35,7 @@ public:
           room_(room),
           sector_(scene.map[room.sector]),
           number_(number),
-          own_(span_of(heights_at(scene.snapshot, room.sector), 0)),
+          own_(range_of(heights_at(scene.snapshot, room.sector), 0)),
           facets_(facets),
           light_(light_now(scene.snapshot, room.sector)) {}
 
@@ -56,7 +56,7 @@ public:
         for (std::uint32_t i = 0; i < sector_.panel_count; ++i) {
             const Panel& panel = scene_.map.panels[sector_.first_panel + i];
             if (!panel.surface.texture) continue;
-            const Span seen{std::max(panel.bottom, own_.bottom), std::min(panel.top, own_.top)};
+            const HeightRange seen{std::max(panel.bottom, own_.bottom), std::min(panel.top, own_.top)};
             add_upright(panel.a, panel.b, panel.length, panel.surface, seen, panel.top,
                         look_of(panel.surface, panel.contrast), panel.one_sided ? FacetSides::front : FacetSides::both);
         }
@@ -89,7 +89,7 @@ private:
         if (kind == WallKind::solid) return add_part(id, wall.texture, own_, own_);
         if (kind == WallKind::mirror) return;
         const double rise = scene_.map.passage(wall).rise;
-        const Span behind = span_of(heights_at(scene_.snapshot, wall.behind), rise);
+        const HeightRange behind = range_of(heights_at(scene_.snapshot, wall.behind), rise);
         const double top = std::clamp(behind.top, own_.bottom, own_.top);
         if (has_upper_step(scene_.map, wall)) add_part(id, wall.upper, {top, own_.top}, behind);
         if (has_lower_step(wall))
@@ -97,7 +97,7 @@ private:
         if (wall.middle.texture) add_middle(id, behind);
     }
 
-    double peg_height(Peg peg, const Span& behind) const {
+    double peg_height(Peg peg, const HeightRange& behind) const {
         switch (peg) {
             case Peg::ceiling: return own_.top;
             case Peg::floor: return own_.bottom;
@@ -107,7 +107,7 @@ private:
         return own_.top;
     }
 
-    void add_part(WallId id, const Surface& at_rest, const Span& part, const Span& behind) {
+    void add_part(WallId id, const Surface& at_rest, const HeightRange& part, const HeightRange& behind) {
         const Wall& wall = scene_.map[id];
         const Surface surface = picture_now(scene_.map, scene_.snapshot, id, at_rest);
         FacetLook look = look_of(surface, wall.contrast);
@@ -117,7 +117,7 @@ private:
     }
 
     /// The picture in a portal, shown once from top to bottom.
-    void add_middle(WallId id, const Span& behind) {
+    void add_middle(WallId id, const HeightRange& behind) {
         const Wall& wall = scene_.map[id];
         const bool stands = wall.middle.peg == Peg::floor || wall.middle.peg == Peg::opening_bottom;
         const double hung = peg_height(wall.middle.peg, behind) + (stands ? wall.middle.tile_m.y : 0);
@@ -125,14 +125,14 @@ private:
         const Surface surface = picture_now(scene_.map, scene_.snapshot, id, wall.middle);
         FacetLook look = look_of(surface, wall.contrast);
         look.wall = id;
-        const Span opening{std::max(own_.bottom, behind.bottom), std::min(own_.top, behind.top)};
+        const HeightRange opening{std::max(own_.bottom, behind.bottom), std::min(own_.top, behind.top)};
         add_upright(wall.a, wall.b, wall.length, surface,
                     {std::max(opening.bottom, top - surface.tile_m.y), std::min(opening.top, top)}, hung, look,
                     FacetSides::both);
     }
 
     /// hung: the height of the picture's top row.
-    void add_upright(Vec2 a, Vec2 b, double length, const Surface& surface, const Span& part, double hung,
+    void add_upright(Vec2 a, Vec2 b, double length, const Surface& surface, const HeightRange& part, double hung,
                      const FacetLook& look, FacetSides sides) {
         const auto v = [&](double z) { return (hung - z) / surface.tile_m.y - surface.offset_tiles.y; };
         const double u = -surface.offset_tiles.x, u_end = length / surface.tile_m.x + u;
@@ -181,7 +181,7 @@ private:
     const UnfoldedRoom& room_;
     const Sector& sector_;
     std::size_t number_;
-    Span own_;
+    HeightRange own_;
     std::vector<Facet>& facets_;
     double light_;
 };
