@@ -1,5 +1,7 @@
 #include "flight/renderer.h"
 
+#include <algorithm>
+
 #include "formats/quoted.h"
 #include "render/column/strips.h"
 #include "render/reference/reference_renderer.h"
@@ -7,6 +9,29 @@
 
 namespace enfilade {
 namespace {
+
+/// Whether a viewport of one strip goes on in the strip to its right.
+bool goes_on_in(const ViewportShape& left, const ViewportShape& right) {
+    const bool meets = !left.top.empty() && !right.top.empty() && left.end == right.begin &&
+                       left.top.back() < right.bottom.front() && right.top.front() < left.bottom.back();
+    return meets && left.sector == right.sector && left.depth == right.depth;
+}
+
+/// Adds what a strip shows: strips are how a picture is drawn, and not what it shows.
+void add_strip(std::vector<ViewportShape> strip, std::vector<ViewportShape>& shapes) {
+    const std::size_t before = shapes.size();
+    for (ViewportShape& shape : strip) {
+        const auto end = shapes.begin() + static_cast<std::ptrdiff_t>(before);
+        const auto left = std::find_if(shapes.begin(), end, [&](const auto& l) { return goes_on_in(l, shape); });
+        if (left == end) {
+            shapes.push_back(std::move(shape));
+            continue;
+        }
+        left->end = shape.end;
+        left->top.insert(left->top.end(), shape.top.begin(), shape.top.end());
+        left->bottom.insert(left->bottom.end(), shape.bottom.begin(), shape.bottom.end());
+    }
+}
 
 class Column final : public Renderer {
 public:
@@ -20,10 +45,13 @@ public:
 
     std::vector<ViewportShape> viewports() const override {
         std::vector<ViewportShape> shapes;
-        for (const ColumnRenderer& strip : strips_.renderers())
+        for (const ColumnRenderer& strip : strips_.renderers()) {
+            std::vector<ViewportShape> here;
             for (ViewportOutline& outline : strip.viewports())
-                shapes.push_back({outline.sector, outline.depth, outline.begin, outline.end, std::move(outline.top),
-                                  std::move(outline.bottom)});
+                here.push_back({outline.sector, outline.depth, outline.begin, outline.end, std::move(outline.top),
+                                std::move(outline.bottom)});
+            add_strip(std::move(here), shapes);
+        }
         return shapes;
     }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "flight/scenes.h"
 
 namespace enfilade {
@@ -75,6 +77,23 @@ TEST_F(RendererInHall, TellsTheViewportsOfTheColumnRenderer) {
     EXPECT_EQ(viewports_[0].sector, SectorId(0u));
     EXPECT_EQ(viewports_[1].sector, SectorId(1u));
     EXPECT_EQ(viewports_[1].depth, 1);
+}
+
+TEST_F(RendererInHall, TellsTheSameViewportsWithAnyNumberOfThreads) {
+    picture(RendererKind::column, 1);
+    const std::vector<ViewportShape> whole = viewports_;
+    for (const std::size_t threads : {2u, 3u, 5u}) {
+        picture(RendererKind::column, threads);
+        ASSERT_EQ(viewports_.size(), whole.size()) << threads;
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            const auto same = std::ranges::find_if(viewports_, [&](const ViewportShape& v) {
+                return v.sector == whole[i].sector && v.begin == whole[i].begin && v.end == whole[i].end;
+            });
+            ASSERT_NE(same, viewports_.end()) << threads << ", " << i;
+            EXPECT_EQ(same->top, whole[i].top);
+            EXPECT_EQ(same->bottom, whole[i].bottom);
+        }
+    }
 }
 
 }  // namespace
