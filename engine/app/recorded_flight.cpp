@@ -203,8 +203,10 @@ Status check_flight(const FlightScene& scene, const DrawPlan& plan, const std::s
     const auto hashes = hash_frames(scene, plan);
     if (!hashes.ok()) return hashes.error();
     const auto found = mismatches(recorded.value().frames, plan.first, hashes.value());
-    remove_report(report_folder);
-    if (found.empty()) return {};
+    if (found.empty()) {
+        remove_report(report_folder);
+        return {};
+    }
     if (Status failed = report_mismatches(scene, plan, script_path, recorded.value(), found, report_folder))
         return failed;
     return differ(script_path, found.size(), hashes.value().size(), found.front().frame, report_folder);
@@ -215,8 +217,10 @@ Status compare_renderers(const FlightScene& scene, const DrawPlan& plan, Rendere
     const auto disagreeing = disagreements(scene, plan, other, tolerance * plan.width * plan.height);
     if (!disagreeing.ok()) return disagreeing.error();
     const std::vector<int>& found = disagreeing.value();
-    remove_report(report_folder);
-    if (found.empty()) return {};
+    if (found.empty()) {
+        remove_report(report_folder);
+        return {};
+    }
     std::vector<BadFrame> shown;
     for (std::size_t i = 0; i < std::min(found.size(), kMostShown); ++i) {
         auto expected = drawn_by(other, scene, plan, found[i]), actual = drawn_by(plan.renderer, scene, plan, found[i]);
