@@ -1,10 +1,12 @@
 #include "base/files.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 
 #include "base/output_file.h"
@@ -12,25 +14,45 @@
 namespace enfilade {
 namespace {
 
-struct Closer {
-    void operator()(std::FILE* f) const { std::fclose(f); }
-};
-using File = std::unique_ptr<std::FILE, Closer>;
-
 Error system_error(const std::string& path, const char* doing) {
     return {path, std::string("cannot ") + doing + ": " + std::generic_category().message(errno)};
 }
 
-/// Why the path cannot be read as a file, without opening it: opening a pipe could wait for ever.
-Status not_a_file(const std::string& path) {
-    std::error_code failed;
-    switch (std::filesystem::status(path, failed).type()) {
-        case std::filesystem::file_type::regular: return {};
-        case std::filesystem::file_type::not_found: return Error{path, "no such file"};
-        case std::filesystem::file_type::none: return Error{path, "cannot look at the file: " + failed.message()};
-        case std::filesystem::file_type::directory: return Error{path, "expected a file, found a folder"};
-        default: return Error{path, "expected a file, found a device or a pipe"};
+/// Closes with the scope.
+struct Descriptor {
+    explicit Descriptor(int opened) : number(opened) {}
+    Descriptor(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (number >= 0) ::close(number);
     }
+    const int number;
+};
+
+Status check_is_file(const std::string& path, const struct stat& found) {
+    if (S_ISREG(found.st_mode)) return {};
+    return Error{
+        path, S_ISDIR(found.st_mode) ? "expected a file, found a folder" : "expected a file, found a device or a pipe"};
+}
+
+/// Why the path cannot be read as a file, without opening it: to open a device may already change it.
+Status look_at(const std::string& path) {
+    struct stat found;
+    if (::stat(path.c_str(), &found) == 0) return check_is_file(path, found);
+    if (errno == ENOENT || errno == ENOTDIR) return Error{path, "no such file"};
+    return system_error(path, "look at the file");
+}
+
+/// The bytes of the open file, as many as it had when it was opened.
+Result<Bytes> read_bytes(const std::string& path, int file, std::size_t size) {
+    Bytes bytes(size);
+    for (std::size_t done = 0; done < size;) {
+        const ssize_t more = ::read(file, bytes.data() + done, size - done);
+        if (more < 0 && errno == EINTR) continue;
+        if (more < 0) return system_error(path, "read the file");
+        if (more == 0) return Error{path, "the file became shorter while it was read"};
+        done += static_cast<std::size_t>(more);
+    }
+    return bytes;
 }
 
 Status write_and_flush(const std::string& path, std::span<const std::byte> bytes, OutputFile::Flush flush) {
@@ -42,19 +64,19 @@ Status write_and_flush(const std::string& path, std::span<const std::byte> bytes
 
 }  // namespace
 
+// Whoever writes may put another file in the path's place at any time, so all but the first look is at what was opened.
 Result<Bytes> read_file(const std::string& path) {
-    if (auto wrong = not_a_file(path)) return *wrong;
-    std::error_code failed;
-    const auto size = std::filesystem::file_size(path, failed);
-    if (failed) return Error{path, "cannot tell the file's size: " + failed.message()};
+    if (auto wrong = look_at(path)) return *wrong;
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+    if (file.number < 0) return system_error(path, "open the file");
+    struct stat found;
+    if (::fstat(file.number, &found) != 0) return system_error(path, "tell the file's size");
+    if (auto wrong = check_is_file(path, found)) return *wrong;
+    const auto size = static_cast<std::size_t>(found.st_size);
     if (size > kMaxFileBytes)
         return Error{path, "the file has " + std::to_string(size) + " bytes; at most " + std::to_string(kMaxFileBytes) +
                                " are read"};
-    File f(std::fopen(path.c_str(), "rb"));
-    if (!f) return system_error(path, "open the file");
-    Bytes bytes(static_cast<std::size_t>(size));
-    if (std::fread(bytes.data(), 1, bytes.size(), f.get()) != bytes.size()) return system_error(path, "read the file");
-    return bytes;
+    return read_bytes(path, file.number, size);
 }
 
 std::vector<std::string> list_folder(const std::string& path) {

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <thread>
 
 #include "support/temp_dir.h"
 
@@ -61,6 +62,25 @@ TEST(ReadFile, FollowsALinkToAFile) {
     ASSERT_FALSE(write_file(folder.path("f"), "text"));
     fs::create_symlink(folder.path("f"), folder.path("link"));
     EXPECT_EQ(content(folder.path("link")), "text");
+}
+
+TEST(ReadFile, ReadsOneFileWhereAnotherTakesItsPlaceAllTheTime) {
+    const TempDir folder;
+    const std::string small(1000, 's'), large(5000, 'l');
+    ASSERT_FALSE(write_file(folder.path("small"), small));
+    ASSERT_FALSE(write_file(folder.path("large"), large));
+    fs::create_hard_link(folder.path("small"), folder.path("f"));
+    std::jthread swapping([&](const std::stop_token& stop) {
+        while (!stop.stop_requested())
+            for (const char* next : {"large", "small"}) {
+                fs::create_hard_link(folder.path(next), folder.path("next"));
+                fs::rename(folder.path("next"), folder.path("f"));
+            }
+    });
+    for (int look = 0; look < 20'000; ++look) {
+        const std::string found = content(folder.path("f"));
+        ASSERT_TRUE(found == small || found == large) << found.size() << " bytes: " << found.substr(0, 80);
+    }
 }
 
 }  // namespace
