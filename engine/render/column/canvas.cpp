@@ -18,6 +18,15 @@ Four load(const std::uint32_t* from) {
 
 void store(std::uint32_t* to, Four four) { std::memcpy(to, &four, sizeof four); }
 
+/// Square blocks of this side, so that lines of both layouts stay in the first-level cache: one cache line [px].
+constexpr int kBlock = 16;
+
+/// Pixels from an address to the next cache line, 0..kBlock - 1.
+int until_cache_line(const std::uint32_t* pixel) {
+    constexpr std::uintptr_t kLineBytes = kBlock * sizeof *pixel;
+    return static_cast<int>(-reinterpret_cast<std::uintptr_t>(pixel) % kLineBytes / sizeof *pixel);
+}
+
 /// Pixel matrices in memory: how far apart the lines of each are [pixels].
 struct Pitches {
     std::ptrdiff_t from;
@@ -42,8 +51,14 @@ void turn_plainly(const std::uint32_t* from, std::uint32_t* to, Pitches pitch, i
         for (int i = 0; i < length; ++i) to[i * pitch.to + line] = from[line * pitch.from + i];
 }
 
+void turn_whole_block(const std::uint32_t* from, std::uint32_t* to, Pitches pitch) {
+    for (int line = 0; line < kBlock; line += 4)
+        for (int i = 0; i < kBlock; i += 4) turn_four(from + line * pitch.from + i, to + i * pitch.to + line, pitch);
+}
+
 /// Lines of `from` become columns of `to`.
 void turn_block(const std::uint32_t* from, std::uint32_t* to, Pitches pitch, int lines, int length) {
+    if (lines == kBlock && length == kBlock) return turn_whole_block(from, to, pitch);
     const int whole_lines = lines / 4 * 4, whole_length = length / 4 * 4;
     for (int line = 0; line < whole_lines; line += 4) {
         for (int i = 0; i < whole_length; i += 4)
@@ -60,20 +75,24 @@ void Canvas::set(int begin, int end, int height) {
     begin_ = begin;
     end_ = end;
     height_ = height;
-    pixels_.resize(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(height));
+    const int lines = (height + kBlock - 1) / kBlock | 1;
+    pitch_ = std::ptrdiff_t{lines} * kBlock;
+    pixels_.resize(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(pitch_) + kBlock);
+    first_ = pixels_.data() + until_cache_line(pixels_.data());
 }
 
+// Blocks begin where the picture's own cache lines do.
 void Canvas::copy_to(Frame& frame) const {
-    // Square blocks, so that lines of both layouts stay in the first-level cache: 16 pixels are one cache line.
-    constexpr int kBlock = 16;
-    const Pitches pitch{height_, frame.width};
+    const Pitches pitch{pitch_, frame.width};
+    std::uint32_t* const corner = &frame.pixels[static_cast<std::size_t>(begin_)];
+    const int before_line = until_cache_line(corner);
+    const int width = end_ - begin_;
     for (int y = 0; y < height_; y += kBlock)
-        for (int x = begin_; x < end_; x += kBlock)
-            turn_block(&pixels_[static_cast<std::size_t>(x - begin_) * static_cast<std::size_t>(height_) +
-                                static_cast<std::size_t>(y)],
-                       &frame.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
-                                     static_cast<std::size_t>(x)],
-                       pitch, std::min(kBlock, end_ - x), std::min(kBlock, height_ - y));
+        for (int x = 0, next; x < width; x = next) {
+            next = std::min(width, x < before_line ? before_line : x + kBlock);
+            turn_block(first_ + x * pitch_ + y, corner + y * pitch.to + x, pitch, next - x,
+                       std::min(kBlock, height_ - y));
+        }
 }
 
 }  // namespace enfilade::column
