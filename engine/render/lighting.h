@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "map/map.h"
-#include "render/shade.h"
+#include "render/dimming.h"
 
 namespace enfilade {
 
@@ -20,6 +20,8 @@ inline Lighting lighting_in(const Map& map, SectorId sector, double light, doubl
     // Full smooth light does not fall off; what contrast leaves of it is then all that is left of the colours.
     return {LightModel::smooth, 1, std::clamp(light, 0.0, 1.0)};
 }
+
+inline Dimming dimming_of(const Lighting& lighting) { return {lighting.model, lighting.light, lighting.contrast}; }
 
 /// depth: >= 0 [m], infinity allowed.
 inline Shade shade_at(const Lighting& lighting, double depth) {

@@ -1,0 +1,37 @@
+#include "render/dimming.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enfilade {
+namespace {
+
+// render/stencil/shaders.cpp says both models once more, in the graphics card's language.
+
+constexpr double kClassicLights = 32;  ///< steps of sector light, of two levels each; contrast moves by two
+constexpr double kReachAtHalf = 9;     ///< smooth: depth at which light 1/2 has halved [m]; chosen by eye
+
+/// Levels of a classic surface that is far away.
+int levels_far_away(double light, double contrast) {
+    const double step = contrast < 1 ? -2 : contrast > 1 ? 2 : 0;  // walls along x darker, along y brighter
+    const double number = std::clamp(std::floor(light * kClassicLights) + step, 0.0, kClassicLights - 1);
+    return 2 * (static_cast<int>(kClassicLights) - 2 - static_cast<int>(number));
+}
+
+}  // namespace
+
+Dimming::Dimming(LightModel model, double light, double contrast) : model_(model) {
+    light = std::clamp(light, 0.0, 1.0);
+    dark_levels_ = levels_far_away(light, contrast);
+    per_metre_ = (1 - light) * 2 / kReachAtHalf;
+    brightest_ = kFull * std::min(light * contrast, 1.0);
+}
+
+void Dimming::at_all(const double* depths, int count, Shade* shades) const {
+    if (model_ == LightModel::classic)
+        for (int i = 0; i < count; ++i) shades[i] = classic(depths[i]);
+    else
+        for (int i = 0; i < count; ++i) shades[i] = smooth(depths[i]);
+}
+
+}  // namespace enfilade
