@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "formats/quoted.h"
+#include "render/column/plain_kernels.h"
 #include "render/column/strips.h"
 #include "render/reference/reference_renderer.h"
 #include "render/stencil/stencil_renderer.h"
@@ -104,6 +105,11 @@ Result<std::unique_ptr<Renderer>> make_stencil(const GlContextOpener& open_gl) {
     return std::unique_ptr<Renderer>(std::make_unique<Stencil>(std::move(renderer).value()));
 }
 
+Result<std::unique_ptr<Renderer>> make_column(std::size_t threads) {
+    if (const Status wrong = column::check_kernels()) return *wrong;
+    return std::unique_ptr<Renderer>(std::make_unique<Column>(threads));
+}
+
 }  // namespace
 
 Result<RendererKind> parse_renderer(const std::string& name) {
@@ -125,7 +131,7 @@ std::string name_of(RendererKind kind) {
 Result<std::unique_ptr<Renderer>> make_renderer(RendererKind kind, std::size_t threads,
                                                 const GlContextOpener& open_gl) {
     switch (kind) {
-        case RendererKind::column: return std::unique_ptr<Renderer>(std::make_unique<Column>(threads));
+        case RendererKind::column: return make_column(threads);
         case RendererKind::stencil: return make_stencil(open_gl);
         case RendererKind::reference: break;
     }

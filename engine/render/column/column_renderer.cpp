@@ -20,6 +20,7 @@ struct ColumnRenderer::Scratch {
     std::optional<LightGrids> own_lights;
     LightGrids& lights;
     std::vector<LightCell> glow;
+    PlainKernels kernels = chosen_kernels();
 
     Scratch() : lights(own_lights.emplace()) {}
     explicit Scratch(LightGrids& of_several) : lights(of_several) {}
@@ -72,7 +73,7 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& 
     s.screen.set(Projection(view, frame.width, frame.height));
     s.canvas.set(columns.begin, columns.end, frame.height);
     LightGrids* lights = built_in::kPointLights && s.lights.start(map) ? &s.lights : nullptr;
-    const Scene scene{map, textures, snapshot, s.screen, s.canvas, facts, lights, s.glow};
+    const Scene scene{map, textures, snapshot, s.screen, s.canvas, facts, lights, s.glow, s.kernels};
     start_frame(s.state, map, view, columns, frame.height);
     while (!s.state.stack.empty()) {
         Viewport& next = *s.state.stack.back();

@@ -17,6 +17,11 @@ double rise_per_row(const Scene& scene, Vec2 ray) {
     return 1 / (scene.screen.focal_y * std::sqrt(dot(ray, ray)));
 }
 
+/// The largest length of a ray's part along an axis, per metre of depth.
+double longest_ray(const Screen& screen) {
+    return 1 + std::max(std::fabs(screen.slopes.front()), std::fabs(screen.slopes.back()));
+}
+
 }  // namespace
 
 void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height,
@@ -27,7 +32,7 @@ void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, 
     color_table_ = texture_->numbers.empty() ? nullptr : &scene.textures.color_table;
     id_ = id;
     height_ = height;
-    lighting_ = lighting;
+    dimming_ = dimming_of(lighting);
     glow_ = glow;
     fog_ = fog_of(scene.map);
     is_extended_ = side == FlatSide::floor ? height >= 0 : height <= 0;
@@ -35,18 +40,50 @@ void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, 
     base_u_ = fraction((pose.eye.x - flat.origin.x) / surface.tile_m.x - surface.offset_tiles.x);
     base_v_ = fraction((pose.eye.y - flat.origin.y) / surface.tile_m.y - surface.offset_tiles.y);
     prepared_top_ = prepared_bottom_ = 0;
+    row_depths_.resize(scene.screen.row_depths.size());
+    row_shades_.resize(scene.screen.row_depths.size());
+    if (is_there(fog_)) row_mists_.resize(scene.screen.row_depths.size());
+    is_plain_ = !(built_in::kSky && flat.sky) && !(built_in::kPointLights && glow) && !is_there(fog_) && !is_extended_;
+    near_limit_ = (kNearTiles - 1) * std::min(surface.tile_m.x, surface.tile_m.y) / longest_ray(scene.screen);
+    if (is_plain_) row_darkness_.resize(scene.screen.row_depths.size());
     if (!built_in::kSkyLayers) return;
     layers_.clear();
     for (std::uint32_t i = 0; i < flat.layer_count; ++i)
         layers_.push_back(layer_now(scene.map, scene.snapshot, scene.map.sky_layers[flat.first_layer + i]));
 }
 
-void FlatPainter::paint(const Scene& scene, int x, int top, int bottom, double wall_depth) {
+void FlatPainter::paint(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms) {
+    if (is_plain_ && looks.farthest < near_limit_) return paint_plain(scene, looks, tops, bottoms);
+    for (int i = 0; i < looks.count; ++i) {
+        if (tops[i] >= bottoms[i]) continue;
+        if (built_in::kSky && flat_.sky)
+            paint_sky(scene, looks.begin + i, tops[i], bottoms[i]);
+        else
+            paint_level(scene, looks.begin + i, tops[i], bottoms[i], looks.depth[i]);
+    }
+}
+
+void FlatPainter::paint_plain(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms) {
+    int top = scene.screen.height, bottom = 0;
+    for (int i = 0; i < looks.count; ++i) {
+        const bool is_seen = tops[i] < bottoms[i];
+        top = is_seen && tops[i] < top ? tops[i] : top;
+        bottom = is_seen && bottoms[i] > bottom ? bottoms[i] : bottom;
+    }
     if (top >= bottom) return;
-    if (built_in::kSky && flat_.sky)
-        paint_sky(scene, x, top, bottom);
-    else
-        paint_level(scene, x, top, bottom, wall_depth);
+    prepare_rows(scene, top, bottom);
+    double step_u[WallLooks::kMost], step_v[WallLooks::kMost];
+    const double* const slopes = &scene.screen.slopes[static_cast<std::size_t>(looks.begin)];
+    const Vec2 forward = pose_->forward, right = pose_->right, tile = flat_.surface.tile_m;
+    for (int i = 0; i < looks.count; ++i) {
+        step_u[i] = (forward.x + right.x * slopes[i]) / tile.x;
+        step_v[i] = (forward.y + right.y * slopes[i]) / tile.y;
+    }
+    const ColumnRuns runs{scene.canvas.column(looks.begin), scene.canvas.pitch(), looks.count, tops, bottoms};
+    scene.kernels.fill_flats({runs, texture_, base_u_, base_v_, step_u, step_v, looks.depth, row_depths_.data(),
+                              row_darkness_.data(), color_table_});
+    if (scene.facts == nullptr) return;
+    for (int i = 0; i < looks.count; ++i) note_level(scene, looks.begin + i, tops[i], bottoms[i], looks.depth[i]);
 }
 
 // Out of line, so that flats without point lights and color tables do not save registers for them.
@@ -78,10 +115,15 @@ void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, do
         fill_rich(run, flat, ray);
     else
         fill_flat(run, flat);
-    if (scene.facts == nullptr) return;
+    if (scene.facts != nullptr) note_level(scene, x, top, bottom, wall_depth);
+}
+
+void FlatPainter::note_level(const Scene& scene, int x, int top, int bottom, double wall_depth) const {
+    const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
+    const Vec2 tile = flat_.surface.tile_m;
     for (int y = top; y < bottom; ++y) {
         const double depth = std::min(row_depths_[y], wall_depth);
-        note(scene, x, y, id_, depth, base_u_ + depth * flat.step_u, base_v_ + depth * flat.step_v);
+        note(scene, x, y, id_, depth, base_u_ + depth * (ray.x / tile.x), base_v_ + depth * (ray.y / tile.y));
     }
 }
 
@@ -108,31 +150,44 @@ SkyRun FlatPainter::sky_run(const Scene& scene, const Surface& surface, Vec2 ray
 }
 
 void FlatPainter::prepare_rows(const Scene& scene, int top, int bottom) {
-    row_depths_.resize(scene.screen.row_depths.size());
-    row_shades_.resize(scene.screen.row_depths.size());
-    if (is_there(fog_)) row_mists_.resize(scene.screen.row_depths.size());
+    if (top >= prepared_top_ && bottom <= prepared_bottom_) return;
     if (prepared_top_ >= prepared_bottom_) prepared_top_ = prepared_bottom_ = top;
-    while (prepared_top_ > top) prepare_row(scene, --prepared_top_);
-    while (prepared_bottom_ < bottom) prepare_row(scene, prepared_bottom_++);
+    if (top < prepared_top_) prepare_more_rows(scene, top, prepared_top_);
+    if (bottom > prepared_bottom_) prepare_more_rows(scene, prepared_bottom_, bottom);
+    prepared_top_ = std::min(prepared_top_, top);
+    prepared_bottom_ = std::max(prepared_bottom_, bottom);
 }
 
-void FlatPainter::prepare_row(const Scene& scene, int row) {
-    const double depth_per_metre = scene.screen.row_depths[row];
-    // A level ray meets a level plane at infinity, also one at its own height. Behind the eye (below 0) only where the
-    // eye is above the ceiling or below the floor it looks at.
-    row_depths_[row] = std::isinf(depth_per_metre) ? depth_per_metre : std::max(height_ * depth_per_metre, 0.0);
-    shade_row(row, row_depths_[row]);
+// A level ray meets a level plane at infinity, also one at its own height. Behind the eye (below 0) only where the eye
+// is above the ceiling or below the floor it looks at.
+void FlatPainter::prepare_more_rows(const Scene& scene, int top, int bottom) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const double* const depths_per_metre = scene.screen.row_depths.data();
+    for (int row = top; row < bottom; ++row) {
+        const double depth = height_ * depths_per_metre[row];
+        row_depths_[row] = std::fabs(depths_per_metre[row]) == kInfinity ? depths_per_metre[row]
+                           : depth > 0                                   ? depth
+                                                                         : 0;
+    }
+    shade_rows(top, bottom, &row_depths_[static_cast<std::size_t>(top)]);
 }
 
-void FlatPainter::shade_row(int row, double depth) {
-    row_shades_[row] = shade_at(lighting_, depth);
-    if (is_there(fog_)) row_mists_[row] = mist_at(fog_.reach, depth);
+/// depths: [bottom - top].
+void FlatPainter::shade_rows(int top, int bottom, const double* depths) {
+    dimming_.at_all(depths, bottom - top, &row_shades_[static_cast<std::size_t>(top)]);
+    if (is_plain_)
+        for (int row = top; row < bottom; ++row) row_darkness_[row] = darkness_of(color_table_, row_shades_[row]);
+    if (is_there(fog_))
+        for (int row = top; row < bottom; ++row) row_mists_[row] = mist_at(fog_.reach, depths[row - top]);
 }
 
 /// A flat seen from its wrong side (past a step that is not drawn, or by an eye outside the room's heights) never comes
 /// nearer than the wall it is stretched to: its rows are lit as far away as they are drawn, column by column.
 void FlatPainter::shade_extended_rows(int top, int bottom, double wall_depth) {
-    for (int y = top; y < bottom; ++y) shade_row(y, std::min(row_depths_[y], wall_depth));
+    for (int y = top; y < bottom; ++y) {
+        const double depth = std::min(row_depths_[y], wall_depth);
+        shade_rows(y, y + 1, &depth);
+    }
 }
 
 }  // namespace enfilade::column

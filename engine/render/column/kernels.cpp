@@ -9,9 +9,6 @@ namespace {
 
 constexpr Shade kFullBright = 256;
 
-/// Half a step of TilePlace: added once, it makes the upper half of all steps down a column the nearest place.
-constexpr TileSteps kHalfPlace = TileSteps{1} << 31;
-
 TileSteps first_of(const Run& run, const WallRun& wall) {
     return wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row) + kHalfPlace;
 }
@@ -191,8 +188,6 @@ Run part_of(const Run& run, int first, int end) { return {run.pixels + first, ru
 [[gnu::noinline]] void fill_flat_in_fog(const Run& run, const FlatRun& flat) { fill_flat_as<true>(run, flat); }
 
 }  // namespace
-
-TileSteps tile_steps(double tiles) { return static_cast<TileSteps>(fraction(tiles) * 0x1p64); }
 
 void fill_wall(const Run& run, const WallRun& wall) {
     if (built_in::kFog && wall.mist != 0)

@@ -1,10 +1,12 @@
-// The inner loops: each fills a run of one screen column. Chosen once per surface; what a surface does not use is not
-// in its loop. Positions within a picture are whole numbers (2^64 or 2^32 steps a tile), so stepping them is exact and
-// a run's pixels do not depend on where it starts.
+// The inner loops of surfaces with fog, lamps or holes, and of skies: each fills a run of one screen column. Chosen
+// once per surface; what a surface does not use is not in its loop (for most that is plain_kernels.h). Positions within
+// a picture are whole numbers (2^64 or 2^32 steps a tile), so stepping them is exact and a run's pixels do not depend
+// on where it starts.
 #pragma once
 #include <cstdint>
 
 #include "map/textures.h"
+#include "render/column/plain_kernels.h"
 #include "render/light_grid.h"
 #include "render/shade.h"
 
@@ -16,12 +18,6 @@ struct Run {
     int first_row;
     int count;
 };
-
-/// Position within a tile as a fraction of 2^64.
-using TileSteps = std::uint64_t;
-
-/// The fraction of a tile as steps. Any finite number; wraps.
-TileSteps tile_steps(double tiles);
 
 /// A texture column of a wall under one light.
 struct WallRun {

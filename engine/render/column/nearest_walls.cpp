@@ -5,47 +5,106 @@
 namespace enfilade::column {
 namespace {
 
-bool is_nearer_at(const Map& map, const ProjectedWall& a, double a_inverse, const ProjectedWall& b, double b_inverse) {
-    return are_telling(a_inverse, b_inverse) ? a_inverse > b_inverse : is_nearer(map[a.wall], map[b.wall]);
+/// The first stretch that ends beyond column x.
+std::vector<Stretch>::const_iterator first_ending_after(const std::vector<Stretch>& stretches, int x) {
+    return std::lower_bound(stretches.begin(), stretches.end(), x,
+                            [](const Stretch& stretch, int column) { return stretch.end <= column; });
 }
 
 }  // namespace
 
 void NearestWalls::choose(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose,
                           std::span<const ProjectedWall> walls) {
-    begin_ = viewport.begin;
     walls_ = walls;
     lost_.clear();
-    nearest_.assign(static_cast<std::size_t>(viewport.end - viewport.begin), {});
+    stretches_.clear();
     for (std::size_t i = 0; i < walls.size(); ++i) {
+        const int begin = std::max(walls[i].begin, viewport.begin), end = std::min(walls[i].end, viewport.end);
+        if (begin >= end) continue;
         if (viewport.entry) {
             // Compared with the entry as a whole and exactly, so that the boundary holds in all its columns at once.
             if (walls[i].wall == viewport.entry || !is_beyond(map[walls[i].wall], map[viewport.entry])) continue;
         }
-        offer(map, screen, viewport, static_cast<int>(i));
+        offer(map, screen, {begin, end, static_cast<int>(i)});
     }
     find_lost(map, screen, viewport, pose);
 }
 
-void NearestWalls::offer(const Map& map, const Screen& screen, const Viewport& viewport, int candidate) {
-    const ProjectedWall& offered = wall(candidate);
-    for (int x = std::max(offered.begin, viewport.begin); x < std::min(offered.end, viewport.end); ++x) {
-        if (viewport.rows_at(x).is_closed()) continue;
-        Nearest& best = nearest_[static_cast<std::size_t>(x - begin_)];
-        const double inverse = inverse_depth(offered, screen.slopes[x]);
-        if (best.wall == kNoWall || is_nearer_at(map, offered, inverse, wall(best.wall), best.inverse_depth))
-            best = {candidate, inverse};
+void NearestWalls::offer(const Map& map, const Screen& screen, Stretch offered) {
+    if (stretches_.empty() || stretches_.back().end <= offered.begin) return stretches_.push_back(offered);
+    const auto first = first_ending_after(stretches_, offered.begin);
+    if (offered.end <= first->begin)
+        stretches_.insert(first, offered);
+    else
+        merge(map, screen, static_cast<std::size_t>(first - stretches_.begin()), offered);
+}
+
+/// first: of the stretches that share a column with the offered one.
+void NearestWalls::merge(const Map& map, const Screen& screen, std::size_t first, Stretch offered) {
+    merged_.clear();
+    std::size_t last = first;
+    int x = offered.begin;
+    for (; last < stretches_.size() && stretches_[last].begin < offered.end; ++last) {
+        const Stretch& old = stretches_[last];
+        const Stretch shared{std::max(old.begin, offered.begin), std::min(old.end, offered.end), old.wall};
+        add(old.begin, offered.begin, old.wall);
+        add(x, old.begin, offered.wall);
+        add(shared.begin, shared.end, is_nearer_in(map, screen, offered.wall, shared) ? offered.wall : old.wall);
+        add(offered.end, old.end, old.wall);
+        x = shared.end;
     }
+    add(x, offered.end, offered.wall);
+    const auto begin = stretches_.begin();
+    const auto place =
+        stretches_.erase(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last));
+    stretches_.insert(place, merged_.begin(), merged_.end());
+}
+
+void NearestWalls::add(int begin, int end, int wall) {
+    if (begin >= end) return;
+    if (!merged_.empty() && merged_.back().wall == wall && merged_.back().end == begin)
+        merged_.back().end = end;
+    else
+        merged_.push_back({begin, end, wall});
+}
+
+/// In the middle of their columns inverse depths mostly tell; where they do not, the walls' ends do.
+bool NearestWalls::is_nearer_in(const Map& map, const Screen& screen, int candidate, const Stretch& shared) const {
+    const double slope = screen.slopes[static_cast<std::size_t>((shared.begin + shared.end) / 2)];
+    const ProjectedWall &a = wall(candidate), &b = wall(shared.wall);
+    const double inverse = inverse_depth(a, slope), other = inverse_depth(b, slope);
+    return are_telling(inverse, other) ? inverse > other : is_nearer(map[a.wall], map[b.wall]);
 }
 
 void NearestWalls::find_lost(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose) {
-    for (int x = viewport.begin; x < viewport.end; ++x) {
-        Nearest& best = nearest_[static_cast<std::size_t>(x - begin_)];
-        if (best.wall != kNoWall || viewport.rows_at(x).is_closed()) continue;
-        best.wall = static_cast<int>(count());
-        lost_.push_back(least_missed(map, viewport.sector, pose, screen, x, viewport.entry));
-        best.inverse_depth = 1 / hit(lost_.back(), screen.slopes[x]).depth;
+    merged_.assign(stretches_.begin(), stretches_.end());
+    stretches_.clear();
+    int x = viewport.begin;
+    for (const Stretch& found : merged_) {
+        lose(map, screen, viewport, pose, x, found.begin);
+        stretches_.push_back(found);
+        x = found.end;
     }
+    lose(map, screen, viewport, pose, x, viewport.end);
+}
+
+/// Finds what stands in for a wall in each open column that none covers.
+void NearestWalls::lose(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose, int begin,
+                        int end) {
+    for (int x = begin; x < end; ++x) {
+        if (viewport.rows_at(x).is_closed()) continue;
+        stretches_.push_back({x, x + 1, static_cast<int>(count())});
+        lost_.push_back(least_missed(map, viewport.sector, pose, screen, x, viewport.entry));
+    }
+}
+
+int NearestWalls::at(int x) const {
+    const auto found = first_ending_after(stretches_, x);
+    return found != stretches_.end() && found->begin <= x ? found->wall : kNoWall;
+}
+
+double NearestWalls::inverse_depth_at(const Screen& screen, int x) const {
+    return inverse_depth_seen(wall(at(x)), screen.slopes[static_cast<std::size_t>(x)]);
 }
 
 }  // namespace enfilade::column

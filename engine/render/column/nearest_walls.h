@@ -8,7 +8,14 @@
 
 namespace enfilade::column {
 
-/// The answer for the columns of one viewport: a number for wall(), or kNoWall where the column is closed.
+/// Columns [begin, end) that see the same wall first.
+struct Stretch {
+    int begin, end;
+    int wall;  ///< a number for NearestWalls::wall()
+};
+
+/// The answer for one viewport, as stretches of columns from left to right. Walls of a room cross nowhere, so which of
+/// two is the nearer is the same in all columns that they share: it is asked once for each pair.
 class NearestWalls {
 public:
     static constexpr int kNoWall = -1;
@@ -18,8 +25,12 @@ public:
     void choose(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose,
                 std::span<const ProjectedWall> walls);
 
-    int at(int x) const { return nearest_[static_cast<std::size_t>(x - begin_)].wall; }
-    double inverse_depth_at(int x) const { return nearest_[static_cast<std::size_t>(x - begin_)].inverse_depth; }
+    /// Without gaps but where columns are closed.
+    std::span<const Stretch> stretches() const { return stretches_; }
+
+    /// Of an open column. Cost: the logarithm of the number of stretches.
+    int at(int x) const;
+    double inverse_depth_at(const Screen& screen, int x) const;
 
     /// Numbers given out are below this.
     std::size_t count() const { return walls_.size() + lost_.size(); }
@@ -29,17 +40,16 @@ public:
     }
 
 private:
-    struct Nearest {
-        int wall = kNoWall;
-        double inverse_depth = 0;
-    };
-
-    void offer(const Map& map, const Screen& screen, const Viewport& viewport, int candidate);
+    void offer(const Map& map, const Screen& screen, Stretch offered);
+    void merge(const Map& map, const Screen& screen, std::size_t first, Stretch offered);
+    void add(int begin, int end, int wall);
+    bool is_nearer_in(const Map& map, const Screen& screen, int candidate, const Stretch& shared) const;
     void find_lost(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose);
+    void lose(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose, int begin, int end);
 
-    int begin_ = 0;
     std::span<const ProjectedWall> walls_;
-    std::vector<Nearest> nearest_;
+    std::vector<Stretch> stretches_;
+    std::vector<Stretch> merged_;      ///< scratch
     std::vector<ProjectedWall> lost_;  ///< one for each column that no projected wall covers; numbered after those
 };
 

@@ -60,7 +60,7 @@ void PanelColumns::move_to(int x) {
 
 bool PanelColumns::is_before_wall(const RoomView& view, const Board& board, int x) const {
     const Wall& wall = view.scene.map[view.nearest.wall(view.nearest.at(x)).wall];
-    const double to_wall = view.nearest.inverse_depth_at(x);
+    const double to_wall = view.nearest.inverse_depth_at(view.scene.screen, x);
     const double to_panel = inverse_depth(board.place, view.scene.screen.slopes[x]);
     return are_telling(to_panel, to_wall) ? to_panel > to_wall : is_nearer(board.facing, wall);
 }

@@ -27,6 +27,7 @@ struct Scene {
     FrameFacts* facts;             ///< null where nobody asked what the pixels show
     LightGrids* lights;            ///< null where the map has no point lights
     std::vector<LightCell>& glow;  ///< scratch of one column: the light down a wall
+    const PlainKernels& kernels;
 
     // What point lights throw on a surface, or null: nothing. Asked once for each surface.
     const LightGrid* light_on(WallId id) const { return lights ? lights->on_wall(map, snapshot, id) : nullptr; }

@@ -64,6 +64,7 @@ ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, co
     const WallId wall = enfilade::least_missed(map, sector, pose, screen.slopes[column], entry);
     ProjectedWall best = ends_of(map[wall], pose);
     best.wall = wall;
+    best.stands_in = true;
     set_depths(best, map[best.wall], pose);
     best.begin = column;
     best.end = column + 1;

@@ -19,6 +19,7 @@ struct ProjectedWall {
     double inverse_cross = 0;
     double nearest = 0, farthest = 0;  ///< bounds of the depth anywhere on the wall [m]
     bool swapped = false;              ///< L is the wall's b: it is seen in a mirror
+    bool stands_in = false;            ///< for a wall that covers its one column: this one does not
 };
 
 /// What a column sees of a wall.
@@ -35,6 +36,11 @@ inline double inverse_depth(const ProjectedWall& w, double slope) { return edge_
 
 /// Exact up to rounding, and never outside the wall however grazing the look.
 WallHit hit(const ProjectedWall& wall, double slope);
+
+/// inverse_depth(); where the wall stands in for one, that of its hit().
+inline double inverse_depth_seen(const ProjectedWall& w, double slope) {
+    return w.stands_in ? 1 / hit(w, slope).depth : inverse_depth(w, slope);
+}
 
 /// The walls of `sector` that face the eye and cover at least one column, in the order of the map.
 /// `out` is emptied first and keeps its memory.

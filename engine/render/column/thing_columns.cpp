@@ -46,7 +46,8 @@ void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedCol
 
 bool ThingColumns::is_met(const RoomView& view, const Board& board, int x) {
     const Scene& scene = view.scene;
-    const double entry = 1 / view.viewport.boundary_at(x), exit = 1 / view.nearest.inverse_depth_at(x);
+    const double entry = 1 / view.viewport.boundary_at(x),
+                 exit = 1 / view.nearest.inverse_depth_at(view.scene.screen, x);
     if (thing_edges(scene.map.render, false) == ThingEdges::cut) return is_met_between(board.depth, entry, exit);
     const WallId wall = view.nearest.wall(view.nearest.at(x)).wall;
     return is_seen_in(scene.map, scene.snapshot, {view.pose.eye, view.pose.forward, board.place, board.depth},

@@ -26,8 +26,7 @@ Rigid passage_of(const Scene& scene, const Wall& portal) {
 
 void ViewportDrawer::draw(const Scene& scene, FrameState& state, Viewport& viewport) {
     start_viewport(scene, state, viewport);
-    for (int x = viewport.begin; x < viewport.end; ++x)
-        if (!viewport.rows_at(x).is_closed()) draw_column(scene, state, x);
+    for (const Stretch& stretch : nearest_.stretches()) draw_stretch(scene, state, stretch);
     push_children(state);
 }
 
@@ -47,21 +46,24 @@ void ViewportDrawer::start_viewport(const Scene& scene, FrameState& state, Viewp
     wall_index_ = NearestWalls::kNoWall;
 }
 
-void ViewportDrawer::draw_column(const Scene& scene, FrameState& state, int x) {
-    const int wall_index = nearest_.at(x);
-    if (wall_index != wall_index_) start_wall(scene, state, wall_index);
-    const WallHit look = hit(nearest_.wall(wall_index), scene.screen.slopes[x]);
-    const OpenRows open = viewport_->rows_at(x);
-    const RowSplit rows = split_rows(scene.screen, open, look.depth, here_, is_portal_ ? &behind_ : nullptr);
-    ceiling_.paint(scene, x, open.top, rows.wall_top, look.depth);
-    floor_.paint(scene, x, rows.wall_bottom, open.bottom, look.depth);
-    if (!is_portal_) {
-        middle_.paint(scene, x, rows.wall_top, rows.wall_bottom, look);
-        return;
-    }
-    if (!upper_open_) upper_.paint(scene, x, rows.wall_top, rows.opening_top, look);
-    if (!lower_open_) lower_.paint(scene, x, rows.opening_bottom, rows.wall_bottom, look);
-    open_behind(scene, state, x, rows, look);
+void ViewportDrawer::draw_stretch(const Scene& scene, FrameState& state, Stretch stretch) {
+    while (stretch.begin < stretch.end && viewport_->rows_at(stretch.begin).is_closed()) ++stretch.begin;
+    while (stretch.begin < stretch.end && viewport_->rows_at(stretch.end - 1).is_closed()) --stretch.end;
+    if (stretch.begin == stretch.end) return;
+    if (stretch.wall != wall_index_) start_wall(scene, state, stretch.wall);
+    for (int x = stretch.begin; x < stretch.end; x += WallLooks::kMost)
+        draw_columns(scene, state, x, std::min(x + WallLooks::kMost, stretch.end));
+}
+
+void ViewportDrawer::draw_columns(const Scene& scene, FrameState& state, int begin, int end) {
+    look_at(nearest_.wall(wall_index_), scene.screen, begin, end - begin, looks_);
+    split_rows(scene.screen, looks_, &viewport_->rows_at(begin), here_, is_portal_ ? &behind_ : nullptr, rows_);
+    ceiling_.paint(scene, looks_, rows_.top, rows_.wall_top);
+    floor_.paint(scene, looks_, rows_.wall_bottom, rows_.bottom);
+    if (!is_portal_) return middle_.paint(scene, looks_, rows_.wall_top, rows_.wall_bottom);
+    if (!upper_open_) upper_.paint(scene, looks_, rows_.wall_top, rows_.opening_top);
+    if (!lower_open_) lower_.paint(scene, looks_, rows_.opening_bottom, rows_.wall_bottom);
+    open_behind(scene, state);
 }
 
 void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_index) {
@@ -115,29 +117,45 @@ void ViewportDrawer::start_masked(const Scene& scene, FrameState& state, WallId 
 
 bool ViewportDrawer::has_masked() const { return built_in::kMasked && masked_ != kNoMasked; }
 
-void ViewportDrawer::open_behind(const Scene& scene, FrameState& state, int x, const RowSplit& rows,
-                                 const WallHit& look) {
-    const OpenRows open{upper_open_ ? rows.wall_top : rows.opening_top,
-                        lower_open_ ? rows.wall_bottom : rows.opening_bottom};
-    if (open.is_closed()) return;
-    if (has_masked()) {
-        const RowSplit picture = split_rows(scene.screen, open, look.depth, picture_, nullptr);
-        state.masked.note(masked_, x, {picture.wall_top, picture.wall_bottom}, look);
+void ViewportDrawer::open_behind(const Scene& scene, FrameState& state) {
+    const int* const tops = upper_open_ ? rows_.wall_top : rows_.opening_top;
+    const int* const bottoms = lower_open_ ? rows_.wall_bottom : rows_.opening_bottom;
+    for (int i = 0; i < looks_.count; ++i) {
+        const OpenRows open{tops[i], bottoms[i]};
+        if (open.is_closed()) continue;
+        const int x = looks_.begin + i;
+        if (has_masked()) note_masked(scene, state, i, open);
+        Viewport* const behind = viewport_behind(scene, state);
+        if (behind == nullptr) {
+            fill_cut(scene, x, open);
+            continue;
+        }
+        behind->rows_at(x) = open;
+        behind->boundary_at(x) = looks_.inverse_depth[i];
     }
-    const ProjectedWall& projected = nearest_.wall(wall_index_);
+}
+
+void ViewportDrawer::note_masked(const Scene& scene, FrameState& state, int i, OpenRows open) {
+    const RowSplit picture = split_rows(scene.screen, open, looks_.depth[i], picture_, nullptr);
+    state.masked.note(masked_, looks_.begin + i, {picture.wall_top, picture.wall_bottom}, looks_.at(i));
+}
+
+/// Where a limit of the frame is reached there is nothing to be seen.
+void ViewportDrawer::fill_cut(const Scene& scene, int x, OpenRows open) const {
+    fill_color(scene.canvas.run(x, open.top, open.bottom), pixel_of(scene.map.render.recursion_color));
+    if (scene.facts == nullptr) return;
+    for (int y = open.top; y < open.bottom; ++y) note(scene, x, y, kRecursionEnd, kBrightestDepth, 0, 0);
+}
+
+/// What is seen through the wall being drawn, or null where a limit of the frame is reached; asked once for each wall.
+Viewport* ViewportDrawer::viewport_behind(const Scene& scene, FrameState& state) {
     Opening& opening = openings_[static_cast<std::size_t>(wall_index_)];
     if (opening.state == Opening::State::unknown) {
+        const ProjectedWall& projected = nearest_.wall(wall_index_);
         opening.viewport = child_of(scene, state, scene.map[projected.wall], projected);
         opening.state = opening.viewport ? Opening::State::open : Opening::State::cut;
     }
-    if (opening.state == Opening::State::cut) {
-        fill_color(scene.canvas.run(x, open.top, open.bottom), pixel_of(scene.map.render.recursion_color));
-        if (scene.facts == nullptr) return;
-        for (int y = open.top; y < open.bottom; ++y) note(scene, x, y, kRecursionEnd, kBrightestDepth, 0, 0);
-        return;
-    }
-    opening.viewport->rows_at(x) = open;
-    opening.viewport->boundary_at(x) = nearest_.inverse_depth_at(x);
+    return opening.viewport;
 }
 
 /// A viewport for what is seen through the portal, or null where a limit of the frame is reached.

@@ -7,8 +7,8 @@
 #include "render/column/nearest_walls.h"
 #include "render/column/projection_cache.h"
 #include "render/column/room_columns.h"
-#include "render/column/row_split.h"
 #include "render/column/viewport.h"
+#include "render/column/wall_looks.h"
 #include "render/column/wall_painter.h"
 
 namespace enfilade::column {
@@ -33,10 +33,14 @@ public:
 
 private:
     void start_viewport(const Scene& scene, FrameState& state, Viewport& viewport);
-    void draw_column(const Scene& scene, FrameState& state, int x);
+    void draw_stretch(const Scene& scene, FrameState& state, Stretch stretch);
+    void draw_columns(const Scene& scene, FrameState& state, int begin, int end);
     void start_wall(const Scene& scene, FrameState& state, int wall_index);
     void start_masked(const Scene& scene, FrameState& state, WallId wall);
-    void open_behind(const Scene& scene, FrameState& state, int x, const RowSplit& rows, const WallHit& look);
+    void open_behind(const Scene& scene, FrameState& state);
+    void note_masked(const Scene& scene, FrameState& state, int i, OpenRows open);
+    void fill_cut(const Scene& scene, int x, OpenRows open) const;
+    Viewport* viewport_behind(const Scene& scene, FrameState& state);
     bool has_masked() const;
     Viewport* child_of(const Scene& scene, FrameState& state, const Wall& wall, const ProjectedWall& projected);
     void push_children(FrameState& state);
@@ -66,6 +70,10 @@ private:
     int masked_ = kNoMasked;   ///< its picture with holes in FrameState::masked
     RelativeHeights picture_;  ///< lower and upper end of that picture
     WallPainter middle_, upper_, lower_;
+
+    // The columns being drawn.
+    WallLooks looks_;
+    RowSplits rows_;
 };
 
 }  // namespace enfilade::column

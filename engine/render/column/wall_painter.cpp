@@ -1,6 +1,7 @@
 #include "render/column/wall_painter.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/column/fog.h"
 #include "render/picture_now.h"
@@ -68,7 +69,7 @@ WallGlow WallPainter::glow_at(const Scene& scene, int top, int bottom, const Wal
 
 void WallPainter::shade_by(const Scene& scene, const Lighting& lighting) {
     color_table_ = texture_->numbers.empty() ? nullptr : &scene.textures.color_table;
-    lighting_ = lighting;
+    dimming_ = dimming_of(lighting);
     fog_ = fog_of(scene.map);
 }
 
@@ -81,7 +82,7 @@ WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallH
 [[gnu::always_inline]] inline WallRun WallPainter::run_of(const ColumnTexels& at, const WallHit& hit) const {
     const std::size_t first = std::size_t{texel_of(place_on_tile(at.u), texture_->width)} * texture_->height;
     WallRun run{&texture_->pixels[first], texture_->height, tile_steps(at.v_at_row_0), tile_steps(at.v_per_row),
-                shade_at(lighting_, hit.depth)};
+                dimming_.at(hit.depth)};
     if (is_there(fog_)) {
         run.mist = mist_at(fog_.reach, hit.depth);
         run.fog = fog_.color;
@@ -106,7 +107,51 @@ WallRun WallPainter::looked_up(WallRun run) const {
         fill_wall_by_table(run, wall);
 }
 
-void WallPainter::paint(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
+void WallPainter::paint(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const {
+    int first = 0, end = looks.count;
+    while (first < end && tops[first] >= bottoms[first]) ++first;
+    while (first < end && tops[end - 1] >= bottoms[end - 1]) --end;
+    if (first == end) return;
+    const bool is_plain = !(built_in::kPointLights && light_grid_) && !is_there(fog_) && is_near(scene, looks.farthest);
+    if (is_plain)
+        paint_plain(scene, looks, first, end, tops, bottoms);
+    else
+        for (int i = first; i < end; ++i) paint_column(scene, looks.begin + i, tops[i], bottoms[i], looks.at(i));
+    if (scene.facts == nullptr) return;
+    for (int i = first; i < end; ++i) note_column(scene, looks.begin + i, tops[i], bottoms[i], looks.at(i));
+}
+
+/// Whether no position on the picture is farther than kNearTiles, at depths up to `farthest`.
+bool WallPainter::is_near(const Scene& scene, double farthest) const {
+    const double most_per_row = farthest / scene.screen.focal_y * v_per_m_;
+    return std::fabs(v_at_peg_) + (std::fabs(scene.screen.horizon) + 1) * most_per_row < kNearTiles &&
+           u_per_along_ + std::fabs(u_offset_) < kNearTiles;
+}
+
+/// Columns `first` to `end` of those that look, as paint_column() would.
+void WallPainter::paint_plain(const Scene& scene, const WallLooks& looks, int first, int end, const int* tops,
+                              const int* bottoms) const {
+    std::uint32_t first_texels[WallLooks::kMost];
+    TileSteps v_at_row_0[WallLooks::kMost], v_per_row[WallLooks::kMost];
+    Shade shades[WallLooks::kMost];
+    const int count = end - first;
+    const double* const depths = looks.depth + first;
+    const double* const along = looks.along + first;
+    const double rows_to_horizon = scene.screen.horizon - 0.5, focal_y = scene.screen.focal_y;
+    for (int i = 0; i < count; ++i) {
+        const double per_row = depths[i] / focal_y * v_per_m_;
+        v_per_row[i] = near_tile_steps(per_row);
+        v_at_row_0[i] = near_tile_steps(v_at_peg_ - rows_to_horizon * per_row);
+        first_texels[i] =
+            texel_of(place_on_near_tile(along[i] * u_per_along_ - u_offset_), texture_->width) * texture_->height;
+    }
+    dimming_.at_all(depths, count, shades);
+    const ColumnRuns runs{scene.canvas.column(looks.begin + first), scene.canvas.pitch(), count, tops + first,
+                          bottoms + first};
+    scene.kernels.fill_walls({runs, texture_, first_texels, v_at_row_0, v_per_row, shades, color_table_});
+}
+
+void WallPainter::paint_column(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
     if (top >= bottom) return;
     const ColumnTexels at = texels_at(scene, hit);
     const Run run = scene.canvas.run(x, top, bottom);
@@ -114,7 +159,10 @@ void WallPainter::paint(const Scene& scene, int x, int top, int bottom, const Wa
         fill_rich(scene, run, at, hit);
     else
         fill_wall(run, run_of(at, hit));
-    if (scene.facts == nullptr) return;
+}
+
+void WallPainter::note_column(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
+    const ColumnTexels at = texels_at(scene, hit);
     for (int y = top; y < bottom; ++y) note(scene, x, y, id_, hit.depth, at.u, at.v_at_row_0 + y * at.v_per_row);
 }
 

@@ -1,9 +1,8 @@
 // Walls, steps and pictures of things: which texel does a row of a column show?
 #pragma once
 #include "render/column/kernels.h"
-#include "render/column/row_split.h"
 #include "render/column/scene.h"
-#include "render/column/sector_projection.h"
+#include "render/column/wall_looks.h"
 #include "render/lighting.h"
 #include "render/pose.h"
 
@@ -31,13 +30,18 @@ public:
     /// Shows its picture once from top to bottom, as start_picture() does, instead of over and over.
     void show_once() { is_once_ = true; }
 
-    /// Rows [top, bottom) of column x, where the look meets the wall at `hit`.
-    void paint(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
+    /// Rows [tops[i], bottoms[i]) of the columns that look at the wall.
+    void paint(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
 
     /// The same for a picture with holes, laid over what is there already.
     void lay_over(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
 
 private:
+    bool is_near(const Scene& scene, double farthest) const;
+    void paint_plain(const Scene& scene, const WallLooks& looks, int first, int end, const int* tops,
+                     const int* bottoms) const;
+    void paint_column(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
+    void note_column(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
     /// Where on the picture the rows of one column are.
     struct ColumnTexels {
         double u, v_at_row_0, v_per_row;  ///< [tiles]
@@ -55,7 +59,7 @@ private:
     const Texture* texture_ = nullptr;
     const ColorTable* color_table_ = nullptr;  ///< that it goes by, if it does
     SurfaceId id_ = kNothing;
-    Lighting lighting_;
+    Dimming dimming_;
     Fog fog_;
     double u_per_along_ = 1, u_offset_ = 0;  ///< [tiles]
     double v_at_peg_ = 0, v_per_m_ = 1;      ///< v at the eye's height, and tiles per metre downwards

@@ -19,6 +19,10 @@ Screen screen_of(int width, int height, double pitch_tangent = 0) {
     return screen;
 }
 
+int first_row_below(const Screen& screen, double height, double depth, int top, int bottom) {
+    return RowsAt(screen, depth).first_below(height, top, bottom);
+}
+
 /// The definition, row by row.
 int first_row_below_by_search(const Screen& screen, double height, double depth, int top, int bottom) {
     for (int y = top; y < bottom; ++y)

@@ -1,0 +1,177 @@
+// Eight pixels of a flat at a time, for processors with AVX2. Walls gain nothing from it. Texels are loaded one by one:
+// gathering them is no faster where it is fast, and much slower on processors that had to be mended.
+#include "render/column/plain_kernels.h"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+
+#include "render/column/texel_numbers.h"
+
+#define WITH_AVX2 [[gnu::target("avx2")]]
+
+namespace enfilade::column {
+namespace {
+
+constexpr int kWide = 8;
+
+/// Four columns of eight lanes each that are numbered 0 1 4 5 2 3 6 7, as two sums of four doubles leave them.
+WITH_AVX2 inline __m256i places_of(__m256d a, __m256d b) {
+    return _mm256_castps_si256(_mm256_shuffle_ps(_mm256_castpd_ps(a), _mm256_castpd_ps(b), _MM_SHUFFLE(2, 0, 2, 0)));
+}
+
+WITH_AVX2 inline __m256i shaded_eight(__m256i colors, __m256i shades) {
+    const __m256i even = _mm256_and_si256(colors, _mm256_set1_epi32(0x00FF00FF));
+    const __m256i green = _mm256_and_si256(colors, _mm256_set1_epi32(0x0000FF00));
+    const __m256i red_blue = _mm256_srli_epi16(_mm256_mullo_epi16(even, shades), 8);
+    const __m256i dark_green = _mm256_slli_epi32(_mm256_mulhi_epu16(green, shades), 8);
+    return _mm256_or_si256(_mm256_or_si256(red_blue, dark_green), _mm256_set1_epi32(static_cast<int>(0xFF000000u)));
+}
+
+/// Of eight places the whole part of place * size / 2^32.
+WITH_AVX2 inline __m256i scaled(__m256i places, __m256i size) {
+    const __m256i even = _mm256_srli_epi64(_mm256_mul_epu32(places, size), 32);
+    const __m256i odd = _mm256_mul_epu32(_mm256_srli_epi64(places, 32), size);
+    return _mm256_blend_epi32(even, odd, 0b10101010);
+}
+
+/// What all columns of a flat have in common.
+struct Picture {
+    __m256i width, height;
+    __m128i to_column, to_row, row_bits;
+    __m256d base_u, base_v;
+    const std::uint32_t* texels;
+    const std::uint8_t* numbers;
+    const std::uint32_t* colors;
+};
+
+WITH_AVX2 inline Picture picture_of(const PlainFlats& f) {
+    const Texture& t = *f.texture;
+    return {_mm256_set1_epi32(static_cast<int>(t.width)),
+            _mm256_set1_epi32(static_cast<int>(t.height)),
+            _mm_cvtsi32_si128(32 - bits_below(t.width)),
+            _mm_cvtsi32_si128(32 - bits_below(t.height)),
+            _mm_cvtsi32_si128(bits_below(t.height)),
+            _mm256_set1_pd(f.base_u),
+            _mm256_set1_pd(f.base_v),
+            t.pixels.data(),
+            t.numbers.data(),
+            f.color_table ? f.color_table->at_level(0) : nullptr};
+}
+
+template <bool kByShifts>
+WITH_AVX2 inline __m256i texel_numbers(const Picture& p, __m256i u, __m256i v) {
+    if (kByShifts)
+        return _mm256_or_si256(_mm256_sll_epi32(_mm256_srl_epi32(u, p.to_column), p.row_bits),
+                               _mm256_srl_epi32(v, p.to_row));
+    return _mm256_add_epi32(_mm256_mullo_epi32(scaled(u, p.width), p.height), scaled(v, p.height));
+}
+
+/// One column of a flat.
+struct FlatColumn {
+    std::uint32_t* pixels;  ///< the first that is drawn
+    int count;
+    const double* depths;
+    const std::uint32_t* darkness;
+    double step_u, step_v, farthest;
+};
+
+/// The numbers of eight texels, by pixel.
+struct Numbers {
+    std::uint64_t p01, p23, p45, p67;
+};
+
+template <bool kByShifts>
+WITH_AVX2 inline Numbers numbers_at(const Picture& p, const FlatColumn& column, int i, __m256d step_u, __m256d step_v,
+                                    __m256d farthest) {
+    const __m256d shift = _mm256_set1_pd(kStepShift);
+    const __m256d a = _mm256_min_pd(_mm256_loadu_pd(column.depths + i), farthest);
+    const __m256d b = _mm256_min_pd(_mm256_loadu_pd(column.depths + i + 4), farthest);
+    const __m256i u = places_of(_mm256_add_pd(_mm256_add_pd(p.base_u, _mm256_mul_pd(a, step_u)), shift),
+                                _mm256_add_pd(_mm256_add_pd(p.base_u, _mm256_mul_pd(b, step_u)), shift));
+    const __m256i v = places_of(_mm256_add_pd(_mm256_add_pd(p.base_v, _mm256_mul_pd(a, step_v)), shift),
+                                _mm256_add_pd(_mm256_add_pd(p.base_v, _mm256_mul_pd(b, step_v)), shift));
+    const __m256i at = texel_numbers<kByShifts>(p, u, v);
+    const __m128i first = _mm256_castsi256_si128(at), second = _mm256_extracti128_si256(at, 1);
+    return {static_cast<std::uint64_t>(_mm_cvtsi128_si64(first)), static_cast<std::uint64_t>(_mm_cvtsi128_si64(second)),
+            static_cast<std::uint64_t>(_mm_extract_epi64(first, 1)),
+            static_cast<std::uint64_t>(_mm_extract_epi64(second, 1))};
+}
+
+WITH_AVX2 inline void lay_shaded(const Picture& p, const FlatColumn& column, int i, const Numbers& at) {
+    const auto texel = [&](std::uint64_t n) __attribute__((always_inline)) { return static_cast<int>(p.texels[n]); };
+    const __m256i eight = _mm256_setr_epi32(
+        texel(at.p01 & 0xFFFFFFFFu), texel(at.p01 >> 32), texel(at.p23 & 0xFFFFFFFFu), texel(at.p23 >> 32),
+        texel(at.p45 & 0xFFFFFFFFu), texel(at.p45 >> 32), texel(at.p67 & 0xFFFFFFFFu), texel(at.p67 >> 32));
+    const __m256i shades = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(column.darkness + i));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(column.pixels + i), shaded_eight(eight, shades));
+}
+
+inline void lay_looked_up(const Picture& p, const FlatColumn& column, int i, const Numbers& at) {
+    const std::uint32_t* const darkness = column.darkness + i;
+    std::uint32_t* const pixels = column.pixels + i;
+    int k = 0;
+    for (const std::uint64_t two : {at.p01, at.p23, at.p45, at.p67}) {
+        pixels[k] = p.colors[darkness[k] + p.numbers[two & 0xFFFFFFFFu]];
+        pixels[k + 1] = p.colors[darkness[k + 1] + p.numbers[two >> 32]];
+        k += 2;
+    }
+}
+
+template <bool kByShifts, bool kByTable>
+WITH_AVX2 void fill_column(const Picture& p, const FlatColumn& column) {
+    const __m256d step_u = _mm256_set1_pd(column.step_u), step_v = _mm256_set1_pd(column.step_v);
+    const __m256d farthest = _mm256_set1_pd(column.farthest);
+    for (int i = 0; i < column.count; i += kWide) {
+        if (i + kWide > column.count) i = column.count - kWide;
+        const Numbers at = numbers_at<kByShifts>(p, column, i, step_u, step_v, farthest);
+        if (kByTable)
+            lay_looked_up(p, column, i, at);
+        else
+            lay_shaded(p, column, i, at);
+    }
+}
+
+PlainFlats column_alone(const PlainFlats& f, int i) {
+    PlainFlats one = f;
+    one.runs = {f.runs.pixels + i * f.runs.pitch, f.runs.pitch, 1, f.runs.tops + i, f.runs.bottoms + i};
+    one.step_u += i;
+    one.step_v += i;
+    one.farthest += i;
+    return one;
+}
+
+template <bool kByShifts, bool kByTable>
+WITH_AVX2 void fill_flats_as(const PlainFlats& f) {
+    const Picture picture = picture_of(f);
+    for (int i = 0; i < f.runs.count; ++i) {
+        const int top = f.runs.tops[i], count = f.runs.bottoms[i] - top;
+        if (count >= kWide)
+            fill_column<kByShifts, kByTable>(
+                picture, {f.runs.pixels + i * f.runs.pitch + top, count, f.row_depths + top, f.row_darkness + top,
+                          f.step_u[i], f.step_v[i], f.farthest[i]});
+        else if (count > 0)
+            four_wide_kernels()->fill_flats(column_alone(f, i));
+    }
+}
+
+void fill_flats(const PlainFlats& f) {
+    const bool by_shifts = is_power_of_two(f.texture->width) && is_power_of_two(f.texture->height);
+    if (f.color_table)
+        by_shifts ? fill_flats_as<true, true>(f) : fill_flats_as<false, true>(f);
+    else
+        by_shifts ? fill_flats_as<true, false>(f) : fill_flats_as<false, false>(f);
+}
+
+}  // namespace
+
+std::optional<PlainKernels> eight_wide_kernels() {
+    if (!__builtin_cpu_supports("avx2")) return {};
+    return PlainKernels{"avx2", four_wide_kernels()->fill_walls, fill_flats};
+}
+
+}  // namespace enfilade::column
+#else
+namespace enfilade::column {
+std::optional<PlainKernels> eight_wide_kernels() { return {}; }
+}  // namespace enfilade::column
+#endif
