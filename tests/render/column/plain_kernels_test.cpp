@@ -86,8 +86,10 @@ TEST(PlainKernels, DrawWallsAsTheScalarOnesDo) {
         std::vector<Shade> shades;
         for (int i = 0; i < kColumns; ++i) {
             first_texels.push_back(static_cast<std::uint32_t>(random.below(texture.width)) * texture.height);
-            // Every second step is a round part of the tile, so that places lie on texels' very edges.
-            v_at_row_0.push_back(trial % 2 ? random.bits() : random.below(256) << 56);
+            // Every second step is a round part of the tile, so that places lie on texels' very edges, or so little
+            // before them that they are rounded up.
+            const TileSteps before_edge = random.below(2) == 0 ? 0 : random.below(kHalfPlace);
+            v_at_row_0.push_back(trial % 2 ? random.bits() : (random.below(256) << 56) - before_edge);
             v_per_row.push_back(trial % 2 ? random.bits() >> random.below(64) : random.below(256) << 54);
             shades.push_back(static_cast<Shade>(random.below(257)));
         }
