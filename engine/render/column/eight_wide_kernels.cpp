@@ -5,6 +5,8 @@
 #if defined(__x86_64__)
 #include <immintrin.h>
 
+#include <cstring>
+
 #include "render/column/texel_numbers.h"
 
 #define WITH_AVX2 [[gnu::target("avx2")]]
@@ -97,28 +99,31 @@ WITH_AVX2 inline Numbers numbers_at(const Picture& p, const FlatColumn& column, 
             static_cast<std::uint64_t>(_mm_extract_epi64(second, 1))};
 }
 
-WITH_AVX2 inline void lay_shaded(const Picture& p, const FlatColumn& column, int i, const Numbers& at) {
+WITH_AVX2 inline __m256i shaded_texels(const Picture& p, const FlatColumn& column, int i, const Numbers& at) {
     const auto texel = [&](std::uint64_t n) __attribute__((always_inline)) { return static_cast<int>(p.texels[n]); };
     const __m256i eight = _mm256_setr_epi32(
         texel(at.p01 & 0xFFFFFFFFu), texel(at.p01 >> 32), texel(at.p23 & 0xFFFFFFFFu), texel(at.p23 >> 32),
         texel(at.p45 & 0xFFFFFFFFu), texel(at.p45 >> 32), texel(at.p67 & 0xFFFFFFFFu), texel(at.p67 >> 32));
-    const __m256i shades = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(column.darkness + i));
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(column.pixels + i), shaded_eight(eight, shades));
+    return shaded_eight(eight, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(column.darkness + i)));
 }
 
 inline void lay_looked_up(const Picture& p, const FlatColumn& column, int i, const Numbers& at) {
     const std::uint32_t* const darkness = column.darkness + i;
     std::uint32_t* const pixels = column.pixels + i;
-    int k = 0;
-    for (const std::uint64_t two : {at.p01, at.p23, at.p45, at.p67}) {
-        pixels[k] = p.colors[darkness[k] + p.numbers[two & 0xFFFFFFFFu]];
-        pixels[k + 1] = p.colors[darkness[k + 1] + p.numbers[two >> 32]];
-        k += 2;
-    }
+    const auto lay_two = [&](int k, std::uint64_t two) __attribute__((always_inline)) {
+        const std::uint32_t a = p.colors[darkness[k] + p.numbers[static_cast<std::uint32_t>(two)]];
+        const std::uint32_t b = p.colors[darkness[k + 1] + p.numbers[two >> 32]];
+        pixels[k] = a;
+        pixels[k + 1] = b;
+    };
+    lay_two(0, at.p01);
+    lay_two(2, at.p23);
+    lay_two(4, at.p45);
+    lay_two(6, at.p67);
 }
 
 template <bool kByShifts, bool kByTable>
-WITH_AVX2 void fill_column(const Picture& p, const FlatColumn& column) {
+WITH_AVX2 inline void fill_column(const Picture& p, const FlatColumn& column) {
     const __m256d step_u = _mm256_set1_pd(column.step_u), step_v = _mm256_set1_pd(column.step_v);
     const __m256d farthest = _mm256_set1_pd(column.farthest);
     for (int i = 0; i < column.count; i += kWide) {
@@ -127,17 +132,25 @@ WITH_AVX2 void fill_column(const Picture& p, const FlatColumn& column) {
         if (kByTable)
             lay_looked_up(p, column, i, at);
         else
-            lay_shaded(p, column, i, at);
+            _mm256_storeu_si256(reinterpret_cast<__m256i*>(column.pixels + i), shaded_texels(p, column, i, at));
     }
 }
 
-PlainFlats column_alone(const PlainFlats& f, int i) {
-    PlainFlats one = f;
-    one.runs = {f.runs.pixels + i * f.runs.pitch, f.runs.pitch, 1, f.runs.tops + i, f.runs.bottoms + i};
-    one.step_u += i;
-    one.step_v += i;
-    one.farthest += i;
-    return one;
+/// Fewer than eight pixels: of eight those that are wanted.
+template <bool kByShifts, bool kByTable>
+WITH_AVX2 [[gnu::noinline]] void fill_short_column(const Picture& p, const FlatColumn& column) {
+    const Numbers at = numbers_at<kByShifts>(p, column, 0, _mm256_set1_pd(column.step_u), _mm256_set1_pd(column.step_v),
+                                             _mm256_set1_pd(column.farthest));
+    if (!kByTable) {
+        const __m256i eight = shaded_texels(p, column, 0, at);
+        std::memcpy(column.pixels, &eight, sizeof *column.pixels * static_cast<std::size_t>(column.count));
+        return;
+    }
+    const std::uint64_t twos[] = {at.p01, at.p23, at.p45, at.p67};
+    for (int i = 0; i < column.count; ++i) {
+        const auto number = static_cast<std::uint32_t>(twos[i / 2] >> i % 2 * 32);
+        column.pixels[i] = p.colors[column.darkness[i] + p.numbers[number]];
+    }
 }
 
 template <bool kByShifts, bool kByTable>
@@ -145,12 +158,18 @@ WITH_AVX2 void fill_flats_as(const PlainFlats& f) {
     const Picture picture = picture_of(f);
     for (int i = 0; i < f.runs.count; ++i) {
         const int top = f.runs.tops[i], count = f.runs.bottoms[i] - top;
+        if (count <= 0) continue;
+        const FlatColumn column{f.runs.pixels + i * f.runs.pitch + top,
+                                count,
+                                f.row_depths + top,
+                                f.row_darkness + top,
+                                f.step_u[i],
+                                f.step_v[i],
+                                f.farthest[i]};
         if (count >= kWide)
-            fill_column<kByShifts, kByTable>(
-                picture, {f.runs.pixels + i * f.runs.pitch + top, count, f.row_depths + top, f.row_darkness + top,
-                          f.step_u[i], f.step_v[i], f.farthest[i]});
-        else if (count > 0)
-            four_wide_kernels()->fill_flats(column_alone(f, i));
+            fill_column<kByShifts, kByTable>(picture, column);
+        else
+            fill_short_column<kByShifts, kByTable>(picture, column);
     }
 }
 

@@ -40,12 +40,12 @@ void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, 
     base_u_ = fraction((pose.eye.x - flat.origin.x) / surface.tile_m.x - surface.offset_tiles.x);
     base_v_ = fraction((pose.eye.y - flat.origin.y) / surface.tile_m.y - surface.offset_tiles.y);
     prepared_top_ = prepared_bottom_ = 0;
-    row_depths_.resize(scene.screen.row_depths.size());
+    row_depths_.resize(scene.screen.row_depths.size() + kRowsBeyond);
     row_shades_.resize(scene.screen.row_depths.size());
     if (is_there(fog_)) row_mists_.resize(scene.screen.row_depths.size());
     is_plain_ = !(built_in::kSky && flat.sky) && !(built_in::kPointLights && glow) && !is_there(fog_) && !is_extended_;
     near_limit_ = (kNearTiles - 1) * std::min(surface.tile_m.x, surface.tile_m.y) / longest_ray(scene.screen);
-    if (is_plain_) row_darkness_.resize(scene.screen.row_depths.size());
+    if (is_plain_) row_darkness_.resize(scene.screen.row_depths.size() + kRowsBeyond);
     if (!built_in::kSkyLayers) return;
     layers_.clear();
     for (std::uint32_t i = 0; i < flat.layer_count; ++i)

@@ -102,7 +102,8 @@ void fill_walls_as(const PlainWalls& w) {
 }
 
 void fill_walls(const PlainWalls& w) {
-    is_power_of_two(w.texture->height) ? fill_walls_as<true>(w) : fill_walls_as<false>(w);
+    const std::uint32_t height = w.texture->height;
+    height > 1 && is_power_of_two(height) ? fill_walls_as<true>(w) : fill_walls_as<false>(w);
 }
 
 /// Of four places the whole part of place * size / 2^32.

@@ -52,6 +52,9 @@ struct PlainWalls {
     const ColorTable* color_table;      ///< that the texture goes by, or null: it is darkened in proportion
 };
 
+/// Kernels that draw several rows at once may look at so many after a run's last.
+inline constexpr int kRowsBeyond = 7;
+
 /// A floor or ceiling: tile position = base + depth(row) * step.
 struct PlainFlats {
     ColumnRuns runs;
@@ -60,8 +63,8 @@ struct PlainFlats {
     const double* step_u;               ///< per metre of depth along each column's ray [count] [tiles/m]
     const double* step_v;               ///< such that depth * step <= kNearTiles - 1
     const double* farthest;             ///< where depths are cut off: of the wall behind the flat [count] [m]
-    const double* row_depths;           ///< by row [m]
-    const std::uint32_t* row_darkness;  ///< by row: darkness_of() its shade
+    const double* row_depths;           ///< by row, and kRowsBeyond more that may be read [m]
+    const std::uint32_t* row_darkness;  ///< by row: darkness_of() its shade; and as many more
     const ColorTable* color_table;      ///< that the texture goes by, or null: it is darkened in proportion
 };
 

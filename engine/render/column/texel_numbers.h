@@ -8,18 +8,18 @@
 
 namespace enfilade::column {
 
-constexpr bool is_power_of_two(std::uint32_t size) { return std::has_single_bit(size); }
+/// size >= 1. (std::has_single_bit() counts all bits where a processor may lack the instruction.)
+constexpr bool is_power_of_two(std::uint32_t size) { return (size & (size - 1)) == 0; }
 
 /// Such that size = 2^bits_below(size), where it is a power of two.
 constexpr int bits_below(std::uint32_t size) { return std::countr_zero(size); }
 
-/// Where steps down a tile fall among the texels of a picture's column.
+/// Where steps down a tile fall among the texels of a picture's column. By shifts only where height > 1.
 template <bool kByShifts>
 class RowNumber {
 public:
-    explicit RowNumber(std::uint32_t height) : height_(height), shift_(32 - bits_below(height)) {}
-    /// Two shifts, for a picture of one row is shifted by all 64 bits.
-    std::size_t operator()(TileSteps v) const { return kByShifts ? (v >> 32) >> shift_ : (v >> 32) * height_ >> 32; }
+    explicit RowNumber(std::uint32_t height) : height_(height), shift_(64 - bits_below(height)) {}
+    std::size_t operator()(TileSteps v) const { return kByShifts ? v >> shift_ : (v >> 32) * height_ >> 32; }
 
 private:
     std::uint64_t height_;

@@ -112,7 +112,7 @@ TEST(PlainKernels, DrawFlatsAsTheScalarOnesDo) {
         const ColorTable* const table = random.below(2) == 0 ? &all_colors : nullptr;
         std::vector<double> depths, step_u, step_v, farthest;
         std::vector<std::uint32_t> darkness;
-        for (int row = 0; row < kRows; ++row) {
+        for (int row = 0; row < kRows + kRowsBeyond; ++row) {
             depths.push_back(random.below(20) == 0 ? kInfinity : random.uniform(0, 3000));
             darkness.push_back(darkness_of(table, static_cast<Shade>(random.below(257))));
         }
