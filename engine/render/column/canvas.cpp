@@ -51,9 +51,21 @@ void turn_plainly(const std::uint32_t* from, std::uint32_t* to, Pitches pitch, i
         for (int i = 0; i < length; ++i) to[i * pitch.to + line] = from[line * pitch.from + i];
 }
 
+/// Starts to bring a block that is turned next, and the place it goes to, into the cache. Both are far apart in memory,
+/// so that processors do not foresee them: without this, turning takes twice as long.
+void fetch_block(const std::uint32_t* from, const std::uint32_t* to, Pitches pitch) {
+    constexpr int kToBeWritten = 1;
+    for (int line = 0; line < kBlock; ++line) {
+        __builtin_prefetch(from + line * pitch.from);
+        __builtin_prefetch(to + line * pitch.to, kToBeWritten);
+    }
+}
+
+/// Four whole lines of `to` after four others: a cache line is filled at once.
 void turn_whole_block(const std::uint32_t* from, std::uint32_t* to, Pitches pitch) {
-    for (int line = 0; line < kBlock; line += 4)
-        for (int i = 0; i < kBlock; i += 4) turn_four(from + line * pitch.from + i, to + i * pitch.to + line, pitch);
+    for (int i = 0; i < kBlock; i += 4)
+        for (int line = 0; line < kBlock; line += 4)
+            turn_four(from + line * pitch.from + i, to + i * pitch.to + line, pitch);
 }
 
 /// Lines of `from` become columns of `to`.
@@ -90,6 +102,8 @@ void Canvas::copy_to(Frame& frame) const {
     for (int y = 0; y < height_; y += kBlock)
         for (int x = 0, next; x < width; x = next) {
             next = std::min(width, x < before_line ? before_line : x + kBlock);
+            if (next + kBlock <= width && y + kBlock <= height_)
+                fetch_block(first_ + next * pitch_ + y, corner + y * pitch.to + next, pitch);
             turn_block(first_ + x * pitch_ + y, corner + y * pitch.to + x, pitch, next - x,
                        std::min(kBlock, height_ - y));
         }
