@@ -1,5 +1,5 @@
-// Eight pixels of a flat at a time, for processors with AVX2. Walls gain nothing from it. Texels are loaded one by one:
-// gathering them is no faster where it is fast, and much slower on processors that had to be mended.
+// Eight pixels at a time, for processors with AVX2. Texels are loaded one by one: gathering them is no faster where it
+// is fast, and much slower on processors that had to be mended.
 #include "render/column/plain_kernels.h"
 
 #if defined(__x86_64__)
@@ -9,7 +9,7 @@
 
 #include "render/column/texel_numbers.h"
 
-#define WITH_AVX2 [[gnu::target("avx2")]]
+#define WITH_AVX2 [[gnu::target("avx2,bmi2")]]  // bmi2: shifts by any register
 
 namespace enfilade::column {
 namespace {
@@ -34,6 +34,52 @@ WITH_AVX2 inline __m256i scaled(__m256i places, __m256i size) {
     const __m256i even = _mm256_srli_epi64(_mm256_mul_epu32(places, size), 32);
     const __m256i odd = _mm256_mul_epu32(_mm256_srli_epi64(places, 32), size);
     return _mm256_blend_epi32(even, odd, 0b10101010);
+}
+
+/// Fewer than eight rows of a wall.
+template <bool kByShifts>
+[[gnu::noinline]] void fill_short_wall(const WallColumn& to, RowNumber<kByShifts> row_at, const std::uint32_t* texels,
+                                       Shade shade) {
+    for (int i = 0; i < to.count; ++i)
+        to.pixels[i] = shaded(texels[row_at(to.v + static_cast<TileSteps>(i) * to.step)], shade);
+}
+
+/// At least eight rows of a wall.
+template <bool kByShifts>
+WITH_AVX2 inline void fill_wall(const WallColumn& to, const RowNumber<kByShifts>& row_at, const std::uint32_t* texels,
+                                Shade shade) {
+    const __m256i shades = _mm256_set1_epi16(static_cast<short>(shade));
+    const TileSteps step = to.step;
+    const int last = to.count - kWide;
+    for (int i = 0; i < to.count; i += kWide) {
+        if (i > last) i = last;
+        const TileSteps v = to.v + step * static_cast<TileSteps>(i), w = v + 4 * step;
+        const auto texel = [&](TileSteps from)
+                               __attribute__((always_inline)) { return static_cast<int>(texels[row_at(from)]); };
+        const __m256i eight = _mm256_setr_epi32(texel(v), texel(v + step), texel(v + 2 * step), texel(v + 3 * step),
+                                                texel(w), texel(w + step), texel(w + 2 * step), texel(w + 3 * step));
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to.pixels + i), shaded_eight(eight, shades));
+    }
+}
+
+template <bool kByShifts>
+WITH_AVX2 void fill_walls_as(const PlainWalls& w) {
+    const RowNumber<kByShifts> row_at(w.texture->height);
+    for (int i = 0; i < w.runs.count; ++i) {
+        if (w.runs.bottoms[i] - w.runs.tops[i] >= kWide)
+            fill_wall(column_of(w, i), row_at, &w.texture->pixels[w.first_texels[i]], w.shades[i]);
+        else if (w.runs.bottoms[i] > w.runs.tops[i])
+            fill_short_wall(column_of(w, i), row_at, &w.texture->pixels[w.first_texels[i]], w.shades[i]);
+    }
+}
+
+/// Looking up gains nothing from eight at a time.
+void fill_walls(const PlainWalls& w) {
+    const std::uint32_t height = w.texture->height;
+    if (w.color_table)
+        four_wide_kernels()->fill_walls(w);
+    else
+        height > 1 && is_power_of_two(height) ? fill_walls_as<true>(w) : fill_walls_as<false>(w);
 }
 
 /// What all columns of a flat have in common.
@@ -184,8 +230,8 @@ void fill_flats(const PlainFlats& f) {
 }  // namespace
 
 std::optional<PlainKernels> eight_wide_kernels() {
-    if (!__builtin_cpu_supports("avx2")) return {};
-    return PlainKernels{"avx2", four_wide_kernels()->fill_walls, fill_flats};
+    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("bmi2")) return {};
+    return PlainKernels{"avx2", fill_walls, fill_flats};
 }
 
 }  // namespace enfilade::column

@@ -37,20 +37,6 @@ void by_four(int count, FillAt fill_at) {
     fill_at(count - kWide);
 }
 
-/// One column of a wall.
-struct WallColumn {
-    std::uint32_t* pixels;  ///< the first that is drawn
-    int count;
-    TileSteps v;  ///< of the first, half a place on
-    TileSteps step;
-};
-
-WallColumn column_of(const PlainWalls& w, int i) {
-    const int top = w.runs.tops[i];
-    return {w.runs.pixels + i * w.runs.pitch + top, w.runs.bottoms[i] - top,
-            w.v_at_row_0[i] + w.v_per_row[i] * static_cast<TileSteps>(top) + kHalfPlace, w.v_per_row[i]};
-}
-
 template <bool kByShifts>
 void fill_wall(const WallColumn& to, RowNumber<kByShifts> row_at, const std::uint32_t* texels, Shade shade) {
     const auto at = [=](TileSteps v) { return &texels[row_at(v)]; };

@@ -1,5 +1,5 @@
-// Which texel: by a shift where a picture's side is a power of two, by a product elsewhere; the same numbers. For the
-// kernels that draw several pixels at a time.
+// What the kernels that draw several pixels at a time have in common: which texel, by a shift where a picture's side is
+// a power of two, by a product elsewhere, the same numbers; and where a column of a wall begins.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -25,5 +25,19 @@ private:
     std::uint64_t height_;
     int shift_;
 };
+
+/// One column of a wall.
+struct WallColumn {
+    std::uint32_t* pixels;  ///< the first that is drawn
+    int count;
+    TileSteps v;  ///< of the first, half a place on
+    TileSteps step;
+};
+
+inline WallColumn column_of(const PlainWalls& w, int i) {
+    const int top = w.runs.tops[i];
+    return {w.runs.pixels + i * w.runs.pitch + top, w.runs.bottoms[i] - top,
+            w.v_at_row_0[i] + w.v_per_row[i] * static_cast<TileSteps>(top) + kHalfPlace, w.v_per_row[i]};
+}
 
 }  // namespace enfilade::column
