@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/built_in.h"
+#include "render/column/lamplit_walls.h"
 
 namespace enfilade::column {
 namespace {
@@ -18,6 +19,8 @@ std::uint32_t texel_row(const WallRun& wall, TileSteps v) {
 }
 
 std::uint32_t texel_at(const WallRun& wall, TileSteps v) { return wall.texels[texel_row(wall, v)]; }
+
+Run part_of(const Run& run, int first, int end) { return {run.pixels + first, run.first_row + first, end - first}; }
 
 template <bool kLit>
 void fill_wall_as(const Run& run, const WallRun& wall) {
@@ -77,13 +80,15 @@ void paint_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
 
 template <bool kIsOver>
 void paint_lit_wall(const Run& run, const WallRun& wall, const WallGlow& glow) {
+    const int done = wall.numbers ? 0 : paint_lamplit_wall(run, wall, glow, kIsOver);
+    const Run rest = part_of(run, done, run.count);
     const bool has_fog = built_in::kFog && wall.mist != 0;
     if (wall.numbers)
-        has_fog ? paint_lit_wall<true, kIsOver, true>(run, wall, glow)
-                : paint_lit_wall<false, kIsOver, true>(run, wall, glow);
+        has_fog ? paint_lit_wall<true, kIsOver, true>(rest, wall, glow)
+                : paint_lit_wall<false, kIsOver, true>(rest, wall, glow);
     else
-        has_fog ? paint_lit_wall<true, kIsOver, false>(run, wall, glow)
-                : paint_lit_wall<false, kIsOver, false>(run, wall, glow);
+        has_fog ? paint_lit_wall<true, kIsOver, false>(rest, wall, glow)
+                : paint_lit_wall<false, kIsOver, false>(rest, wall, glow);
 }
 
 template <bool kHasFog, bool kByTable>
@@ -182,8 +187,6 @@ LitPart lit_part(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
     while (part.first < part.end && is_dark(part.end - 1)) --part.end;
     return part;
 }
-
-Run part_of(const Run& run, int first, int end) { return {run.pixels + first, run.first_row + first, end - first}; }
 
 [[gnu::noinline]] void fill_flat_in_fog(const Run& run, const FlatRun& flat) { fill_flat_as<true>(run, flat); }
 

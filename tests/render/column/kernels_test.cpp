@@ -174,6 +174,52 @@ TEST(FillLitFlat, LightsEachPixelByItsPlaceWhereverTheLightEnds) {
     }
 }
 
+/// The light at a row, by the definition.
+LightCell light_at_row(const std::vector<LightCell>& cells, const WallGlow& glow, int row) {
+    const auto position = static_cast<std::int64_t>(glow.at_row_0 + glow.per_row * static_cast<std::uint64_t>(row));
+    const std::int64_t last = (static_cast<std::int64_t>(cells.size() - 1) << 32) - 1;
+    const std::int64_t at = std::clamp(position, std::int64_t{0}, last);
+    const auto cell = static_cast<std::size_t>(at >> 32);
+    return between(cells[cell], cells[cell + 1], static_cast<std::uint32_t>(at >> 24) & 0xFF);
+}
+
+TEST(FillLitWall, LightsEachPixelByItsPlaceAsFarAsAnyLightReaches) {
+    Random random(12);
+    for (int trial = 0; trial < 2000; ++trial) {
+        Texture texture = numbered(1, 77);
+        for (std::uint32_t& texel : texture.pixels)
+            texel = static_cast<std::uint32_t>(random.bits()) & (random.below(3) == 0 ? 0x00FFFFFFu : 0xFFFFFFFFu);
+        std::vector<LightCell> cells;
+        const auto channel = [&] { return static_cast<std::uint32_t>(random.below(kMostLight + 1)); };
+        const std::size_t count = 2 + random.below(trial % 10 == 0 ? 90 : 8);
+        for (std::size_t i = 0; i < count; ++i) cells.push_back(light_cell(channel(), channel(), channel()));
+        const double place = random.uniform(-2, 10), step = random.uniform(0, 0.3);  // mostly beyond both ends
+        const WallGlow glow{cells.data(), static_cast<int>(count), tile_steps(place / 4294967296.0),
+                            tile_steps(step / 4294967296.0)};
+        const WallRun wall{texture.pixels.data(),
+                           77,
+                           tile_steps(random.uniform(0, 1)),
+                           tile_steps(random.uniform(0, 0.1)),
+                           static_cast<Shade>(random.below(257)),
+                           static_cast<Mist>(random.below(2) * random.below(257)),
+                           0xFF80FF40u};
+        const int rows = static_cast<int>(random.below(40)), first = static_cast<int>(random.below(100));
+        const std::vector<std::uint32_t> before(40, 0xFF104070u);
+        std::vector<std::uint32_t> filled = before, laid = before;
+        fill_lit_wall({filled.data(), first, rows}, wall, glow);
+        lay_lit_wall({laid.data(), first, rows}, wall, glow);
+        for (int i = 0; i < 40; ++i) {
+            const TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(first + i) + kHalfPlace;
+            const std::uint32_t texel = texture.pixels[texel_of(static_cast<TilePlace>(v >> 32), 77)];
+            const std::uint32_t clear = lit(texel, wall.shade, light_at_row(cells, glow, first + i));
+            const std::uint32_t color = misted(clear, wall.fog, wall.mist);
+            const std::uint32_t over = laid_over(before[i], (color & 0x00FFFFFFu) | (texel & 0xFF000000u));
+            ASSERT_EQ(filled[i], i < rows ? color : before[i]) << trial << " row " << i;
+            ASSERT_EQ(laid[i], i < rows && texel >> 24 != 0 ? over : before[i]) << trial << " row " << i;
+        }
+    }
+}
+
 TEST(FillLitWall, IsPlainInLightThatIsTooFaintToBeSeen) {
     const Texture texture = numbered(1, 77);
     const WallRun wall{texture.pixels.data(), 77, tile_steps(0.1), tile_steps(0.013), 200};
