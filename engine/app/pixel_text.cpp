@@ -54,7 +54,7 @@ std::string surface_text(const Shown& shown) {
     return {};
 }
 
-const Surface& surface_of(const Wall& wall, WallPart part) {
+LayId surface_of(const Wall& wall, WallPart part) {
     if (wall.kind != WallKind::portal && part == WallPart::middle) return wall.texture;
     return part == WallPart::upper ? wall.upper : part == WallPart::lower ? wall.lower : wall.middle;
 }

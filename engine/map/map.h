@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/boxed.h"
 #include "base/id.h"
 #include "formats/map_file.h"
 #include "map/effects.h"
@@ -25,12 +26,18 @@ namespace enfilade {
 ///   flat:  u = (x - origin) / tile_m.x,                    v = (y - origin) / tile_m.y
 ///   sky:   u = turns * tile_m.x,                           v = 1 - tan(elevation) / tile_m.y, clamped to the picture
 /// and then minus offset.
+/// Few are different, and many walls and flats show each: a map keeps each once (Map::surfaces).
 struct Surface {
     TextureId texture;       ///< none: no texture ("-" or not given)
     Vec2 tile_m{1, 1};       ///< metres per tile (sky: wraps per turn, tangent of the height)
     Vec2 offset_tiles;       ///< subtracted; in [0, 1) but for a portal's middle, which does not repeat upwards [tiles]
     Peg peg = Peg::ceiling;  ///< walls only
+    Vec2 scroll;             ///< how fast the picture moves: along walls and panels and up; flat: along x and y [m/s]
+
+    bool operator==(const Surface&) const = default;
 };
+
+inline constexpr Surface kNoSurface{};
 
 enum class WallKind : std::uint8_t {
     solid,
@@ -57,10 +64,9 @@ struct Wall {
     /// Light by direction, so that corners can be seen. Smooth light: a factor, from 0.8 along x to 1 along y. Classic
     /// light: 0.8 exactly along x (one step darker), 1.2 exactly along y (one step brighter), else 1. Tutorial: 1.
     double contrast = 1;
-    Surface texture;               ///< solid, way back
-    Surface upper, lower, middle;  ///< portal; the first two: way back, too
-    Vec2 scroll;                   ///< how fast its pictures move along it and up [m/s]
-    TriggerRange triggers;         ///< use, cross and start
+    LayId texture;               ///< solid, way back
+    LayId upper, lower, middle;  ///< portal; the first two: way back, too
+    TriggerRange triggers;       ///< use, cross and start
     static constexpr std::uint32_t kNoLink = 0xFFFFFFFFu;
 
     /// Whether it stands, for who is before it, in front of what the same room has behind it: what is there is another
@@ -77,7 +83,6 @@ struct Panel {
     SectorId sector;
     double bottom = 0, top = 0;  ///< absolute; what is below the floor or above the ceiling is hidden [m]
     double contrast = 1;         ///< as a wall's
-    Vec2 scroll;                 ///< how fast its picture moves along it, from a to b, and up [m/s]
     Surface surface;             ///< hangs from `top`, whatever its peg; no texture: nothing to be seen
     bool one_sided = false;      ///< only seen by an eye for which a wall a -> b would face (math/predicates.h)
     bool blocks = false;         ///< looks pass, bodies do not, at whatever height
@@ -95,9 +100,8 @@ struct SkyLayer {
 
 struct Flat {
     double z = 0;  ///< at rest [m]
-    Surface surface;
-    Vec2 origin;  ///< of the texture, in the plane
-    Vec2 scroll;  ///< how fast the picture moves [m/s]
+    Vec2 origin;   ///< of the texture, in the plane
+    LayId surface;
     bool sky = false;
     bool carries = false;           ///< floor: moves who stands on it with the picture
     std::uint32_t first_layer = 0;  ///< sky: what is laid over it, the farthest first, is
@@ -113,17 +117,17 @@ struct Sector {
     bool unlit = false;        ///< neither depth nor direction changes its light
     SunId sun;                 ///< that shines on it, or none
     Flat floor, ceiling;
-    std::optional<BobRecord> floor_bob, ceiling_bob;  ///< up and down around their z
-    Vec2 min, max;                                    ///< bounding box
-    std::uint32_t first_solid = 0;  ///< its solid things are [first_solid, first_solid + solid_count) of
-    std::uint32_t solid_count = 0;  ///< Map::solid_things
+    Boxed<BobRecord> floor_bob, ceiling_bob;  ///< up and down around their z
+    Vec2 min, max;                            ///< bounding box
+    std::uint32_t first_solid = 0;            ///< its solid things are [first_solid, first_solid + solid_count) of
+    std::uint32_t solid_count = 0;            ///< Map::solid_things
     std::uint32_t first_panel = 0;  ///< its panels are [first_panel, first_panel + panel_count) of Map::panels
     std::uint32_t panel_count = 0;
     std::uint32_t active_panels = 0;    ///< how many of them block or have triggers
     std::uint32_t first_touchable = 0;  ///< the things in it that do something when touched are
     std::uint32_t touchable_count = 0;  ///< [first_touchable, first_touchable + touchable_count) of Map::touchables
     TriggerRange triggers;              ///< use, enter and start
-    std::optional<LightEffectRecord> light_effect;
+    Boxed<LightEffectRecord> light_effect;
     int damage = 0;  ///< of a second on its floor [points of health]
     bool secret = false;
     SectorId leader;               ///< the first of its group, the sectors that move as one; itself where it has none
@@ -210,6 +214,7 @@ struct Map {
     std::string name;
     std::vector<Sector> sectors;
     std::vector<Wall> walls;
+    std::vector<Surface> surfaces;    ///< of walls and flats, each different one once
     std::vector<Rigid> links;         ///< what each linked portal or mirror does to what is seen through it
     std::vector<GridMap> grid_links;  ///< portals: the same for what moves through it; index as in links
     std::vector<SkyLayer> sky_layers;
@@ -237,6 +242,8 @@ struct Map {
 
     const Sector& operator[](SectorId id) const { return sectors[id.index]; }
     const Wall& operator[](WallId id) const { return walls[id.index]; }
+    /// None: what has no texture.
+    const Surface& operator[](LayId id) const { return id ? surfaces[id.index] : kNoSurface; }
     const Panel& operator[](PanelId id) const { return panels[id.index]; }
     const Thing& operator[](ThingId id) const { return things[id.index]; }
     const Sprite& operator[](SpriteId id) const { return sprites[id.index]; }

@@ -97,7 +97,7 @@ void add_sector(Draft& draft, const SectorRecord& record) {
     sector.name = record.name;
     sector.light = record.light;
     sector.unlit = record.unlit;
-    sector.light_effect = record.light_effect;
+    if (record.light_effect) sector.light_effect = *record.light_effect;
     sector.damage = record.damage;
     sector.secret = record.secret;
     sector.leader = sector.next_of_group = id;

@@ -1,6 +1,8 @@
 // How pictures lie on walls and flats: texture specs become tiles and offsets, and each direction its contrast.
 #include <cmath>
+#include <unordered_map>
 
+#include "base/hash.h"
 #include "map/draft.h"
 
 namespace enfilade {
@@ -12,9 +14,39 @@ double fraction_of(double x) {
     return f >= 0 && f < 1 ? f : 0;
 }
 
+/// Keeps each different surface once. Looked up only, never gone through: the order is that of the map.
+class SurfaceList {
+public:
+    explicit SurfaceList(std::vector<Surface>& surfaces) : surfaces_(surfaces) {}
+
+    LayId add(const Surface& surface) {
+        const auto [known, is_new] = ids_.try_emplace(surface, surfaces_.size());
+        if (is_new) surfaces_.push_back(surface);
+        return known->second;
+    }
+
+private:
+    struct HashOf {
+        std::size_t operator()(const Surface& surface) const {
+            Hash hash;
+            hash.add(surface.texture.index);
+            for (const Vec2 part : {surface.tile_m, surface.offset_tiles, surface.scroll}) {
+                hash.add(part.x);
+                hash.add(part.y);
+            }
+            hash.add(static_cast<std::uint32_t>(surface.peg));
+            return hash.value();
+        }
+    };
+
+    std::vector<Surface>& surfaces_;
+    std::unordered_map<Surface, LayId, HashOf> ids_;
+};
+
 /// What all surfaces of one wall or flat have in common.
 struct Lay {
     const TextureSet& textures;
+    Vec2 scroll;
     std::optional<double> size;        ///< texels per metre, instead of metres per tile
     std::optional<double> usual_size;  ///< the map's, where neither is given
 
@@ -35,6 +67,7 @@ struct Lay {
     Surface single(const std::optional<TextureSpec>& spec, Peg peg) const {
         Surface s;
         s.peg = peg;
+        s.scroll = scroll;
         if (!spec) return s;
         s.texture = spec->name == "-" ? TextureId() : textures.find(spec->name);
         const Texture& texture = textures[s.texture];
@@ -59,27 +92,25 @@ double contrast_in(const Draft& draft, Vec2 edge) {
     return is_tutorial(draft) || edge == Vec2{} ? 1 : contrast_of(draft.file.render.light, edge);
 }
 
-void lay_wall(Draft& draft, WallId id) {
+void lay_wall(Draft& draft, SurfaceList& surfaces, WallId id) {
     Wall& wall = draft.map.walls[id.index];
     const WallRecord& record = *draft.walls[id.index].record;
-    const Lay lay{draft.textures, record.size, draft.file.size};
-    wall.scroll = record.scroll;
+    const Lay lay{draft.textures, record.scroll, record.size, draft.file.size};
     wall.contrast = contrast_in(draft, wall.b - wall.a);
-    if (wall.kind != WallKind::portal) wall.texture = lay.surface(record.texture, record.texture_peg);
+    if (wall.kind != WallKind::portal) wall.texture = surfaces.add(lay.surface(record.texture, record.texture_peg));
     if (wall.kind != WallKind::portal && wall.kind != WallKind::way_back) return;
-    wall.upper = lay.surface(record.upper ? record.upper : record.texture, record.upper_peg);
-    wall.lower = lay.surface(record.lower ? record.lower : record.texture, record.lower_peg);
-    if (wall.kind == WallKind::portal) wall.middle = lay.single(record.middle, record.middle_peg);
+    wall.upper = surfaces.add(lay.surface(record.upper ? record.upper : record.texture, record.upper_peg));
+    wall.lower = surfaces.add(lay.surface(record.lower ? record.lower : record.texture, record.lower_peg));
+    if (wall.kind == WallKind::portal) wall.middle = surfaces.add(lay.single(record.middle, record.middle_peg));
 }
 
 /// sector's i-th panel.
 void lay_panel(Draft& draft, const SectorDraft& sector, std::size_t i, Panel& panel) {
     const PanelRecord& record = sector.record->panels[i];
-    const Lay lay{draft.textures, record.size, draft.file.size};
+    const Lay lay{draft.textures, record.scroll, record.size, draft.file.size};
     panel.contrast = contrast_in(draft, panel.b - panel.a);
     panel.surface = lay.surface(record.texture, Peg::ceiling);
     panel.one_sided = record.one_sided;
-    panel.scroll = record.scroll;
 }
 
 void lay_layers(Draft& draft, const FlatRecord& record, Flat& flat) {
@@ -90,7 +121,8 @@ void lay_layers(Draft& draft, const FlatRecord& record, Flat& flat) {
     flat.first_layer = static_cast<std::uint32_t>(draft.map.sky_layers.size());
     flat.layer_count = static_cast<std::uint32_t>(record.layers.size());
     for (const SkyLayerRecord& layer : record.layers)
-        draft.map.sky_layers.push_back({Lay{draft.textures, {}, {}}.surface(layer.texture, Peg::ceiling), layer.turn});
+        draft.map.sky_layers.push_back(
+            {Lay{draft.textures, {}, {}, {}}.surface(layer.texture, Peg::ceiling), layer.turn});
 }
 
 /// In the tutorial (chapter 7, Camera.js and Flat.js) a sky's picture begins a quarter turn before x, and the first
@@ -100,13 +132,14 @@ void lay_tutorial_sky(Surface& sky) {
     sky.offset_tiles.x = fraction_of(sky.offset_tiles.x - sky.tile_m.x / 4);
 }
 
-void lay_flat(Draft& draft, const SectorDraft& sector, const FlatRecord& record, Flat& flat) {
+void lay_flat(Draft& draft, SurfaceList& surfaces, const SectorDraft& sector, const FlatRecord& record, Flat& flat) {
     // A sky's two numbers are wraps and a tangent, which texels per metre say nothing about.
-    const Lay lay = record.parallax ? Lay{draft.textures, {}, {}} : Lay{draft.textures, record.size, draft.file.size};
-    flat.surface = lay.surface(record.texture, Peg::ceiling);
+    const Lay lay = record.parallax ? Lay{draft.textures, record.scroll, {}, {}}
+                                    : Lay{draft.textures, record.scroll, record.size, draft.file.size};
+    Surface surface = lay.surface(record.texture, Peg::ceiling);
     flat.sky = record.parallax;
-    if (flat.sky && is_tutorial(draft)) lay_tutorial_sky(flat.surface);
-    flat.scroll = record.scroll;
+    if (flat.sky && is_tutorial(draft)) lay_tutorial_sky(surface);
+    flat.surface = surfaces.add(surface);
     flat.carries = record.carries;
     lay_layers(draft, record, flat);
     if (record.is_relative && sector.loop_count > 0)
@@ -122,14 +155,15 @@ void lay_bobs(Draft& draft, const SectorRecord& record, Sector& sector) {
 }  // namespace
 
 void lay_surfaces(Draft& draft) {
-    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) lay_wall(draft, WallId(i));
+    SurfaceList surfaces(draft.map.surfaces);
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) lay_wall(draft, surfaces, WallId(i));
     for (std::size_t i = 0; i < draft.map.sectors.size(); ++i) {
         const SectorDraft& sector = draft.sectors[i];
         const Sector& laid = draft.map.sectors[i];
         for (std::size_t p = 0; p < laid.panel_count; ++p)
             lay_panel(draft, sector, p, draft.map.panels[laid.first_panel + p]);
-        lay_flat(draft, sector, sector.record->floor, draft.map.sectors[i].floor);
-        lay_flat(draft, sector, sector.record->ceiling, draft.map.sectors[i].ceiling);
+        lay_flat(draft, surfaces, sector, sector.record->floor, draft.map.sectors[i].floor);
+        lay_flat(draft, surfaces, sector, sector.record->ceiling, draft.map.sectors[i].ceiling);
         lay_bobs(draft, *sector.record, draft.map.sectors[i]);
     }
 }

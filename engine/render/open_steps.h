@@ -9,9 +9,9 @@ namespace enfilade {
 /// which there would be nothing but sky.
 inline bool has_upper_step(const Map& map, const Wall& portal) {
     const bool from_sky_to_sky = built_in::kSky && map[portal.sector].ceiling.sky && map[portal.behind].ceiling.sky;
-    return portal.upper.texture && !from_sky_to_sky;
+    return map[portal.upper].texture && !from_sky_to_sky;
 }
 
-inline bool has_lower_step(const Wall& portal) { return static_cast<bool>(portal.lower.texture); }
+inline bool has_lower_step(const Map& map, const Wall& portal) { return static_cast<bool>(map[portal.lower].texture); }
 
 }  // namespace enfilade

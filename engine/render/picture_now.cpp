@@ -28,46 +28,49 @@ TextureId face_of(const Map& map, const Snapshot& snapshot, WallId wall, Texture
 double moved(double offset_tiles, double by) { return offset_tiles + by - std::floor(offset_tiles + by); }
 
 /// Along a wall or panel, and up.
-void scroll_upright(Surface& surface, Vec2 scroll, double time_s) {
+void scroll_upright(Surface& surface, double time_s) {
+    const Vec2 scroll = surface.scroll;
     if (!built_in::kScrolling || scroll == Vec2{}) return;
     surface.offset_tiles.x = moved(surface.offset_tiles.x, scroll.x * time_s / surface.tile_m.x);
     surface.offset_tiles.y = moved(surface.offset_tiles.y, -scroll.y * time_s / surface.tile_m.y);
 }
 
 /// The flat with its picture `given`, if any, animated and moved.
-Flat flat_now(const Map& map, Flat flat, TextureId given, double time_s) {
+FlatNow flat_now(const Map& map, const Flat& at_rest, TextureId given, double time_s) {
+    FlatNow flat{map[at_rest.surface], at_rest.origin, at_rest.sky, at_rest.first_layer, at_rest.layer_count};
     Surface& surface = flat.surface;
+    const Vec2 scroll = surface.scroll;
     surface.texture = animated(map.pictures, given ? given : surface.texture, time_s);
-    if (!built_in::kScrolling || flat.scroll == Vec2{}) return flat;
+    if (!built_in::kScrolling || scroll == Vec2{}) return flat;
     if (flat.sky) {
-        surface.offset_tiles.x = moved(surface.offset_tiles.x, flat.scroll.x / 360 * time_s * surface.tile_m.x);
+        surface.offset_tiles.x = moved(surface.offset_tiles.x, scroll.x / 360 * time_s * surface.tile_m.x);
         return flat;
     }
-    surface.offset_tiles.x = moved(surface.offset_tiles.x, flat.scroll.x * time_s / surface.tile_m.x);
-    surface.offset_tiles.y = moved(surface.offset_tiles.y, flat.scroll.y * time_s / surface.tile_m.y);
+    surface.offset_tiles.x = moved(surface.offset_tiles.x, scroll.x * time_s / surface.tile_m.x);
+    surface.offset_tiles.y = moved(surface.offset_tiles.y, scroll.y * time_s / surface.tile_m.y);
     return flat;
 }
 
 }  // namespace
 
-Surface picture_now(const Map& map, const Snapshot& snapshot, WallId id, const Surface& at_rest) {
-    Surface surface = at_rest;
-    surface.texture = animated(map.pictures, face_of(map, snapshot, id, at_rest.texture), snapshot.time_s);
-    scroll_upright(surface, map[id].scroll, snapshot.time_s);
+Surface picture_now(const Map& map, const Snapshot& snapshot, WallId id, LayId at_rest) {
+    Surface surface = map[at_rest];
+    surface.texture = animated(map.pictures, face_of(map, snapshot, id, surface.texture), snapshot.time_s);
+    scroll_upright(surface, snapshot.time_s);
     return surface;
 }
 
 Surface picture_now(const Snapshot& snapshot, const Panel& panel) {
     Surface surface = panel.surface;
-    scroll_upright(surface, panel.scroll, snapshot.time_s);
+    scroll_upright(surface, snapshot.time_s);
     return surface;
 }
 
-Flat floor_now(const Map& map, const Snapshot& snapshot, SectorId sector) {
+FlatNow floor_now(const Map& map, const Snapshot& snapshot, SectorId sector) {
     return flat_now(map, map[sector].floor, snapshot[sector].floor_picture, snapshot.time_s);
 }
 
-Flat ceiling_now(const Map& map, const Snapshot& snapshot, SectorId sector) {
+FlatNow ceiling_now(const Map& map, const Snapshot& snapshot, SectorId sector) {
     return flat_now(map, map[sector].ceiling, TextureId(), snapshot.time_s);
 }
 

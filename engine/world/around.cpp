@@ -63,9 +63,10 @@ double height_of(const Instant& now, SectorId sector, Level level, double here) 
 }
 
 const LightEffectRecord* effect_of(const Instant& now, SectorId sector, const Change* light) {
-    const std::optional<LightEffectRecord>& own = now.map[sector].light_effect;
+    const Boxed<LightEffectRecord>& own = now.map[sector].light_effect;
     if (own && own->lasts) return &*own;
-    const std::optional<LightEffectRecord>& effect = light ? now.map[light->cause].effect : own;
+    if (!light) return own ? &*own : nullptr;
+    const std::optional<LightEffectRecord>& effect = now.map[light->cause].effect;
     return effect ? &*effect : nullptr;
 }
 
@@ -74,7 +75,7 @@ double plain_light_of(const Instant& now, SectorId sector) {
 }
 
 double plain_light_of(const Instant& now, SectorId sector, const Change* light) {
-    const std::optional<LightEffectRecord>& own = now.map[sector].light_effect;
+    const Boxed<LightEffectRecord>& own = now.map[sector].light_effect;
     if (own && own->lasts) return now.map[sector].light;
     return light ? value_at(light->course, now.tick) : now.map[sector].light;
 }

@@ -14,7 +14,7 @@ double triangle(double part) {
     return part < 0.75 ? 2 - 4 * part : 4 * part - 4;
 }
 
-double height_of(const Flat& flat, const std::optional<BobRecord>& bob, double time_s) {
+double height_of(const Flat& flat, const Boxed<BobRecord>& bob, double time_s) {
     return bob ? flat.z + offset_at(*bob, time_s) : flat.z;
 }
 

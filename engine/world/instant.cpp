@@ -15,7 +15,7 @@ double bob_time_s(const Change* held_up, double tick) {
     return (std::max(tick, goes_on) - static_cast<double>(held_up->lag)) * kTickSeconds;
 }
 
-double value_of(const Instant& now, const Change* change, const Flat& flat, const std::optional<BobRecord>& bob) {
+double value_of(const Instant& now, const Change* change, const Flat& flat, const Boxed<BobRecord>& bob) {
     if (change && !change->holds_up_bob()) return value_at(change->course, now.tick);
     return bob ? flat.z + offset_at(*bob, bob_time_s(change, now.tick)) : flat.z;
 }

@@ -104,7 +104,7 @@ void go(const Map& map, World& world, Vec2 velocity, bool keeps_velocity) {
 /// A floor whose picture moves takes along who stands on it.
 void ride(const Map& map, World& world) {
     const Flat& floor = map[world.player.place.sector].floor;
-    if (floor.carries && world.player.on_ground) go(map, world, floor.scroll, false);
+    if (floor.carries && world.player.on_ground) go(map, world, map[floor.surface].scroll, false);
 }
 
 void settle_eye(Player& player, double ceiling_z) {

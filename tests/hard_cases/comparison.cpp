@@ -49,7 +49,7 @@ const Texture& texture_of(const Subject& subject, SurfaceId id) {
     const auto first_wall = static_cast<SurfaceId>(1 + 2 * map.sectors.size());
     if (id < first_wall) {
         const Sector& sector = map.sectors[(id - 1) / 2];
-        return subject.textures[(id % 2 ? sector.floor : sector.ceiling).surface.texture];
+        return subject.textures[map[(id % 2 ? sector.floor : sector.ceiling).surface].texture];
     }
     if (id >= first_panel(map)) return subject.textures[map.panels[id - first_panel(map)].surface.texture];
     if (id >= first_thing(map)) {
@@ -58,9 +58,8 @@ const Texture& texture_of(const Subject& subject, SurfaceId id) {
         return subject.textures[map[sprite].frames.front().views.front()];
     }
     const Wall& wall = map.walls[(id - first_wall) / 3];
-    const Surface* const parts[] = {wall.kind == WallKind::portal ? &wall.middle : &wall.texture, &wall.upper,
-                                    &wall.lower};
-    return subject.textures[parts[(id - first_wall) % 3]->texture];
+    const LayId parts[] = {wall.kind == WallKind::portal ? wall.middle : wall.texture, wall.upper, wall.lower};
+    return subject.textures[map[parts[(id - first_wall) % 3]].texture];
 }
 
 /// So near a texel's edge that rounding may choose either side. Facts are floats, good to 2^-24 of a tile.

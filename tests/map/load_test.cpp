@@ -53,7 +53,7 @@ TEST(LoadMap, LooksForPicturesBesideTheMap) {
     const LoadedMap loaded = load_map("maps/hall.toml", {}, folder.reader());
     ASSERT_TRUE(loaded.map);
     EXPECT_TRUE(loaded.findings.empty());
-    EXPECT_EQ(loaded.textures[loaded.map->walls[0].texture.texture].width, 2u);
+    EXPECT_EQ(loaded.textures[(*loaded.map)[loaded.map->walls[0].texture].texture].width, 2u);
 }
 
 TEST(LoadMap, LeavesOutThingsOfOtherSkillsAndOfCompany) {

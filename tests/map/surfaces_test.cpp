@@ -16,7 +16,8 @@ MapFile one_room() { return map_of({box_room("hall", 0, 0, 4, 4)}); }
 Surface first_surface(const WallRecord& record) {
     MapFile file = one_room();
     file.sectors[0].loops[0].walls[0] = record;
-    return built(file).walls[0].texture;
+    const Map map = built(file);
+    return map[map.walls[0].texture];
 }
 
 WallRecord textured(const TextureSpec& spec) {
@@ -43,10 +44,10 @@ TEST(Surface, TakesTheMapsTexelsPerMetreWhereNothingElseIsSaid) {
     walls[1].size = 16;
     walls[2].texture->tile_m = Vec2{3, 5};
     const Map map = built(file);
-    EXPECT_EQ(map.walls[0].texture.tile_m, (Vec2{2, 2}));
-    EXPECT_EQ(map.walls[1].texture.tile_m, (Vec2{4, 4}));
-    EXPECT_EQ(map.walls[2].texture.tile_m, (Vec2{3, 5}));
-    EXPECT_EQ(map.sectors[0].floor.surface.tile_m, (Vec2{2, 2}));
+    EXPECT_EQ(map[map.walls[0].texture].tile_m, (Vec2{2, 2}));
+    EXPECT_EQ(map[map.walls[1].texture].tile_m, (Vec2{4, 4}));
+    EXPECT_EQ(map[map.walls[2].texture].tile_m, (Vec2{3, 5}));
+    EXPECT_EQ(map[map.sectors[0].floor.surface].tile_m, (Vec2{2, 2}));
 }
 
 TEST(Surface, KeepsTheFractionOfItsOffsetInTiles) {
@@ -69,45 +70,73 @@ TEST(Surface, KeepsItsPeg) {
     EXPECT_EQ(first_surface(wall).peg, Peg::floor);
 }
 
+TEST(Surface, IsKeptOnceHoweverManyWallsAndFlatsShowIt) {
+    const auto count_in = [](std::size_t rooms) {
+        MapFile file = map_of({});
+        for (std::size_t i = 0; i < rooms; ++i) {
+            const double x = 8.0 * static_cast<double>(i);
+            file.sectors.push_back(box_room("room" + std::to_string(i), x, 0, x + 4, 4));
+        }
+        return built(file).surfaces.size();
+    };
+    EXPECT_EQ(count_in(1), count_in(100));
+}
+
+TEST(Surface, OfAWallThatScrollsIsNotThatOfOneThatStays) {
+    MapFile file = one_room();
+    file.sectors[0].loops[0].walls[1].scroll = {1, -2};
+    const Map map = built(file);
+    EXPECT_EQ(map[map.walls[0].texture].scroll, (Vec2{}));
+    EXPECT_EQ(map[map.walls[1].texture].scroll, (Vec2{1, -2}));
+    EXPECT_EQ(map.walls[0].texture, map.walls[2].texture);
+}
+
 TEST(Surface, FindsItsPictureInEitherCase) {
     MapFile file = one_room();
     file.sectors[0].loops[0].walls[0].texture = spec("BRICK");
     file.sectors[0].loops[0].walls[1].texture = spec("brick");
     const Map map = built(file);
-    EXPECT_EQ(map.walls[0].texture.texture, map.walls[1].texture.texture);
+    EXPECT_EQ(map[map.walls[0].texture].texture, map[map.walls[1].texture].texture);
 }
 
-/// Two rooms, joined; gives the portal of the first.
-Wall portal_with(const WallRecord& looks) {
+/// The pictures of a portal, the first of two that join two rooms.
+struct PortalPictures {
+    TextureId texture, upper, lower, middle;
+};
+
+PortalPictures portal_with(const WallRecord& looks) {
     MapFile file = map_of({box_room("left", 0, 0, 4, 4), box_room("right", 4, 0, 8, 4, 0.5, 1.5)});
     WallRecord& portal = wall(file, "left", {4, 0}, {4, 4});
     portal = looks;
     join_all(file);
-    return built(file).walls[1];
+    const Map map = built(file);
+    const Wall& built_portal = map.walls[1];
+    return {map[built_portal.texture].texture, map[built_portal.upper].texture, map[built_portal.lower].texture,
+            map[built_portal.middle].texture};
 }
 
 TEST(Surface, OfAPortalServesBothSteps) {
-    const Wall portal = portal_with(textured(spec("brick")));
-    EXPECT_TRUE(portal.upper.texture);
-    EXPECT_EQ(portal.upper.texture, portal.lower.texture);
-    EXPECT_FALSE(portal.texture.texture);
+    const PortalPictures portal = portal_with(textured(spec("brick")));
+    EXPECT_TRUE(portal.upper);
+    EXPECT_EQ(portal.upper, portal.lower);
+    EXPECT_FALSE(portal.texture);
 }
 
 TEST(Surface, OfAStepComesBeforeThePortals) {
     WallRecord looks = textured(spec("brick"));
     looks.lower = spec("plank");
-    const Wall portal = portal_with(looks);
-    EXPECT_NE(portal.upper.texture, portal.lower.texture);
+    const PortalPictures portal = portal_with(looks);
+    EXPECT_NE(portal.upper, portal.lower);
     looks.upper = looks.lower;
-    EXPECT_EQ(portal_with(looks).upper.texture, portal_with(looks).lower.texture);
+    EXPECT_EQ(portal_with(looks).upper, portal_with(looks).lower);
 }
 
 TEST(Surface, OfAMiddleIsKeptBesideTheSteps) {
     WallRecord looks = textured(spec("brick"));
     looks.middle = spec("bars");
-    const Wall portal = portal_with(looks);
-    EXPECT_TRUE(portal.middle.texture);
-    EXPECT_NE(portal.middle.texture, portal.upper.texture);
+    const PortalPictures portal = portal_with(looks);
+    EXPECT_TRUE(portal.middle);
+    EXPECT_NE(portal.middle, portal.upper);
 }
 
 TEST(Flat, LiesFromTheWorldsOriginUnlessItIsRelative) {
@@ -126,7 +155,7 @@ TEST(Flat, IsSkyWhereItHasParallax) {
     const Map map = built(file);
     EXPECT_TRUE(map.sectors[0].ceiling.sky);
     EXPECT_FALSE(map.sectors[0].floor.sky);
-    EXPECT_EQ(map.sectors[0].ceiling.surface.tile_m, (Vec2{4, 0.75}));
+    EXPECT_EQ(map[map.sectors[0].ceiling.surface].tile_m, (Vec2{4, 0.75}));
 }
 
 /// Where a level look in a direction meets the sky of one room, in tiles.
@@ -135,7 +164,8 @@ double sky_met(int format, Vec2 wraps, double turns) {
     file.format = format;
     file.sectors[0].ceiling.parallax = true;
     file.sectors[0].ceiling.texture = TextureSpec{"sky", wraps, {}, {}};
-    const Surface sky = built(file).sectors[0].ceiling.surface;
+    const Map map = built(file);
+    const Surface sky = map[map.sectors[0].ceiling.surface];
     const double tiles = turns * sky.tile_m.x - sky.offset_tiles.x;  // map/map.h
     return tiles - std::floor(tiles);
 }

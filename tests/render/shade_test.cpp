@@ -200,8 +200,7 @@ TEST(SkyTexel, MovesByItsOffset) {
 
 TEST(Panel, ScrollsAlongItselfAndUp) {
     Panel panel;
-    panel.surface = {TextureId(), {2, 4}, {0.75, 0.125}};
-    panel.scroll = {1, -0.5};
+    panel.surface = {TextureId(), {2, 4}, {0.75, 0.125}, Peg::ceiling, {1, -0.5}};
     Snapshot snapshot;
     EXPECT_EQ(picture_now(snapshot, panel).offset_tiles, (Vec2{0.75, 0.125}));
     snapshot.time_s = 3;  // 3 m along and 1.5 m down
@@ -209,7 +208,7 @@ TEST(Panel, ScrollsAlongItselfAndUp) {
 }
 
 TEST(SkyLayer, TurnsByItsOwnSpeed) {
-    const SkyLayer layer{{TextureId(), {4, 1}, {0.75, 0.125}}, 9};
+    const SkyLayer layer{{TextureId(), {4, 1}, {0.75, 0.125}, Peg::ceiling, {}}, 9};
     Snapshot snapshot;
     snapshot.time_s = 30;  // three quarters of a turn: three of the four wraps
     EXPECT_EQ(layer_now(Map{}, snapshot, layer).offset_tiles, (Vec2{0.75, 0.125}));

@@ -343,7 +343,6 @@ Map fenced_octagons(std::uint64_t seed) {
                                   .b = snap_to_vertex_grid(b),
                                   .length = 1,
                                   .sector = SectorId(0u),
-                                  .scroll = {},
                                   .surface = {},
                                   .blocks = true,
                                   .triggers = {}});

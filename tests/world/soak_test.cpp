@@ -61,7 +61,10 @@ Map restless(Map map, std::uint64_t seed) {
         sector.triggers = {static_cast<std::uint32_t>(map.triggers.size()), 2};
         for (const Occasion on : {Occasion::enter, Occasion::use})
             map.triggers.push_back(random_trigger(map, on, random));
-        sector.floor.scroll = {random.uniform(-3, 3), random.uniform(-3, 3)};
+        Surface moving = map[sector.floor.surface];
+        moving.scroll = {random.uniform(-3, 3), random.uniform(-3, 3)};
+        sector.floor.surface = LayId(map.surfaces.size());
+        map.surfaces.push_back(moving);
         sector.floor.carries = random.below(4) == 0;
     }
     return map;

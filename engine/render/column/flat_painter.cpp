@@ -24,7 +24,7 @@ double longest_ray(const Screen& screen) {
 
 }  // namespace
 
-void FlatPainter::start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height,
+void FlatPainter::start(const Scene& scene, const Pose& pose, const FlatNow& flat, FlatSide side, double height,
                         const Lighting& lighting, const LightGrid* glow, SurfaceId id) {
     pose_ = &pose;
     flat_ = flat;

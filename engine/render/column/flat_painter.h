@@ -6,6 +6,7 @@
 #include "render/column/scene.h"
 #include "render/column/wall_looks.h"
 #include "render/lighting.h"
+#include "render/picture_now.h"
 #include "render/pose.h"
 
 namespace enfilade::column {
@@ -17,7 +18,7 @@ enum class FlatSide : unsigned char { floor, ceiling };
 class FlatPainter {
 public:
     /// What the next calls of paint() draw. height: of the flat above the eye [m]. glow: of point lights; null: none.
-    void start(const Scene& scene, const Pose& pose, const Flat& flat, FlatSide side, double height,
+    void start(const Scene& scene, const Pose& pose, const FlatNow& flat, FlatSide side, double height,
                const Lighting& lighting, const LightGrid* glow, SurfaceId id);
 
     /// Rows [tops[i], bottoms[i]) of the columns that look at a wall: nothing of the flat is farther than that.
@@ -36,7 +37,7 @@ private:
     void shade_extended_rows(int top, int bottom, double wall_depth);
 
     const Pose* pose_ = nullptr;
-    Flat flat_;
+    FlatNow flat_;
     std::vector<Surface> layers_;  ///< over a sky, the farthest first
     const Texture* texture_ = nullptr;
     const ColorTable* color_table_ = nullptr;  ///< that it goes by, if it does

@@ -77,7 +77,8 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
     glow_ = scene.light_on(id);
     if (!is_portal_) {
         middle_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.texture),
-                      peg_height(wall.texture.peg, here_, nullptr), light, wall_id(scene.map, id, WallPart::middle));
+                      peg_height(scene.map[wall.texture].peg, here_, nullptr), light,
+                      wall_id(scene.map, id, WallPart::middle));
         middle_.light_up(glow_, wall.length, pose_.eye_z);
         return;
     }
@@ -88,14 +89,16 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
     }
     behind_ = heights_above(scene, wall.behind, passage_of(scene, wall).apply_height(pose_.eye_z));
     upper_open_ = !has_upper_step(scene.map, wall);
-    lower_open_ = !has_lower_step(wall);
+    lower_open_ = !has_lower_step(scene.map, wall);
     upper_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.upper),
-                 peg_height(wall.upper.peg, here_, &behind_), light, wall_id(scene.map, id, WallPart::upper));
+                 peg_height(scene.map[wall.upper].peg, here_, &behind_), light,
+                 wall_id(scene.map, id, WallPart::upper));
     lower_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.lower),
-                 peg_height(wall.lower.peg, here_, &behind_), light, wall_id(scene.map, id, WallPart::lower));
+                 peg_height(scene.map[wall.lower].peg, here_, &behind_), light,
+                 wall_id(scene.map, id, WallPart::lower));
     upper_.light_up(glow_, wall.length, pose_.eye_z);
     lower_.light_up(glow_, wall.length, pose_.eye_z);
-    if (built_in::kMasked && wall.middle.texture) start_masked(scene, state, id);
+    if (built_in::kMasked && scene.map[wall.middle].texture) start_masked(scene, state, id);
 }
 
 /// A fence or window in the portal. Its picture is shown once from top to bottom, hanging from its peg or standing on
@@ -105,13 +108,13 @@ void ViewportDrawer::start_masked(const Scene& scene, FrameState& state, WallId 
     const Surface surface = picture_now(scene.map, scene.snapshot, id, wall.middle);
     const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
     const double top = peg_height(surface.peg, here_, &behind_) + (stands ? surface.tile_m.y : 0);
-    picture_.ceiling = top - wall.middle.offset_tiles.y * surface.tile_m.y;
+    picture_.ceiling = top - scene.map[wall.middle].offset_tiles.y * surface.tile_m.y;
     picture_.floor = picture_.ceiling - surface.tile_m.y;
     WallPainter painter;
     painter.start(scene, wall, surface, top, light_now(scene.snapshot, wall.sector),
                   wall_id(scene.map, id, WallPart::middle));
     painter.light_up(glow_, wall.length, pose_.eye_z);
-    if (wall.scroll.y == 0) painter.show_once();
+    if (surface.scroll.y == 0) painter.show_once();
     masked_ = state.masked.add(painter);
 }
 

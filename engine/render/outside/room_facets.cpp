@@ -40,8 +40,8 @@ public:
           light_(light_now(scene.snapshot, room.sector)) {}
 
     void add_flats() {
-        const Flat floor = floor_now(scene_.map, scene_.snapshot, room_.sector);
-        const Flat ceiling = ceiling_now(scene_.map, scene_.snapshot, room_.sector);
+        const FlatNow floor = floor_now(scene_.map, scene_.snapshot, room_.sector);
+        const FlatNow ceiling = ceiling_now(scene_.map, scene_.snapshot, room_.sector);
         for (const Triangle& triangle : scene_.pieces.triangles(scene_.map, room_.sector)) {
             add_flat(triangle, floor, own_.bottom);
             add_flat({triangle[2], triangle[1], triangle[0]}, ceiling, own_.top);
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    void add_flat(const Triangle& triangle, const Flat& flat, double z) {
+    void add_flat(const Triangle& triangle, const FlatNow& flat, double z) {
         if (flat.sky) return;
         std::array<FacetCorner, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -92,9 +92,9 @@ private:
         const HeightRange behind = range_of(heights_at(scene_.snapshot, wall.behind), rise);
         const double top = std::clamp(behind.top, own_.bottom, own_.top);
         if (has_upper_step(scene_.map, wall)) add_part(id, wall.upper, {top, own_.top}, behind);
-        if (has_lower_step(wall))
+        if (has_lower_step(scene_.map, wall))
             add_part(id, wall.lower, {own_.bottom, std::clamp(behind.bottom, own_.bottom, top)}, behind);
-        if (wall.middle.texture) add_middle(id, behind);
+        if (scene_.map[wall.middle].texture) add_middle(id, behind);
     }
 
     double peg_height(Peg peg, const HeightRange& behind) const {
@@ -107,7 +107,7 @@ private:
         return own_.top;
     }
 
-    void add_part(WallId id, const Surface& at_rest, const HeightRange& part, const HeightRange& behind) {
+    void add_part(WallId id, LayId at_rest, const HeightRange& part, const HeightRange& behind) {
         const Wall& wall = scene_.map[id];
         const Surface surface = picture_now(scene_.map, scene_.snapshot, id, at_rest);
         FacetLook look = look_of(surface, wall.contrast);
@@ -119,9 +119,10 @@ private:
     /// The picture in a portal, shown once from top to bottom.
     void add_middle(WallId id, const HeightRange& behind) {
         const Wall& wall = scene_.map[id];
-        const bool stands = wall.middle.peg == Peg::floor || wall.middle.peg == Peg::opening_bottom;
-        const double hung = peg_height(wall.middle.peg, behind) + (stands ? wall.middle.tile_m.y : 0);
-        const double top = hung - wall.middle.offset_tiles.y * wall.middle.tile_m.y;
+        const Surface& at_rest = scene_.map[wall.middle];
+        const bool stands = at_rest.peg == Peg::floor || at_rest.peg == Peg::opening_bottom;
+        const double hung = peg_height(at_rest.peg, behind) + (stands ? at_rest.tile_m.y : 0);
+        const double top = hung - at_rest.offset_tiles.y * at_rest.tile_m.y;
         const Surface surface = picture_now(scene_.map, scene_.snapshot, id, wall.middle);
         FacetLook look = look_of(surface, wall.contrast);
         look.wall = id;

@@ -33,7 +33,7 @@ Gap gap_of(const Map& map, const Snapshot& snapshot, const Wall& wall) {
     if (wall.kind == WallKind::mirror) return gap;
     const Heights behind = heights_at(snapshot, wall.behind);
     const double rise = map.passage(wall).rise;
-    if (has_lower_step(wall)) gap.bottom = std::max(gap.bottom, behind.floor_z - rise);
+    if (has_lower_step(map, wall)) gap.bottom = std::max(gap.bottom, behind.floor_z - rise);
     if (has_upper_step(map, wall)) gap.top = std::min(gap.top, behind.ceiling_z - rise);
     return gap;
 }

@@ -87,7 +87,7 @@ std::uint32_t sky_color(const Arrival& at, const Surface& surface, const SkyTexe
     return texel(at.scene.textures[surface.texture], place_on_tile(place.u), place_on_picture(place.v)).color;
 }
 
-Seen sky(const Arrival& at, const Flat& flat, SurfaceId id) {
+Seen sky(const Arrival& at, const FlatNow& flat, SurfaceId id) {
     const SkyTexel base = sky_texel_of(at, flat.surface);
     Seen seen{id, std::numeric_limits<double>::infinity(), {}, 0, false};
     seen.texel = {static_cast<float>(base.u), static_cast<float>(base.v)};
@@ -103,7 +103,7 @@ Seen sky(const Arrival& at, const Flat& flat, SurfaceId id) {
 
 /// `height` above the eye. Of a flat that is seen extended, or from its wrong side, the part that is nearest to where
 /// the ray really crosses its height; a level ray does so at infinity.
-Seen flat(const Arrival& at, const Flat& flat, double height, const LightGrid* grid, SurfaceId id) {
+Seen flat(const Arrival& at, const FlatNow& flat, double height, const LightGrid* grid, SurfaceId id) {
     if (flat.sky) return sky(at, flat, id);
     const double depth = at.course.climb == 0 ? at.hit.depth : std::clamp(height / at.course.climb, 0.0, at.hit.depth);
     const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth, place = spot - flat.origin;
@@ -123,7 +123,7 @@ double peg_height(const Arrival& at, Peg peg) {
 }
 
 /// peg: height above the eye that the texture hangs from.
-Seen wall(const Arrival& at, const Surface& at_rest, double peg, WallPart part, Shown shown = Shown::over_and_over) {
+Seen wall(const Arrival& at, LayId at_rest, double peg, WallPart part, Shown shown = Shown::over_and_over) {
     const Surface surface = picture_now(at.scene.map, at.scene.snapshot, at.hit.wall, at_rest);
     const double u = at.hit.along * at.wall.length / surface.tile_m.x;
     const double v = (peg - at.course.climb * at.hit.depth) / surface.tile_m.y;
@@ -134,8 +134,8 @@ Seen wall(const Arrival& at, const Surface& at_rest, double peg, WallPart part, 
                    glow_on(grid, at.hit.along * at.wall.length, z), shown);
 }
 
-Seen wall(const Arrival& at, const Surface& surface, WallPart part) {
-    return wall(at, surface, peg_height(at, surface.peg), part);
+Seen wall(const Arrival& at, LayId surface, WallPart part) {
+    return wall(at, surface, peg_height(at, at.scene.map[surface].peg), part);
 }
 
 /// The picture with holes in a portal, shown once from top to bottom; a scrolled one runs through its place.
@@ -143,11 +143,11 @@ Pane pane(const Arrival& at) {
     const Surface surface = picture_now(at.scene.map, at.scene.snapshot, at.hit.wall, at.wall.middle);
     const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
     const double top = peg_height(at, surface.peg) + (stands ? surface.tile_m.y : 0);
-    const double picture_top = top - at.wall.middle.offset_tiles.y * surface.tile_m.y;
+    const double picture_top = top - at.scene.map[at.wall.middle].offset_tiles.y * surface.tile_m.y;
     const double picture_bottom = picture_top - surface.tile_m.y;
     Pane pane{{}, 0, is_close_to(at, picture_top) || is_close_to(at, picture_bottom)};
     if (reaches(at, picture_top) || !reaches(at, picture_bottom)) return pane;
-    const Shown shown = at.wall.scroll.y == 0 ? Shown::once : Shown::over_and_over;
+    const Shown shown = surface.scroll.y == 0 ? Shown::once : Shown::over_and_over;
     pane.seen = wall(at, at.wall.middle, top, WallPart::middle, shown);
     pane.alpha = pane.seen.color >> 24;
     pane.ambiguous |= is_at_rim_of_hole(at.scene.textures[surface.texture], pane.seen.texel, surface.tile_m);
@@ -189,7 +189,7 @@ std::optional<Seen> end_of_ray(const Arrival& at) {
     if (at.kind == WallKind::portal) {
         const bool above = reaches(at, at.behind.ceiling), below = !above && !reaches(at, at.behind.floor);
         if (above && has_upper_step(at.scene.map, at.wall)) return wall(at, at.wall.upper, WallPart::upper);
-        if (below && has_lower_step(at.wall)) return wall(at, at.wall.lower, WallPart::lower);
+        if (below && has_lower_step(at.scene.map, at.wall)) return wall(at, at.wall.lower, WallPart::lower);
     }
     const bool is_linked = at.wall.link != Wall::kNoLink;
     const bool is_too_deep = is_linked && at.hit.space.links >= at.scene.map.render.max_depth;
@@ -230,7 +230,7 @@ Seen look(const Scene& scene, RayPath& path, const RayCourse& course) {
             seen.ambiguous = ambiguous;
             return seen;
         }
-        if (at.kind != WallKind::portal || !at.wall.middle.texture) continue;
+        if (at.kind != WallKind::portal || !scene.map[at.wall.middle].texture) continue;
         panes.push_back(pane(at));
         ambiguous |= panes.back().ambiguous;
     }

@@ -111,7 +111,7 @@ private:
 
     void add_pane(const Hanging& hanging) {
         const SeenWall wall = seen(hanging.place);
-        const Heights picture = picture_in(wall.parts, scene_.map()[hanging.place.wall].middle);
+        const Heights picture = picture_in(wall.parts, scene_.map()[scene_.map()[hanging.place.wall].middle]);
         const Heights opening = wall.parts.opening;
         add_strip(hanging.place, {std::max(picture.floor, opening.floor), std::min(picture.ceiling, opening.ceiling)},
                   hanging_look(scene_, wall, picture.ceiling));

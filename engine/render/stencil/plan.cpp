@@ -95,7 +95,7 @@ private:
         double nearest = 0;
         Window beyond = room_.open_behind(wall, opening, nearest);
         if (beyond.is_empty()) return;
-        if (portal.middle.texture && !rays_.is_tilted) note_hanging(layer, wall, beyond);
+        if (map()[portal.middle].texture && !rays_.is_tilted) note_hanging(layer, wall, beyond);
         const Visit& here = room_.visit();
         Visit visit{portal.behind,
                     portal.exit,

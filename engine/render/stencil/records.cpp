@@ -28,7 +28,7 @@ std::uint32_t Records::add(std::span<const Pair> pairs) {
 }
 
 std::uint32_t Records::sky(const Map& map, const Snapshot& snapshot, const TextureSet& textures,
-                           const TexelStore& store, const Flat& sky) {
+                           const TexelStore& store, const FlatNow& sky) {
     if (sky.layer_count == 0) return 0;
     skies_.resize(map.sky_layers.size());
     std::uint32_t& place = skies_[sky.first_layer];

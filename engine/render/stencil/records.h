@@ -11,6 +11,7 @@
 #include "map/map.h"
 #include "map/textures.h"
 #include "render/light_grid.h"
+#include "render/picture_now.h"
 #include "render/stencil/list_texture.h"
 #include "render/stencil/texel_store.h"
 #include "world/snapshot.h"
@@ -29,7 +30,7 @@ public:
 
     /// The layers over a sky, how many first; 0: it has none. The same sky has the same record.
     std::uint32_t sky(const Map& map, const Snapshot& snapshot, const TextureSet& textures, const TexelStore& store,
-                      const Flat& sky);
+                      const FlatNow& sky);
 
     /// Point lights on a surface: their grid, and how its points are counted: scale * what the shader knows + start.
     std::uint32_t glow(const LightGrid& grid, Vec2 scale, Vec2 start);

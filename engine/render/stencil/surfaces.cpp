@@ -96,7 +96,7 @@ void set_direction(Look& look, const RayField& rays, const Pose& pose, Vec2 unit
     set(look.b, look, (rays.ahead * pose.forward.y + rays.right * pose.right.y) * (1 / unit.y), 0);
 }
 
-Look sky_look(const Scene& scene, const SeenWall& wall, const Flat& flat, SurfaceId id) {
+Look sky_look(const Scene& scene, const SeenWall& wall, const FlatNow& flat, SurfaceId id) {
     const Surface& surface = flat.surface;
     Look look = plain_look(scene, wall.place);
     set_picture(look, scene, surface.texture, id, Paint::sky);
@@ -133,7 +133,7 @@ Look plain_look(const Scene& scene, const WallOnScreen& place) {
     return look;
 }
 
-Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& at_rest, WallPart part) {
+Look wall_look(const Scene& scene, const SeenWall& wall, LayId at_rest, WallPart part) {
     const Wall& w = scene.map()[wall.place.wall];
     const Surface surface = picture_now(scene.map(), scene.world.snapshot, wall.place.wall, at_rest);
     Look look = plain_look(scene, wall.place);
@@ -150,7 +150,7 @@ Look hanging_look(const Scene& scene, const SeenWall& wall, double top) {
     const WallId id = wall.place.wall;
     const Surface surface = picture_now(scene.map(), scene.world.snapshot, id, scene.map()[id].middle);
     Look look = wall_look(scene, wall, scene.map()[id].middle, WallPart::middle);
-    const bool runs = scene.map()[id].scroll.y != 0;  // through its place, over and over, as on a wall
+    const bool runs = surface.scroll.y != 0;  // through its place, over and over, as on a wall
     set_picture(look, scene, surface.texture, wall_id(scene.map(), id, WallPart::middle),
                 runs ? Paint::wall : Paint::picture);
     move(look, kBeforeWall);
@@ -185,7 +185,7 @@ Look thing_look(const Scene& scene, const ThingOnScreen& thing) {
     return look;
 }
 
-Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, double height, const LightGrid* grid,
+Look flat_look(const Scene& scene, const SeenWall& wall, const FlatNow& flat, double height, const LightGrid* grid,
                SurfaceId id) {
     const Surface& surface = flat.surface;
     if (flat.sky) return sky_look(scene, wall, flat, id);

@@ -2,6 +2,7 @@
 #pragma once
 #include "map/textures.h"
 #include "render/light_grids.h"
+#include "render/picture_now.h"
 #include "render/stencil/look.h"
 #include "render/stencil/plan.h"
 #include "render/stencil/records.h"
@@ -29,7 +30,7 @@ struct SeenWall {
 };
 
 /// A wall or a step.
-Look wall_look(const Scene& scene, const SeenWall& wall, const Surface& surface, WallPart part);
+Look wall_look(const Scene& scene, const SeenWall& wall, LayId surface, WallPart part);
 
 /// A picture with holes in a portal, shown once from top to bottom. top: above the eye [m].
 Look hanging_look(const Scene& scene, const SeenWall& wall, double top);
@@ -39,7 +40,7 @@ Look panel_look(const Scene& scene, const PanelOnScreen& panel, const Pose& pose
 /// A floor or ceiling, or the sky: above and below a wall everything up to the picture's edge shows it, because there
 /// a ray has left the room's heights before it reached the wall. height: of the flat above the eye [m]. grid: of point
 /// lights on it; null: none.
-Look flat_look(const Scene& scene, const SeenWall& wall, const Flat& flat, double height, const LightGrid* grid,
+Look flat_look(const Scene& scene, const SeenWall& wall, const FlatNow& flat, double height, const LightGrid* grid,
                SurfaceId id);
 
 /// The end of a chain of links.

@@ -110,7 +110,7 @@ private:
 
     void add_hanging(SectorId home, WallId id) {
         const Wall& wall = world_.map[id];
-        if (wall.kind != WallKind::portal || !wall.middle.texture) return;
+        if (wall.kind != WallKind::portal || !world_.map[wall.middle].texture) return;
         if (layer_.entry && (layer_.entry == id || !is_beyond(wall, world_.map[layer_.entry]))) return;
         if (const auto place = in_view(world_.map, id, layer_.pose)) found_.push_back({home, Hanging{*place}});
     }

@@ -21,7 +21,7 @@ WallParts parts_of(const Map& map, const Snapshot& snapshot, WallId id, double e
     if (kind == WallKind::mirror) return parts;
     parts.behind = heights_of(snapshot, wall.behind, map.passage(wall).apply_height(eye_z));
     parts.upper = has_upper_step(map, wall);
-    parts.lower = has_lower_step(wall);
+    parts.lower = has_lower_step(map, wall);
     const double top = std::clamp(parts.behind.ceiling, parts.room.floor, parts.room.ceiling);
     if (parts.upper) parts.opening.ceiling = top;
     if (parts.lower) parts.opening.floor = std::clamp(parts.behind.floor, parts.room.floor, top);

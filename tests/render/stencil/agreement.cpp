@@ -62,16 +62,15 @@ const Texture& texture_of(const Map& map, const TextureSet& textures, SurfaceId 
     const auto first_wall = static_cast<SurfaceId>(1 + 2 * map.sectors.size());
     if (id < first_wall) {
         const Sector& sector = map.sectors[(id - 1) / 2];
-        return textures[(id % 2 ? sector.floor : sector.ceiling).surface.texture];
+        return textures[map[(id % 2 ? sector.floor : sector.ceiling).surface].texture];
     }
     const auto first_thing = first_wall + static_cast<SurfaceId>(3 * map.walls.size());
     const auto first_panel = first_thing + static_cast<SurfaceId>(map.things.size());
     if (id >= first_panel) return textures[map.panels[id - first_panel].surface.texture];
     if (id >= first_thing) return textures[map[map.things[id - first_thing].sprite].frames[0].views[0]];
     const Wall& wall = map.walls[(id - first_wall) / 3];
-    const Surface& middle = wall.kind == WallKind::portal ? wall.middle : wall.texture;
-    const Surface* const parts[] = {&middle, &wall.upper, &wall.lower};
-    return textures[parts[(id - first_wall) % 3]->texture];
+    const LayId parts[] = {wall.kind == WallKind::portal ? wall.middle : wall.texture, wall.upper, wall.lower};
+    return textures[map[parts[(id - first_wall) % 3]].texture];
 }
 
 /// Just where classic light goes over to its next level.
