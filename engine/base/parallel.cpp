@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
+#include <mutex>
 #include <new>
 #include <system_error>
 #include <thread>
@@ -17,8 +19,7 @@ namespace {
 /// The indices that are left, and what stopped the work before there were none.
 class Work {
 public:
-    Work(std::size_t count, const std::function<void(std::size_t, std::size_t)>& task)
-        : count_(count), task_(task), is_attempt_(is_attempting()) {}
+    Work(std::size_t count, const ParallelTask& task) : count_(count), task_(task), is_attempt_(is_attempting()) {}
 
     /// Does what is left, together with others who do.
     void help(std::size_t worker) {
@@ -38,38 +39,95 @@ public:
 
 private:
     const std::size_t count_;
-    const std::function<void(std::size_t, std::size_t)>& task_;
+    const ParallelTask& task_;
     const bool is_attempt_;
     std::atomic<std::size_t> next_{0};
     std::atomic_flag has_failed_;
     std::exception_ptr failure_;  ///< written once, by whoever set the flag
 };
 
-/// Threads that help, up to `count`; where the machine gives fewer, fewer do the same.
-std::vector<std::jthread> call_help(Work& work, std::size_t count) {
-    std::vector<std::jthread> helpers;
-    try {
-        helpers.reserve(count);
-        for (std::size_t worker = 1; worker <= count; ++worker)
-            helpers.emplace_back([&work, worker] { work.help(worker); });
-    } catch (const std::system_error&) {
-    } catch (const std::bad_alloc&) {
-    }
-    return helpers;
-}
-
 }  // namespace
 
-void parallel_for(std::size_t count, std::size_t workers,
-                  const std::function<void(std::size_t index, std::size_t worker)>& task) {
-    ENFILADE_CHECK(workers >= 1);
+/// The helpers of a pool, and the work that they share with its owner.
+class ThreadPool::Crew {
+public:
+    /// Calls `count` helpers; where the machine gives fewer threads, fewer do the same.
+    explicit Crew(std::size_t count) {
+        try {
+            helpers_.reserve(count);
+            for (std::size_t worker = 1; worker <= count; ++worker)
+                helpers_.emplace_back([this, worker] { serve(worker); });
+        } catch (const std::system_error&) {
+        } catch (const std::bad_alloc&) {
+        }
+    }
+
+    ~Crew() {
+        {
+            const std::lock_guard held(mutex_);
+            is_over_ = true;
+        }
+        begins_.notify_all();
+    }
+
+    /// Does the work together with the helpers. One who wakes when it is done has nothing to do with it any more.
+    void share(Work& work) {
+        {
+            const std::lock_guard held(mutex_);
+            work_ = &work;
+            ++number_;
+        }
+        begins_.notify_all();
+        work.help(0);
+        std::unique_lock held(mutex_);
+        work_ = nullptr;
+        ends_.wait(held, [this] { return busy_ == 0; });
+    }
+
+private:
+    /// What one helper does as long as the pool lives.
+    void serve(std::size_t worker) {
+        std::uint64_t last = 0;
+        std::unique_lock held(mutex_);
+        for (;;) {
+            begins_.wait(held, [&] { return is_over_ || (work_ && number_ != last); });
+            if (is_over_) return;
+            last = number_;
+            Work& work = *work_;
+            ++busy_;
+            held.unlock();
+            work.help(worker);
+            held.lock();
+            if (--busy_ == 0) ends_.notify_one();
+        }
+    }
+
+    std::mutex mutex_;  ///< held for all that follows but the helpers themselves
+    std::condition_variable begins_, ends_;
+    Work* work_ = nullptr;      ///< in which helpers may join
+    std::uint64_t number_ = 0;  ///< of the work, so that nobody joins twice
+    std::size_t busy_ = 0;      ///< helpers at work
+    bool is_over_ = false;
+    std::vector<std::jthread> helpers_;  ///< the last member: they end before what they use
+};
+
+ThreadPool::ThreadPool(std::size_t workers) : workers_(workers) { ENFILADE_CHECK(workers >= 1); }
+ThreadPool::~ThreadPool() = default;
+
+void ThreadPool::run(std::size_t count, const ParallelTask& task) {
     Work work(count, task);
-    {
-        const std::size_t most = std::min(workers, count);
-        const std::vector<std::jthread> helpers = call_help(work, most > 1 ? most - 1 : 0);
+    if (workers_ > 1 && count > 1) {
+        if (!crew_) crew_ = std::make_unique<Crew>(workers_ - 1);
+        crew_->share(work);
+    } else {
         work.help(0);
     }
     work.end();
+}
+
+void parallel_for(std::size_t count, std::size_t workers, const ParallelTask& task) {
+    ENFILADE_CHECK(workers >= 1);
+    ThreadPool(std::clamp<std::size_t>(count, 1, workers)).run(count, task);
 }
 
 std::size_t hardware_threads() { return std::max(std::thread::hardware_concurrency(), 1u); }

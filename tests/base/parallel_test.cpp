@@ -1,14 +1,19 @@
-// parallel_for: every index once, any number of workers, and a worker's number is a safe index to scratch memory.
+// parallel_for and the pool behind it: every index once, any number of workers, and a worker's number is a safe index
+// to scratch memory.
 #include "base/parallel.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <numeric>
+#include <set>
 #include <thread>
 #include <vector>
 
+#include "base/attempt.h"
+#include "base/check.h"
 #include "base/lock.h"
 
 namespace enfilade {
@@ -66,6 +71,56 @@ TEST(ParallelFor, IsDoneWhenItReturns) {
 TEST(ParallelForDeathTest, WithoutWorkersIsABrokenContract) {
     EXPECT_DEATH(parallel_for(1, 0, [](std::size_t, std::size_t) {}), "workers >= 1");
 }
+
+TEST(ThreadPool, DoesRunAfterRunOfAnyLength) {
+    for (std::size_t workers : {1u, 2u, 3u, 8u}) {
+        ThreadPool pool(workers);
+        for (std::size_t run = 0; run < 200; ++run) {
+            std::vector<int> calls(run % 13,
+                                   0);  // without locks: a helper that came late to the run before would be seen
+            pool.run(calls.size(), [&](std::size_t i, std::size_t worker) {
+                EXPECT_LT(worker, workers);
+                ++calls[i];
+            });
+            ASSERT_EQ(calls, std::vector<int>(run % 13, 1)) << workers << " workers, run " << run;
+        }
+    }
+}
+
+TEST(ThreadPool, KeepsItsThreadsFromRunToRun) {
+    ThreadPool pool(2);
+    std::set<std::thread::id> seen;
+    Lock lock;
+    for (int run = 0; run < 20; ++run)
+        pool.run(8, [&](std::size_t, std::size_t) {
+            dwell();
+            const Held held(lock);
+            seen.insert(std::this_thread::get_id());
+        });
+    EXPECT_EQ(seen.size(), 2u);
+}
+
+TEST(ThreadPool, SleepsBetweenRuns) {
+    ThreadPool pool(4);
+    pool.run(8, [](std::size_t, std::size_t) { dwell(); });
+    const std::clock_t before = std::clock();  // processor time of all threads
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    EXPECT_LT(std::clock() - before, CLOCKS_PER_SEC / 20);
+}
+
+TEST(ThreadPool, CanBeUsedAgainAfterAnAttemptThatFailed) {
+    ThreadPool pool(4);
+    for (int run = 0; run < 50; ++run) {
+        const Status failed =
+            attempt([&] { pool.run(100, [](std::size_t i, std::size_t) { ENFILADE_CHECK(i != 50); }); });
+        EXPECT_TRUE(failed);
+        std::vector<int> calls(100, 0);
+        pool.run(calls.size(), [&](std::size_t i, std::size_t) { ++calls[i]; });
+        ASSERT_EQ(calls, std::vector<int>(100, 1));
+    }
+}
+
+TEST(ThreadPoolDeathTest, WithoutWorkersIsABrokenContract) { EXPECT_DEATH(ThreadPool(0), "workers >= 1"); }
 
 TEST(Lock, LetsOneThreadInAtATime) {
     Lock lock;
