@@ -46,9 +46,9 @@ public:
 
     std::vector<ViewportShape> viewports() const override {
         std::vector<ViewportShape> shapes;
-        for (const ColumnRenderer& strip : strips_.renderers()) {
+        for (std::vector<ViewportOutline>& strip : strips_.viewports()) {
             std::vector<ViewportShape> here;
-            for (ViewportOutline& outline : strip.viewports())
+            for (ViewportOutline& outline : strip)
                 here.push_back({outline.sector, outline.depth, outline.begin, outline.end, std::move(outline.top),
                                 std::move(outline.bottom)});
             add_strip(std::move(here), shapes);

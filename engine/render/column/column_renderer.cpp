@@ -14,7 +14,7 @@ using namespace column;
 
 struct ColumnRenderer::Scratch {
     Screen screen;
-    Canvas canvas;
+    Canvas own_canvas;  ///< without memory as long as others are given
     FrameState state;
     ViewportDrawer drawer;
     std::optional<LightGrids> own_lights;
@@ -66,14 +66,19 @@ void ColumnRenderer::render(Frame& frame, FrameFacts* facts, const Map& map, con
 
 void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
                                     const Snapshot& snapshot, const View& view, ColumnRange columns) {
+    render_columns(frame, facts, map, textures, snapshot, view, columns, scratch_->own_canvas);
+}
+
+void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
+                                    const Snapshot& snapshot, const View& view, ColumnRange columns, Canvas& canvas) {
     ENFILADE_CHECK(view.sector.index < map.sectors.size() && snapshot.sectors.size() == map.sectors.size());
     ENFILADE_CHECK(0 <= columns.begin && columns.begin < columns.end && columns.end <= frame.width);
     ENFILADE_CHECK(!view.tilt);  // columns stay upright
     Scratch& s = *scratch_;
     s.screen.set(Projection(view, frame.width, frame.height));
-    s.canvas.set(columns.begin, columns.end, frame.height);
+    canvas.set(columns.begin, columns.end, frame.height);
     LightGrids* lights = built_in::kPointLights && s.lights.start(map) ? &s.lights : nullptr;
-    const Scene scene{map, textures, snapshot, s.screen, s.canvas, facts, lights, s.glow, s.kernels};
+    const Scene scene{map, textures, snapshot, s.screen, canvas, facts, lights, s.glow, s.kernels};
     start_frame(s.state, map, view, columns, frame.height);
     while (!s.state.stack.empty()) {
         Viewport& next = *s.state.stack.back();
@@ -81,7 +86,7 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& 
         s.drawer.draw(scene, s.state, next);
     }
     s.state.masked.draw(scene);
-    s.canvas.copy_to(frame);
+    canvas.copy_to(frame);
 }
 
 ColumnCounts ColumnRenderer::counts() const {

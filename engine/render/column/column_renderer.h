@@ -19,10 +19,15 @@
 
 namespace enfilade {
 
+namespace column {
+class Canvas;
+}
+
 /// Columns [begin, end) of a picture.
 struct ColumnRange {
     int begin = 0;
     int end = 0;
+    bool operator==(const ColumnRange&) const = default;
 };
 
 /// Outline of one viewport of the last frame, for overlays.
@@ -67,6 +72,10 @@ public:
     /// set, for that is about all columns.
     void render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
                         const Snapshot& snapshot, const View& view, ColumnRange columns);
+
+    /// The same by way of a canvas that renderers share which draw one after another.
+    void render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
+                        const Snapshot& snapshot, const View& view, ColumnRange columns, column::Canvas& canvas);
 
     ColumnCounts counts() const;
 

@@ -7,7 +7,6 @@
 
 #include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
-#include "render/column/strips.h"
 #include "space/locate.h"
 #include "support/furnish.h"
 
@@ -220,22 +219,6 @@ TEST(ColumnRenderer, DrawsTheSameBitsWhereLampsReachNothingInView) {
 }
 
 TEST(ColumnRenderer, DrawsStripsThatEqualTheWholePicture) { expect_strips_equal_the_whole(World(palace()), 5, 40); }
-
-TEST(ColumnStrips, DrawTheSamePictureOnAnyNumberOfThreads) {
-    const World world(palace());
-    Random random(6);
-    for (int trial = 0; trial < 10; ++trial) {
-        const View view = random_view(world.map, random);
-        Frame one, many;
-        one.resize(211, 97);
-        many.resize(211, 97);
-        ColumnStrips(1).render(one, nullptr, world.map, world.textures, world.snapshot, view);
-        for (std::size_t threads : {2u, 3u, 8u, 211u, 500u}) {
-            ColumnStrips(threads).render(many, nullptr, world.map, world.textures, world.snapshot, view);
-            ASSERT_EQ(one.pixels, many.pixels) << threads << " threads";
-        }
-    }
-}
 
 TEST(ColumnRenderer, AllocatesNothingOnceItHasDrawnTheView) { expect_no_allocations(World(palace()), 7, 20); }
 

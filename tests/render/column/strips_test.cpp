@@ -1,0 +1,99 @@
+// Pictures in strips: how they are cut, and that nobody can tell from the picture.
+#include "render/column/strips.h"
+
+#include <gmock/gmock.h>
+
+#include "render/column/agreement.h"
+#include "support/count_allocations.h"
+
+namespace enfilade {
+namespace {
+
+using test::palace;
+using test::random_view;
+using test::World;
+using ::testing::ElementsAre;
+
+std::vector<ColumnRange> strips_of(int width, int first_line, std::size_t most) {
+    std::vector<ColumnRange> strips;
+    cut_into_strips(width, first_line, most, strips);
+    return strips;
+}
+
+TEST(CutIntoStrips, MeetsWhereCacheLinesEnd) {
+    EXPECT_THAT(strips_of(64, 0, 4),
+                ElementsAre(ColumnRange{0, 16}, ColumnRange{16, 32}, ColumnRange{32, 48}, ColumnRange{48, 64}));
+    EXPECT_THAT(strips_of(64, 12, 2), ElementsAre(ColumnRange{0, 44}, ColumnRange{44, 64}));
+}
+
+TEST(CutIntoStrips, MakesOneWhereThePictureIsNarrowOrNobodyShares) {
+    EXPECT_THAT(strips_of(1, 15, 8), ElementsAre(ColumnRange{0, 1}));
+    EXPECT_THAT(strips_of(16, 3, 8), ElementsAre(ColumnRange{0, 16}));
+    EXPECT_THAT(strips_of(1280, 5, 1), ElementsAre(ColumnRange{0, 1280}));
+}
+
+TEST(CutIntoStrips, CoversEveryPictureOnceWithNoMoreThanAskedFor) {
+    for (int width = 1; width <= 200; ++width)
+        for (int first_line = 0; first_line < kLinePixels; ++first_line)
+            for (std::size_t most : {1u, 2u, 3u, 8u, 12u, 1000u}) {
+                const std::vector<ColumnRange> strips = strips_of(width, first_line, most);
+                ASSERT_LE(strips.size(), most);
+                int next = 0;
+                for (const ColumnRange& strip : strips) {
+                    ASSERT_EQ(strip.begin, next);
+                    ASSERT_LT(strip.begin, strip.end);
+                    ASSERT_TRUE(strip.begin == 0 || strip.begin % kLinePixels == first_line);
+                    next = strip.end;
+                }
+                ASSERT_EQ(next, width);
+            }
+}
+
+TEST(ColumnStrips, DrawTheSamePictureOnAnyNumberOfThreads) {
+    const World world(palace());
+    Random random(6);
+    for (int trial = 0; trial < 10; ++trial) {
+        const View view = random_view(world.map, random);
+        Frame one, many;
+        one.resize(211, 97);
+        many.resize(211, 97);
+        ColumnStrips(1).render(one, nullptr, world.map, world.textures, world.snapshot, view);
+        for (std::size_t threads : {2u, 3u, 8u, 211u, 500u}) {
+            ColumnStrips(threads).render(many, nullptr, world.map, world.textures, world.snapshot, view);
+            ASSERT_EQ(one.pixels, many.pixels) << threads << " threads";
+        }
+    }
+}
+
+TEST(ColumnStrips, DrawFrameAfterFrameOfAnyWidth) {
+    const World world(palace());
+    Random random(9);
+    ColumnStrips shared(3), alone(1);
+    for (int trial = 0; trial < 60; ++trial) {
+        const View view = random_view(world.map, random);
+        Frame one, many;
+        const int width = 1 + static_cast<int>(random.below(300));
+        for (Frame* frame : {&one, &many}) frame->resize(width, 60);
+        alone.render(one, nullptr, world.map, world.textures, world.snapshot, view);
+        shared.render(many, nullptr, world.map, world.textures, world.snapshot, view);
+        ASSERT_EQ(one.pixels, many.pixels) << width << " columns";
+    }
+}
+
+TEST(ColumnStrips, AllocateNothingOnceTheyHaveDrawnTheView) {
+    const World world(palace());
+    Random random(10);
+    ColumnStrips strips(1);
+    Frame frame;
+    frame.resize(320, 200);
+    for (int trial = 0; trial < 20; ++trial) {
+        const View view = random_view(world.map, random);
+        strips.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        const std::size_t before = test::allocations();
+        strips.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        EXPECT_EQ(test::allocations(), before) << "trial " << trial;
+    }
+}
+
+}  // namespace
+}  // namespace enfilade
