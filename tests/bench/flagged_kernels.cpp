@@ -1,15 +1,13 @@
 // The inner loops as many engines have them: one for everything, which asks for each pixel what the surface is like.
-// Linked instead of render/column/kernels.cpp to count what that would cost (effect_cost.sh). Same pixels.
+// Linked instead of render/column/plain_kernels.cpp to count what that would cost (effect_cost.sh). Same pixels.
 #include <algorithm>
 
-#include "render/column/kernels.h"
+#include "render/column/plain_kernels.h"
 
 namespace enfilade::column {
 namespace {
 
 constexpr std::uint32_t kHasHoles = 1, kIsLit = 2, kIsInFog = 4, kIsSky = 8, kScrolls = 16;
-
-constexpr TileSteps kHalfPlace = TileSteps{1} << 31;  ///< as in render/column/kernels.cpp
 
 /// What every surface has, used or not.
 struct Look {
@@ -17,7 +15,7 @@ struct Look {
     Shade shade;
     Mist mist;
     std::uint32_t fog;
-    TileSteps scrolled_by;
+    TilePlace scrolled_by;
 };
 
 /// Light, fog and holes of one pixel.
@@ -29,74 +27,54 @@ void put(std::uint32_t& pixel, std::uint32_t texel, const Look& look) {
     pixel = color;
 }
 
-/// The texel row of a wall, a fence or a sky.
-std::uint32_t row_of(TileSteps v, std::uint32_t height, const Look& look) {
-    if (look.flags & kScrolls) v += look.scrolled_by;
-    const auto fraction = static_cast<std::uint32_t>(v >> 32);
-    if (look.flags & kIsSky) return std::min(texel_of(fraction, height), height - 1);
-    return texel_of(fraction, height);
+/// One texel coordinate.
+std::uint32_t texel_at(TilePlace place, std::uint32_t size, const Look& look) {
+    if (look.flags & kScrolls) place += look.scrolled_by;
+    if (look.flags & kIsSky) place = std::min(place, 0xFFFFFFFEu);
+    return texel_of(place, size);
 }
 
-void fill(const Run& run, const WallRun& wall, const Look& look) {
-    TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(run.first_row) + kHalfPlace;
-    for (int i = 0; i < run.count; ++i, v += wall.v_per_row)
-        put(run.pixels[i], wall.texels[row_of(v, wall.height, look)], look);
+void fill_walls(const PlainWalls& w) {
+    for (int i = 0; i < w.runs.count; ++i) {
+        const Look look{kIsLit, w.shades[i], 0, 0, 0};
+        const std::uint32_t* const texels = &w.texture->pixels[w.first_texels[i]];
+        TileSteps v = w.v_at_row_0[i] + w.v_per_row[i] * static_cast<TileSteps>(w.runs.tops[i]) + kHalfPlace;
+        for (int y = w.runs.tops[i]; y < w.runs.bottoms[i]; ++y, v += w.v_per_row[i])
+            put(w.runs.pixels[i * w.runs.pitch + y],
+                texels[texel_at(static_cast<TilePlace>(v >> 32), w.texture->height, look)], look);
+    }
 }
 
-Look look_of(const WallRun& wall) {
-    const std::uint32_t in_fog = wall.mist != 0 ? kIsInFog : 0;
-    return {kIsLit | in_fog, wall.shade, wall.mist, wall.fog, 0};
+void fill_flats(const PlainFlats& f) {
+    Look look{kIsLit, 0, 0, 0, 0};
+    for (int i = 0; i < f.runs.count; ++i)
+        for (int y = f.runs.tops[i]; y < f.runs.bottoms[i]; ++y) {
+            const double depth = std::min(f.row_depths[y], f.farthest[i]);
+            const TilePlace u = place_on_near_tile(f.base_u + depth * f.step_u[i]);
+            const TilePlace v = place_on_near_tile(f.base_v + depth * f.step_v[i]);
+            const std::size_t column = texel_at(u, f.texture->width, look);
+            if (look.flags & kIsLit) look.shade = f.row_darkness[y] & 0xFFFF;
+            put(f.runs.pixels[i * f.runs.pitch + y],
+                f.texture->pixels[column * f.texture->height + texel_at(v, f.texture->height, look)], look);
+        }
 }
 
-/// The two texel coordinates of a floor.
-std::size_t texel_index_of(const Texture& texture, double u, double v, const Look& look) {
-    auto across = place_on_near_tile(u), down = place_on_near_tile(v);
-    if (look.flags & kScrolls) across += static_cast<std::uint32_t>(look.scrolled_by);
-    if (look.flags & kIsSky) down = std::min(down, 0xFFFFFFFEu);
-    return std::size_t{texel_of(across, texture.width)} * texture.height + texel_of(down, texture.height);
+void fill_sky(const Run& run, const SkyRun& sky) {
+    const Look look{kIsSky, 0, 0, 0, 0};
+    for (int i = 0; i < run.count; ++i) {
+        const double v = sky.v_at_horizon + sky.row_rises[run.first_row + i] * sky.v_per_rise;
+        put(run.pixels[i], sky.texels[texel_at(place_on_picture(v), sky.height, look)], look);
+    }
 }
+
+constexpr PlainKernels kFlagged{"flagged", fill_walls, fill_flats, fill_sky};
 
 }  // namespace
 
 TileSteps tile_steps(double tiles) { return static_cast<TileSteps>(fraction(tiles) * 0x1p64); }
-
-void fill_wall(const Run& run, const WallRun& wall) { fill(run, wall, look_of(wall)); }
-
-void lay_wall(const Run& run, const WallRun& wall) {
-    Look look = look_of(wall);
-    look.flags |= kHasHoles;
-    fill(run, wall, look);
-}
-
-void fill_flat(const Run& run, const FlatRun& flat) {
-    const double most =
-        std::max(flat.step_u < 0 ? -flat.step_u : flat.step_u, flat.step_v < 0 ? -flat.step_v : flat.step_v);
-    const double farthest = std::min(flat.farthest, (kNearTiles - 1) / most);
-    Look look{kIsLit | (flat.row_mists ? kIsInFog : 0u), 0, 0, flat.fog, 0};
-    for (int i = 0; i < run.count; ++i) {
-        const int row = run.first_row + i;
-        const double depth = std::min(flat.row_depths[row], farthest);
-        const std::size_t texel =
-            texel_index_of(*flat.texture, flat.base_u + depth * flat.step_u, flat.base_v + depth * flat.step_v, look);
-        if (look.flags & kIsLit) look.shade = flat.row_shades[row];
-        if (look.flags & kIsInFog) look.mist = flat.row_mists[row];
-        put(run.pixels[i], flat.texture->pixels[texel], look);
-    }
-}
-
-void fill_sky(const Run& run, const SkyRun& sky) {
-    for (int i = 0; i < run.count; ++i) {
-        const double v = std::clamp(sky.v_at_horizon + sky.row_rises[run.first_row + i] * sky.v_per_rise, 0.0, 1.0);
-        run.pixels[i] = sky.texels[texel_of(place_on_picture(v), sky.height)] | 0xFF000000u;
-    }
-}
-
-// The rooms that are drawn have neither point lights nor clouds.
-void fill_lit_wall(const Run& run, const WallRun& wall, const WallGlow&) { fill_wall(run, wall); }
-void lay_lit_wall(const Run& run, const WallRun& wall, const WallGlow&) { lay_wall(run, wall); }
-void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow&) { fill_flat(run, flat); }
-void lay_sky(const Run& run, const SkyRun& layer) { fill_sky(run, layer); }
-
-void fill_color(const Run& run, std::uint32_t color) { std::fill_n(run.pixels, run.count, color); }
+const PlainKernels& scalar_kernels() { return kFlagged; }
+std::optional<PlainKernels> kernels_named(std::string_view) { return kFlagged; }
+PlainKernels chosen_kernels() { return kFlagged; }
+Status check_kernels() { return {}; }
 
 }  // namespace enfilade::column

@@ -231,7 +231,7 @@ void fill_flats(const PlainFlats& f) {
 
 std::optional<PlainKernels> eight_wide_kernels() {
     if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("bmi2")) return {};
-    return PlainKernels{"avx2", fill_walls, fill_flats};
+    return PlainKernels{"avx2", fill_walls, fill_flats, four_wide_kernels()->fill_sky};
 }
 
 }  // namespace enfilade::column

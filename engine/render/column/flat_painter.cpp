@@ -130,7 +130,7 @@ void FlatPainter::note_level(const Scene& scene, int x, int top, int bottom, dou
 void FlatPainter::paint_sky(const Scene& scene, int x, int top, int bottom) {
     const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
     const Run run = scene.canvas.run(x, top, bottom);
-    fill_sky(run, sky_run(scene, flat_.surface, ray));
+    scene.kernels.fill_sky(run, sky_run(scene, flat_.surface, ray));
     for (const Surface& layer : layers_) lay_sky(run, sky_run(scene, layer, ray));
     if (scene.facts == nullptr) return;
     const double rise = rise_per_row(scene, ray);

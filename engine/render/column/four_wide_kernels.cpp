@@ -199,9 +199,31 @@ void fill_flats(const PlainFlats& f) {
         by_shifts ? fill_flats_as<true, false>(f) : fill_flats_as<false, false>(f);
 }
 
+/// Which row of the picture four rows of the screen show: place_on_picture() and texel_of() of each.
+__m128i sky_rows(const SkyRun& sky, int row) {
+    const __m128d at_horizon = _mm_set1_pd(sky.v_at_horizon), per_rise = _mm_set1_pd(sky.v_per_rise);
+    const auto shown = [&](const double* rises) {
+        const __m128d v = _mm_add_pd(at_horizon, _mm_mul_pd(_mm_loadu_pd(rises), per_rise));
+        const __m128d inside = _mm_min_pd(_mm_max_pd(v, _mm_setzero_pd()), _mm_set1_pd(kLastPlace));
+        return _mm_add_pd(inside, _mm_set1_pd(kStepShift));
+    };
+    const double* const rises = sky.row_rises + row;
+    return scaled(places_of(shown(rises), shown(rises + 2)), _mm_set1_epi32(static_cast<int>(sky.height)));
+}
+
+void fill_sky(const Run& run, const SkyRun& sky) {
+    if (run.count < kWide) return scalar_kernels().fill_sky(run, sky);
+    const __m128i opaque = _mm_set1_epi32(static_cast<int>(0xFF000000u));
+    by_four(run.count, [&](int i) {
+        const Numbers at(sky_rows(sky, run.first_row + i));
+        const std::uint32_t* const t = sky.texels;
+        store(run.pixels + i, _mm_or_si128(four_of(t + at.a, t + at.b, t + at.c, t + at.d), opaque));
+    });
+}
+
 }  // namespace
 
-std::optional<PlainKernels> four_wide_kernels() { return PlainKernels{"sse2", fill_walls, fill_flats}; }
+std::optional<PlainKernels> four_wide_kernels() { return PlainKernels{"sse2", fill_walls, fill_flats, fill_sky}; }
 
 }  // namespace enfilade::column
 #else

@@ -254,13 +254,6 @@ void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow) {
     fill_dark(part_of(run, end, run.count), flat);
 }
 
-void fill_sky(const Run& run, const SkyRun& sky) {
-    for (int i = 0; i < run.count; ++i) {
-        const double v = sky.v_at_horizon + sky.row_rises[run.first_row + i] * sky.v_per_rise;
-        run.pixels[i] = sky.texels[texel_of(place_on_picture(v), sky.height)] | 0xFF000000u;
-    }
-}
-
 void lay_sky(const Run& run, const SkyRun& layer) {
     for (int i = 0; i < run.count; ++i) {
         const double v = layer.v_at_horizon + layer.row_rises[run.first_row + i] * layer.v_per_rise;

@@ -1,4 +1,4 @@
-// The inner loops of surfaces with fog, lamps or holes, and of skies: each fills a run of one screen column. Chosen
+// The inner loops of surfaces with fog, lamps or holes, and of clouds: each fills a run of one screen column. Chosen
 // once per surface; what a surface does not use is not in its loop (for most that is plain_kernels.h). Positions within
 // a picture are whole numbers (2^64 or 2^32 steps a tile), so stepping them is exact and a run's pixels do not depend
 // on where it starts.
@@ -11,13 +11,6 @@
 #include "render/shade.h"
 
 namespace enfilade::column {
-
-/// A run of pixels down one column; pixel i of the run is in row first_row + i.
-struct Run {
-    std::uint32_t* pixels;
-    int first_row;
-    int count;
-};
 
 /// A texture column of a wall under one light.
 struct WallRun {
@@ -72,17 +65,7 @@ struct FlatGlow {
 };
 void fill_lit_flat(const Run& run, const FlatRun& flat, const FlatGlow& glow);
 
-/// A column of sky.
-struct SkyRun {
-    const std::uint32_t* texels;  ///< texture column [height]
-    std::uint32_t height;
-    double v_at_horizon;      ///< [tiles]
-    double v_per_rise;        ///< tiles per row above the horizon
-    const double* row_rises;  ///< by row: rows above the horizon [px]
-};
-void fill_sky(const Run& run, const SkyRun& sky);
-
-/// The same for a layer with holes, laid over what is there already.
+/// A layer of sky with holes, laid over what is there already.
 void lay_sky(const Run& run, const SkyRun& layer);
 
 void fill_color(const Run& run, std::uint32_t color);

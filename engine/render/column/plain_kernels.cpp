@@ -34,7 +34,14 @@ void fill_flats(const PlainFlats& f) {
         }
 }
 
-constexpr PlainKernels kScalar{"scalar", fill_walls, fill_flats};
+void fill_sky(const Run& run, const SkyRun& sky) {
+    for (int i = 0; i < run.count; ++i) {
+        const double v = sky.v_at_horizon + sky.row_rises[run.first_row + i] * sky.v_per_rise;
+        run.pixels[i] = sky.texels[texel_of(place_on_picture(v), sky.height)] | 0xFF000000u;
+    }
+}
+
+constexpr PlainKernels kScalar{"scalar", fill_walls, fill_flats, fill_sky};
 constexpr const char* kVariable = "ENFILADE_KERNELS";
 
 /// Fastest first.

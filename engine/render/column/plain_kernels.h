@@ -1,5 +1,6 @@
-// The inner loops that draw most pixels: walls and flats in one light, without fog, lamps or holes. Each draws the runs
-// of one surface down neighbouring columns at once, so that what the surface has in common is made ready once.
+// The inner loops that draw most pixels: skies, and walls and flats in one light, without fog, lamps or holes. Those
+// draw the runs of one surface down neighbouring columns at once, so that what the surface has in common is made ready
+// once.
 //
 // The scalar kernels say what is drawn; those for SSE2 and AVX2 draw the same bits, four and eight pixels at a time.
 #pragma once
@@ -31,6 +32,13 @@ inline TileSteps near_tile_steps(double tiles) {
 
 /// Half a step of TilePlace: added once, it makes the upper half of all steps down a column the nearest place.
 inline constexpr TileSteps kHalfPlace = TileSteps{1} << 31;
+
+/// A run of pixels down one column; pixel i of the run is in row first_row + i.
+struct Run {
+    std::uint32_t* pixels;
+    int first_row;
+    int count;
+};
 
 /// Rows [tops[i], bottoms[i]) of the i-th of `count` columns; none where tops[i] >= bottoms[i].
 struct ColumnRuns {
@@ -76,10 +84,20 @@ inline std::uint32_t darkness_of(const ColorTable* table, Shade shade) {
                  : shade * kBothHalves;
 }
 
+/// A column of sky.
+struct SkyRun {
+    const std::uint32_t* texels;  ///< texture column [height]
+    std::uint32_t height;
+    double v_at_horizon;      ///< [tiles]
+    double v_per_rise;        ///< tiles per row above the horizon
+    const double* row_rises;  ///< by row: rows above the horizon [px]
+};
+
 struct PlainKernels {
     std::string_view name;  ///< "scalar", "sse2" or "avx2"
     void (*fill_walls)(const PlainWalls& walls);
     void (*fill_flats)(const PlainFlats& flats);
+    void (*fill_sky)(const Run& run, const SkyRun& sky);
 };
 
 /// The definition, pixel by pixel.

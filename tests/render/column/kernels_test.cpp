@@ -111,7 +111,7 @@ TEST(FillSky, HoldsItsFirstAndLastRowBeyondThePicture) {
     std::vector<double> rises;
     for (int y = 0; y < 60; ++y) rises.push_back(30 - y);
     std::vector<std::uint32_t> pixels(60);
-    fill_sky({pixels.data(), 0, 60}, {texture.pixels.data(), 10, 1, -0.05, rises.data()});
+    scalar_kernels().fill_sky({pixels.data(), 0, 60}, {texture.pixels.data(), 10, 1, -0.05, rises.data()});
     EXPECT_EQ(pixels[0] & 0xFFF, 0u);
     EXPECT_EQ(pixels[29] & 0xFFF, 9u);
     EXPECT_EQ(pixels[59] & 0xFFF, 9u);

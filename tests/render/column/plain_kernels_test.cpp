@@ -135,6 +135,30 @@ TEST(PlainKernels, DrawFlatsAsTheScalarOnesDo) {
     }
 }
 
+TEST(PlainKernels, DrawSkiesAsTheScalarOneDoes) {
+    Random random(4);
+    for (int trial = 0; trial < 4000; ++trial) {
+        const Texture texture = random_texture(random);
+        std::vector<double> rises;
+        const double horizon = trial % 2 ? random.uniform(-50, 150) : static_cast<double>(random.below(100));
+        for (int row = 0; row < kRows; ++row) rises.push_back(horizon - row);
+        // Round parts of the picture lie on texels' very edges; its ends are mostly in view.
+        const double per_rise = trial % 2 ? random.uniform(-0.1, 0.1) : -1.0 / 64;
+        const SkyRun sky{texture.pixels.data(), texture.height, trial % 2 ? random.uniform(0, 1) : 1, per_rise,
+                         rises.data()};
+        const Bench bench(random);
+        expect_same_bits(
+            bench,
+            [&](const PlainKernels& kernels, const ColumnRuns& runs) {
+                for (int i = 0; i < runs.count; ++i)
+                    kernels.fill_sky(
+                        {runs.pixels + i * runs.pitch + runs.tops[i], runs.tops[i], runs.bottoms[i] - runs.tops[i]},
+                        sky);
+            },
+            trial);
+    }
+}
+
 TEST(NearTileSteps, AreThoseOfAnyNumberToWithinTwo) {
     Random random(3);
     for (int trial = 0; trial < 100000; ++trial) {
