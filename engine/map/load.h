@@ -1,5 +1,7 @@
 // From a map file to a Map: resolve names, round to the grid, check every rule, and load the pictures.
 #pragma once
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,16 +9,11 @@
 
 #include "base/files.h"
 #include "base/finding.h"
+#include "map/compiled_map.h"
 #include "map/map.h"
 #include "map/textures.h"
 
 namespace enfilade {
-
-/// A file beside a map that the map names, and where.
-struct NamedFile {
-    std::string name;
-    TextPlace place;
-};
 
 /// A map that was read: there is one exactly where findings has no error.
 struct LoadedMap {
@@ -30,14 +27,28 @@ struct LoadedMap {
 /// The skill of a game where nobody chooses one: Doom's "Hurt me plenty".
 inline constexpr int kUsualSkill = 3;
 
+/// Where a map that takes long to read is kept, compiled, for the next time (app/map_cache.h).
+struct MapStore {
+    std::uint64_t edition = 0;  ///< of the program: what another one kept is not taken
+    std::function<Result<Bytes>()> find;
+    std::function<void(const Bytes&)> keep;  ///< empty: nothing is kept. May fail in silence
+};
+
+/// Smaller map texts are not kept: they are read in less than a second [bytes].
+inline constexpr std::size_t kLeastKeptBytes = std::size_t{8} << 20;
+
 /// Reads, builds and checks the map at `path` and loads its pictures: from `more_texture_folders` first, then from the
 /// folders the map names, which are seen from the map's own folder. A file that cannot be read at all is one finding
 /// without a place. A map without a name is called like its file.
 ///
 /// skill : 1..kMostSkill: the map holds only the things that stand there when one plays alone; none: all things
 /// list : where given, a picture that is missing is reported with the one that is called nearly so
+/// store : where given, a text of at least kLeastKeptBytes is compiled and kept there, and read from there while it,
+/// the
+///         skill, the program and the sizes of its pictures are the same; the map is the same, bit for bit
 LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
-                   const FileReader& read, std::optional<int> skill = {}, const FolderLister& list = {});
+                   const FileReader& read, std::optional<int> skill = {}, const FolderLister& list = {},
+                   const MapStore* store = nullptr);
 
 /// Where in its file each part of a map is written; each list is indexed by the parts' ids.
 struct MapPlaces {

@@ -1,11 +1,11 @@
 // Sectors, loops and walls out of their records: coordinates go onto the vertex grid and are checked there.
-#include <algorithm>
 #include <cmath>
 
 #include "base/check.h"
 #include "formats/quoted.h"
 #include "map/draft.h"
 #include "map/say.h"
+#include "map/shape.h"
 #include "math/grid.h"
 
 namespace enfilade {
@@ -36,7 +36,7 @@ Vec2 placed(Vec2 vertex) {
 }
 
 bool check_length(Draft& draft, const SectorRecord& sector, const LoopRecord& loop, std::size_t i, const Wall& wall) {
-    if (wall.a != wall.b) return true;
+    if (wall.a != draft.map[wall.next].a) return true;
     const std::size_t next = (i + 1) % loop.vertices.size();
     const bool was_rounded = loop.vertices[i] != loop.vertices[next];
     draft.error(place_of_vertex(sector, loop, i), "zero-length",
@@ -47,41 +47,28 @@ bool check_length(Draft& draft, const SectorRecord& sector, const LoopRecord& lo
 }
 
 /// The loop's walls, closed into a ring.
-void add_loop(Draft& draft, SectorId id, const SectorRecord& sector, const LoopRecord& record) {
+void add_loop(Draft& draft, const SectorRecord& sector, const LoopRecord& record) {
     const auto first = static_cast<std::uint32_t>(draft.map.walls.size());
     const auto count = static_cast<std::uint32_t>(record.vertices.size());
     draft.loops.push_back({&record, first, count});
     for (std::uint32_t i = 0; i < count; ++i) {
         Wall wall;
         wall.a = placed(record.vertices[i]);
-        wall.b = placed(record.vertices[(i + 1) % count]);
-        wall.length = std::sqrt(dot(wall.b - wall.a, wall.b - wall.a));
-        wall.sector = id;
         wall.next = WallId(first + (i + 1) % count);
-        wall.previous = WallId(first + (i + count - 1) % count);
         draft.walls.push_back({&record.walls[i], place_of_vertex(sector, record, i)});
         draft.map.walls.push_back(wall);
     }
 }
 
-void add_bounds(Sector& sector, const std::vector<Wall>& walls) {
-    sector.min = {kWorldLimit, kWorldLimit};
-    sector.max = {-kWorldLimit, -kWorldLimit};
-    for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i) {
-        sector.min = {std::min(sector.min.x, walls[i].a.x), std::min(sector.min.y, walls[i].a.y)};
-        sector.max = {std::max(sector.max.x, walls[i].a.x), std::max(sector.max.y, walls[i].a.y)};
-    }
-}
-
 /// True where nothing is wrong with any of its loops so far.
-bool add_loops(Draft& draft, SectorId id, const SectorRecord& record) {
+bool add_loops(Draft& draft, const SectorRecord& record) {
     bool all = !record.loops.empty();
     for (const LoopRecord& loop : record.loops) {
         if (!check_count(draft, record, loop)) {
             all = false;
             continue;
         }
-        add_loop(draft, id, record, loop);
+        add_loop(draft, record, loop);
         const Loop& added = draft.loops.back();
         for (std::uint32_t i = 0; i < added.wall_count; ++i)
             all = check_length(draft, record, loop, i, draft.map.walls[added.first_wall + i]) && all;
@@ -105,12 +92,12 @@ void add_sector(Draft& draft, const SectorRecord& record) {
     sector.ceiling.z = record.ceiling.z;
     sector.first_wall = static_cast<std::uint32_t>(draft.map.walls.size());
     parts.first_loop = static_cast<std::uint32_t>(draft.loops.size());
-    parts.measurable = add_loops(draft, id, record);
+    parts.measurable = add_loops(draft, record);
     parts.loop_count = static_cast<std::uint32_t>(draft.loops.size()) - parts.first_loop;
     sector.wall_count = static_cast<std::uint32_t>(draft.map.walls.size()) - sector.first_wall;
-    add_bounds(sector, draft.map.walls);
     draft.has_nameless_sectors |= record.name.empty();
     draft.map.sectors.push_back(std::move(sector));
+    settle_shape(draft.map, id);
     draft.sectors.push_back(parts);
 }
 

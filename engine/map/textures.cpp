@@ -141,20 +141,28 @@ Texture make_placeholder() {
     return texture;
 }
 
-TextureLoader::TextureLoader(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read,
+PictureNeeds pictures_needed(const MapFile& file) {
+    PictureNeeds needs;
+    for (const auto& [name, use] : names_used(file)) needs.pictures.push_back({name, use.written, use.place});
+    needs.color_table = lower_case(file.render.color_table);
+    needs.color_table_place = key_place(file.render, "color_table");
+    return needs;
+}
+
+TextureLoader::TextureLoader(const PictureNeeds& needs, const std::vector<std::string>& folders, const FileReader& read,
                              const FolderLister& list) {
-    for (auto& [name, use] : names_used(file)) {
+    for (const auto& [name, written, place] : needs.pictures) {
         Picture& picture = pictures_.emplace_back();
         picture.name = name;
-        picture.written = use.written;
-        picture.place = use.place;
-        if (Result<Bytes> bytes = read_from_folders(use.written, folders, read, picture.path))
+        picture.written = written;
+        picture.place = place;
+        if (Result<Bytes> bytes = read_from_folders(written, folders, read, picture.path))
             picture.bytes = std::move(bytes).value();
         if (picture.bytes) make_room_for(picture);
     }
     const auto is_missing = [](const Picture& picture) { return !picture.bytes; };
-    table_place_ = key_place(file.render, "color_table");
-    if (!file.render.color_table.empty()) read_color_table(lower_case(file.render.color_table));
+    table_place_ = needs.color_table_place;
+    if (!needs.color_table.empty()) read_color_table(needs.color_table);
     if (list && std::any_of(pictures_.begin(), pictures_.end(), is_missing)) suggest_names(folders, list);
 }
 
@@ -268,7 +276,7 @@ TextureSet TextureLoader::take(Findings& findings) {
 
 TextureSet load_textures(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read,
                          Findings& findings) {
-    TextureLoader loader(file, folders, read);
+    TextureLoader loader(pictures_needed(file), folders, read);
     parallel_for(loader.count(), hardware_threads(), [&](std::size_t i, std::size_t) { loader.unpack(i); });
     return loader.take(findings);
 }

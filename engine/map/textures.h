@@ -51,6 +51,21 @@ Texture make_placeholder();
 /// whole Doom game takes (the 1548 of FreeDoom II: 58 MiB), or four of the largest that are read.
 inline constexpr std::uint64_t kMostTextureBytes = std::uint64_t{512} << 20;
 
+/// A picture that a map names: its name in lower case, as it is written at its first use, and where that is.
+struct PictureNeed {
+    std::string name, written;
+    TextPlace place;
+};
+
+/// All pictures that a map names ("-" is none), each once, by name.
+struct PictureNeeds {
+    std::vector<PictureNeed> pictures;
+    std::string color_table;  ///< in lower case; empty: none
+    TextPlace color_table_place;
+};
+
+PictureNeeds pictures_needed(const MapFile& file);
+
 /// Loads every picture the file names ("-" is none) as FOLDER/NAME.png, the first folder that has it winning. One file
 /// is one picture: formats/file_name.h has one spelling for each.
 /// Where all pictures would take more than kMostTextureBytes, an error says so, and those that are over, in the order
@@ -60,9 +75,9 @@ inline constexpr std::uint64_t kMostTextureBytes = std::uint64_t{512} << 20;
 /// beside other work.
 class TextureLoader {
 public:
-    /// Reads the files. `file` may go afterwards. `list`, where given, finds the names that are nearly those of
+    /// Reads the files. `needs` may go afterwards. `list`, where given, finds the names that are nearly those of
     /// pictures that are missing.
-    TextureLoader(const MapFile& file, const std::vector<std::string>& folders, const FileReader& read,
+    TextureLoader(const PictureNeeds& needs, const std::vector<std::string>& folders, const FileReader& read,
                   const FolderLister& list = {});
 
     /// Every picture as large as its file says, without pixels: enough to build a map (map/build.h).
@@ -77,7 +92,7 @@ public:
 
 private:
     struct Picture {
-        std::string name, written;   ///< in lower case, and as in the file
+        std::string name, written;   ///< as in PictureNeed
         TextPlace place;             ///< of its first use
         std::string path;            ///< where it was found
         std::optional<Bytes> bytes;  ///< of its file; none: in no folder

@@ -96,7 +96,7 @@ TEST(Textures, SayWhatIsWrongWithAColorTable) {
 TEST(Textures, TogetherFillNoMoreThanTheirBudget) {
     const FileReader read = [](const std::string&) -> Result<Bytes> { return header_of(8192, 4096); };
     const auto complaint_about = [&](std::vector<std::string> names) {
-        TextureLoader loader(map_with(std::move(names)), {"pictures"}, read);
+        TextureLoader loader(pictures_needed(map_with(std::move(names))), {"pictures"}, read);
         Findings findings;
         loader.take(findings);
         return findings;
@@ -118,7 +118,7 @@ TEST(Textures, ThatAreOverTheirBudgetTakeNoMemory) {
     };
     const MapFile file = map_with({"a", "b", "c", "d", "e", "f"});
     const std::size_t before = restart_peak();
-    const TextureLoader loader(file, {"pictures"}, read);
+    const TextureLoader loader(pictures_needed(file), {"pictures"}, read);
     EXPECT_LT(peak_bytes() - before, 5 * kFile);  // three that fit, one that is looked at
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/file_kind.h"
+#include "app/map_cache.h"
 #include "app/play/eye_view.h"
 #include "base/hash.h"
 #include "map/load.h"
@@ -67,7 +68,8 @@ Result<Game::Loaded> Game::load(const std::string& map_path, MapWatch& watch) co
         if (bytes.ok() && path == map_path) loaded.hash = hash_of_text(as_text(bytes.value()));
         return bytes;
     };
-    LoadedMap map = load_map(map_path, texture_folders_, read, skill_, list_folder);
+    const MapStore cache = cache_of(map_path);
+    LoadedMap map = load_map(map_path, texture_folders_, read, skill_, list_folder, &cache);
     if (!map.map)
         if (Status other = refuse_as_map(map_path)) return *other;
     if (!map.map) return Error{"", lines_of(map_path, map.findings)};
