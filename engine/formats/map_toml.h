@@ -31,10 +31,10 @@ bool is_map(std::string_view text);
 /// Largest map text that is read [bytes].
 inline constexpr std::size_t kMaxMapBytes = kMaxFileBytes;
 
-/// Most values in one map, counted as formats/toml.h says: a sector with ten walls has about 250, the largest level of
-/// FreeDoom II 540 000. What a hostile map can make us take is kBytesPerValue for each and five times its text:
-/// 1.4 gigabytes.
-inline constexpr std::size_t kMaxMapValues = 128'000'000;
+/// Most values in one map, counted as formats/toml.h says: a sector with four walls has about 150, so that a world of
+/// 10^6 sectors may be read; the largest level of FreeDoom II has 540 000. A plain text takes 60 bytes for each while
+/// it is read, 7 gigabytes for such a world. For other notations formats/toml_guard.h has lower limits.
+inline constexpr std::size_t kMaxMapValues = 160'000'000;
 
 /// The map as text in the enfilade dialect, in which a tutorial file's skies and light are other ones (maps/FORMAT.md):
 /// the same records give the same bytes, and read_map gives the same records back (places aside). Numbers are written

@@ -9,11 +9,16 @@
 namespace enfilade {
 namespace {
 
+/// Said of a text that is small enough but for the library.
+constexpr std::string_view kPlainHasMore =
+    "; only a file without escapes, dates, keys with dots and other rare notations may have more";
+
 /// One pass over the text that knows just enough of TOML: strings, comments, brackets, keys and headers. On a text
 /// that is not TOML it may count wrongly, but never too little before the place where the library stops.
 class Scanner {
 public:
-    Scanner(std::string_view text, const TomlLimits& limits) : text_(text), limits_(limits) {}
+    Scanner(std::string_view text, const TomlLimits& limits, bool is_for_library)
+        : text_(text), limits_(limits), is_for_library_(is_for_library) {}
 
     std::optional<Finding> run() {
         if (text_.starts_with(kByteOrderMark)) at_ = line_start_ = kByteOrderMark.size();
@@ -61,14 +66,14 @@ private:
         if (c == '[') count_value();
         if (c != '.') return;
         deepen(++key_dots_);
-        if (++dotted_headers_ > kMaxDottedHeaders) too_many("headers with a dot", kMaxDottedHeaders);
+        if (++dotted_headers_ > kMaxDottedHeaders && is_for_library_) too_many("headers with a dot", kMaxDottedHeaders);
     }
 
     void dot() {
         if (in_value_) return;
         deepen(++key_dots_);
         count_value(kTableWeight);
-        if (++dotted_keys_ > kMaxDottedKeys)
+        if (++dotted_keys_ > kMaxDottedKeys && is_for_library_)
             too_many("keys with a dot (write tables, as in 'floor = { z = 0 }')", kMaxDottedKeys);
     }
 
@@ -186,7 +191,8 @@ private:
     }
 
     void too_many(std::string_view what, std::size_t limit) {
-        refuse("too-large", "the file has more than " + std::to_string(limit) + " " + std::string(what));
+        refuse("too-large", "the file has more than " + std::to_string(limit) + " " + std::string(what) +
+                                (is_for_library_ ? std::string(kPlainHasMore) : ""));
     }
 
     void refuse(const char* code, std::string sentence) {
@@ -196,6 +202,7 @@ private:
 
     std::string_view text_;
     TomlLimits limits_;
+    bool is_for_library_;
     std::size_t at_ = 0, line_start_ = 0;
     std::uint32_t line_ = 1;
     bool line_is_empty_ = true;  ///< nothing but white space so far
@@ -209,16 +216,21 @@ private:
     std::optional<Finding> problem_;
 };
 
-}  // namespace
-
-std::optional<Finding> scan_toml(std::string_view text, const TomlLimits& limits) {
+std::optional<Finding> scan(std::string_view text, const TomlLimits& limits, bool is_for_library) {
     if (text.size() > limits.bytes)
         return Finding{{},
                        Severity::error,
                        "too-large",
                        "the file has " + std::to_string(text.size()) + " bytes; at most " +
-                           std::to_string(limits.bytes) + " are read"};
-    return Scanner(text, limits).run();
+                           std::to_string(limits.bytes) + " are read" +
+                           (is_for_library ? std::string(kPlainHasMore) : "")};
+    return Scanner(text, limits, is_for_library).run();
 }
+
+}  // namespace
+
+std::optional<Finding> scan_toml(std::string_view text, const TomlLimits& limits) { return scan(text, limits, false); }
+
+std::optional<Finding> scan_for_library(std::string_view text) { return scan(text, kLibraryLimits, true); }
 
 }  // namespace enfilade

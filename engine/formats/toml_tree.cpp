@@ -110,7 +110,13 @@ std::optional<TomlDocument> TomlDocument::parse(std::string_view text, const Tom
         return {};
     }
     std::optional<TomlTree> tree = parse_plain_toml(text);
-    if (!tree) tree = parse_any_toml(text, findings);
+    if (!tree) {
+        if (auto problem = scan_for_library(text)) {
+            findings.push_back(std::move(*problem));
+            return {};
+        }
+        tree = parse_any_toml(text, findings);
+    }
     if (!tree) return {};
     return TomlDocument(std::make_unique<Tree>(Tree{std::move(*tree)}));
 }
