@@ -28,7 +28,13 @@ public:
     bool holds(const std::string&) const { return true; }
     template <class T>
     bool holds(const std::vector<T>& list) const {
-        return std::ranges::all_of(list, [&](const T& item) { return holds(item); });
+        const std::size_t parts = list.size() / kPart + 1;
+        std::vector<char> are_sound(parts);
+        parallel_for(parts, parts > 1 ? hardware_threads() : 1, [&](std::size_t part, std::size_t) {
+            const auto some = std::span(list).subspan(part * kPart, std::min(kPart, list.size() - part * kPart));
+            are_sound[part] = std::ranges::all_of(some, [&](const T& item) { return holds(item); });
+        });
+        return std::ranges::all_of(are_sound, [](char is_sound) { return is_sound != 0; });
     }
     template <class T, std::size_t count>
     bool holds(const std::array<T, count>& list) const {
@@ -44,6 +50,9 @@ public:
     }
 
 private:
+    /// Values that one thread looks at at once.
+    static constexpr std::size_t kPart = std::size_t{1} << 16;
+
     template <class T>
     bool parts_hold(const T& value) const {
         return fields(value, [&](const auto&... part) { return (holds(part) && ...); });

@@ -57,6 +57,20 @@ constexpr std::size_t packed_size() {
     }
 }
 
+/// How many bytes a value takes at least: a list that says it has more than there are bytes for is not begun.
+template <class T>
+constexpr std::size_t least_size() {
+    if constexpr (packed_size<T>() > 0) {
+        return packed_size<T>();
+    } else if constexpr (Fielded<T>) {
+        return decltype(fields(std::declval<T&>(), [](auto&... part) {
+            return std::integral_constant<std::size_t, (least_size<std::remove_cvref_t<decltype(part)>>() + ...)>();
+        }))::value;
+    } else {
+        return 1;  // absent; texts and lists begin with eight
+    }
+}
+
 template <class T>
 concept Packed = packed_size<T>() > 0;
 
@@ -145,7 +159,8 @@ public:
             list.resize(take_count(packed_size<T>()));
             unpack_all(list);
         } else {
-            const std::size_t count = take_count(1);
+            const std::size_t count = take_count(least_size<T>());
+            list.reserve(count);
             for (std::size_t i = 0; i < count && !failed_; ++i) take(list.emplace_back());
         }
     }
