@@ -1,26 +1,21 @@
 #include "app/film.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <span>
-#include <string_view>
 #include <utility>
 
+#include "app/child_program.h"
 #include "app/pictures.h"
 #include "base/output_file.h"
 #include "flight/y4m.h"
 
 namespace enfilade {
 namespace {
-
-namespace fs = std::filesystem;
 
 Error write_error(const std::string& path) {
     return {path, fmt::format("cannot write the film: {}", std::strerror(errno))};
@@ -72,16 +67,6 @@ private:
     OutputFile file_;
     std::FILE* ffmpeg_;
 };
-
-bool is_installed(std::string_view program) {
-    std::string_view folders = std::getenv("PATH") ? std::getenv("PATH") : "";
-    while (!folders.empty()) {
-        const auto end = folders.find(':');
-        if (access((fs::path(folders.substr(0, end)) / program).c_str(), X_OK) == 0) return true;
-        folders.remove_prefix(end == std::string_view::npos ? folders.size() : end + 1);
-    }
-    return false;
-}
 
 /// H.264 with 4:2:0 chroma is what every player shows; it needs even sides. 16 is "looks like the original".
 std::string ffmpeg_command(const std::string& target, const FilmFormat& format) {

@@ -1,0 +1,30 @@
+// Other programs that a command calls for help.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace enfilade {
+
+/// How another program ended.
+struct ChildEnd {
+    int exit_code = 0;  ///< 128 + signal where it was killed; 127 where it is not there
+    std::string said;   ///< to stdout and stderr, in the order of writing
+};
+
+/// Runs a program and waits for it. words : the program, by path or by a name that PATH leads to, and its arguments;
+/// a shell reads none of them. An error where no process can be had, or where it says more than kMostSaid bytes.
+Result<ChildEnd> run_child(const std::vector<std::string>& words);
+
+/// More than the rows of the longest list of views.
+inline constexpr std::size_t kMostSaid = std::size_t{256} << 20;
+
+/// Whether PATH leads to a program of that name.
+bool is_installed(std::string_view program);
+
+/// The path of the running program.
+std::string this_program();
+
+}  // namespace enfilade
