@@ -5,18 +5,13 @@
 #include <algorithm>
 
 #include "app/progress.h"
+#include "base/hash.h"
+#include "render/surface_id.h"
 
 namespace enfilade {
 namespace {
 
 double ms(double ns) { return ns * 1e-6; }
-
-/// Takes the middle of the sorted times, of an even number the lower one.
-std::int64_t median_of(std::vector<std::int64_t>& times) {
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>((times.size() - 1) / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
-}
 
 /// As RFC 4180 has it.
 std::string csv_field(const std::string& text) {
@@ -26,23 +21,58 @@ std::string csv_field(const std::string& text) {
     return quoted + "\"";
 }
 
-std::string line_of(const std::string& subject, std::size_t number, const std::vector<BenchFrame>& frames,
-                    std::size_t width) {
-    double count = 0, minimum = 0, median = 0;
+/// All frames of one subject.
+struct Sum {
+    double frames = 0, minimum_ns = 0, median_ns = 0, pixels = 0, walls = 0, runs = 0, viewports = 0;
+    Hash pictures;
     const BenchFrame* slowest = nullptr;
-    for (const BenchFrame& frame : frames) {
-        if (frame.subject != number) continue;
-        ++count;
-        minimum += static_cast<double>(frame.minimum_ns);
-        median += static_cast<double>(frame.median_ns);
+
+    void add(const BenchFrame& frame) {
+        ++frames;
+        minimum_ns += static_cast<double>(frame.minimum_ns);
+        median_ns += static_cast<double>(frame.median_ns);
+        pixels += static_cast<double>(frame.counts.pixels);
+        walls += static_cast<double>(frame.counts.walls);
+        runs += static_cast<double>(frame.counts.runs);
+        viewports += static_cast<double>(frame.counts.viewports);
+        pictures.add(frame.counts.hash);
         if (!slowest || frame.minimum_ns > slowest->minimum_ns) slowest = &frame;
     }
-    if (!slowest) return "";
-    return fmt::format("{:<{}} {:>8} {:>11.3f} {:>11.3f} {:>11.3f} (frame {})\n", subject, width, count,
-                       ms(minimum / count), ms(median / count), ms(double(slowest->minimum_ns)), slowest->number);
+};
+
+std::string line_of(const std::string& subject, const Sum& sum, std::size_t width) {
+    return fmt::format(
+        "{:<{}} {:>7} {:>9.3f} {:>9.3f} {:>9.3f} {:>5} {:>8.3f} {:>7.0f} {:>8.0f} {:>9.0f} {:>9.0f}  {:016x}\n",
+        subject, width, sum.frames, ms(sum.minimum_ns / sum.frames), ms(sum.median_ns / sum.frames),
+        ms(double(sum.slowest->minimum_ns)), sum.slowest->number, sum.pixels > 0 ? sum.minimum_ns / sum.pixels : 0.0,
+        sum.walls / sum.frames, sum.runs / sum.frames, sum.viewports / sum.frames, sum.pixels / sum.frames,
+        sum.pictures.value());
 }
 
 }  // namespace
+
+BenchCounts counts_of(const Map& map, const Frame& frame, const FrameFacts& facts) {
+    BenchCounts counts;
+    counts.hash = hash_of(frame);
+    const std::size_t width = static_cast<std::size_t>(frame.width);
+    std::vector<std::uint32_t> walls;
+    for (std::size_t i = 0; i < facts.ids.size(); ++i) {
+        counts.pixels += facts.writes[i];
+        if (i >= width && facts.ids[i] == facts.ids[i - width]) continue;
+        ++counts.runs;
+        const auto owner = owner_of(map, facts.ids[i]);
+        if (owner && owner->kind == SurfaceKind::wall) walls.push_back(owner->index);
+    }
+    std::ranges::sort(walls);
+    counts.walls = static_cast<std::size_t>(std::ranges::unique(walls).begin() - walls.begin());
+    return counts;
+}
+
+std::int64_t median_of(std::vector<std::int64_t>& times) {
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>((times.size() - 1) / 2);
+    std::nth_element(times.begin(), middle, times.end());
+    return *middle;
+}
 
 std::vector<BenchFrame> frames_in_turn(const std::vector<int>& counts) {
     std::vector<BenchFrame> frames;
@@ -71,19 +101,26 @@ Status measure(std::vector<BenchFrame>& frames, std::size_t rounds, const TimedD
 }
 
 std::string bench_csv(const std::vector<std::string>& subjects, const std::vector<BenchFrame>& frames) {
-    std::string csv = "subject,frame,minimum_ns,median_ns\n";
-    for (const BenchFrame& frame : frames)
-        csv += fmt::format("{},{},{},{}\n", csv_field(subjects[frame.subject]), frame.number, frame.minimum_ns,
-                           frame.median_ns);
+    std::string csv = "subject,frame,minimum_ns,median_ns,walls,runs,viewports,pixels,hash\n";
+    for (const BenchFrame& frame : frames) {
+        const BenchCounts& counts = frame.counts;
+        csv += fmt::format("{},{},{},{},{},{},{},{},{:016x}\n", csv_field(subjects[frame.subject]), frame.number,
+                           frame.minimum_ns, frame.median_ns, counts.walls, counts.runs, counts.viewports,
+                           counts.pixels, counts.hash);
+    }
     return csv;
 }
 
 std::string bench_table(const std::vector<std::string>& subjects, const std::vector<BenchFrame>& frames) {
-    std::size_t width = 0;
+    std::size_t width = 4;
     for (const std::string& subject : subjects) width = std::max(width, subject.size());
-    std::string text =
-        fmt::format("{:<{}} {:>8} {:>11} {:>11} {:>11}\n", "[ms]", width, "frames", "minimum", "median", "slowest");
-    for (std::size_t i = 0; i < subjects.size(); ++i) text += line_of(subjects[i], i, frames, width);
+    std::vector<Sum> sums(subjects.size());
+    for (const BenchFrame& frame : frames) sums[frame.subject].add(frame);
+    std::string text = fmt::format("{:<{}} {:>7} {:>9} {:>9} {:>9} {:>5} {:>8} {:>7} {:>8} {:>9} {:>9}  {}\n", "[ms]",
+                                   width, "frames", "minimum", "median", "slowest", "frame", "ns/pixel", "walls",
+                                   "runs", "viewports", "pixels", "pictures");
+    for (std::size_t i = 0; i < subjects.size(); ++i)
+        if (sums[i].slowest) text += line_of(subjects[i], sums[i], width);
     return text;
 }
 

@@ -7,14 +7,29 @@
 #include <vector>
 
 #include "base/result.h"
+#include "map/map.h"
+#include "render/frame.h"
 
 namespace enfilade {
 
-/// One picture of a map or script.
+/// What a picture shows, and how much of it there is to draw.
+struct BenchCounts {
+    std::uint64_t hash = 0;     ///< of the picture (render/frame.h)
+    std::size_t pixels = 0;     ///< drawn by the opaque pass
+    std::size_t walls = 0;      ///< seen, each once, however many parts of it
+    std::size_t runs = 0;       ///< of one surface down one column of the finished picture
+    std::size_t viewports = 0;  ///< 0 where the renderer has none
+};
+
+/// Of a picture that was drawn with facts: all but `viewports`, which its renderer knows.
+BenchCounts counts_of(const Map& map, const Frame& frame, const FrameFacts& facts);
+
+/// One picture of a map, walk or script.
 struct BenchFrame {
     std::size_t subject = 0;  ///< which of those that are measured
     int number = 0;           ///< of the frame; a map has one
     std::int64_t minimum_ns = 0, median_ns = 0;
+    BenchCounts counts{};
 };
 
 /// Draws one frame of a subject and says how long that alone took [ns].
@@ -27,10 +42,15 @@ std::vector<BenchFrame> frames_in_turn(const std::vector<int>& counts);
 /// Shows on a terminal how far it is. The first error ends it.
 Status measure(std::vector<BenchFrame>& frames, std::size_t rounds, const TimedDrawing& draw);
 
-/// `subject,frame,minimum_ns,median_ns`, a line for each frame. Subjects with a comma, quote or line end are quoted.
+/// The middle of the times, of an even number the lower one. times: at least one; their order is lost.
+std::int64_t median_of(std::vector<std::int64_t>& times);
+
+/// `subject,frame,minimum_ns,median_ns,walls,runs,viewports,pixels,hash`, a line for each frame. Subjects with a comma,
+/// quote or line end are quoted.
 std::string bench_csv(const std::vector<std::string>& subjects, const std::vector<BenchFrame>& frames);
 
-/// A line for each subject: how many frames, the means of their minimum and median, and the slowest.
+/// A line for each subject: how many frames, the means of their minimum and median, the slowest, nanoseconds for each
+/// pixel (of the minima), the means of their counts, and one hash of all its pictures.
 std::string bench_table(const std::vector<std::string>& subjects, const std::vector<BenchFrame>& frames);
 
 }  // namespace enfilade

@@ -1,73 +1,24 @@
 // `enfilade bench`: how long frames take, and what effects cost.
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "app/bench.h"
+#include "app/bench_children.h"
+#include "app/bench_subject.h"
 #include "app/commands.h"
 #include "app/effect_prices.h"
 #include "app/exit_codes.h"
-#include "app/open_flight.h"
+#include "app/open_map.h"
 #include "app/options.h"
 #include "app/shipped_maps.h"
-#include "app/viewing.h"
 #include "base/files.h"
 #include "base/terminal.h"
 #include "flight/renderer.h"
 #include "formats/map_toml.h"
-#include "formats/script_toml.h"
 #include "platform/clock.h"
 #include "platform/gl_context.h"
-#include "world/deed.h"
 
 namespace enfilade {
 namespace {
-
-/// A map with what its player sees at the start, or a flythrough.
-class Subject {
-public:
-    /// None where the file has errors, which then are on stderr.
-    static std::optional<Subject> open(const std::string& path, const BenchRequest& request) {
-        const auto bytes = read_file(path);
-        if (!bytes.ok()) {
-            fail(bytes.error());
-            return {};
-        }
-        return is_script(as_text(bytes.value())) ? open_script(path, request) : open_start(path, request);
-    }
-
-    const Map& map() const { return flight_ ? flight_->map.map : map_->map; }
-    const TextureSet& textures() const { return flight_ ? flight_->map.textures : map_->textures; }
-    int frames() const { return flight_ ? flight_->flight.frames() : 1; }
-    FlightFrame frame(int number) const { return flight_ ? flight_->flight.at(map(), number) : start_; }
-
-private:
-    static std::optional<Subject> open_script(const std::string& path, const BenchRequest& request) {
-        Subject subject;
-        subject.flight_ = open_flight(path, request.texture_folders, kUsualSkill);
-        return subject.flight_ ? std::optional(std::move(subject)) : std::nullopt;
-    }
-
-    static std::optional<Subject> open_start(const std::string& path, const BenchRequest& request) {
-        Subject subject;
-        subject.map_ = open_map(path, request.texture_folders, kUsualSkill);
-        if (!subject.map_) return {};
-        const Map& map = subject.map_->map;
-        const auto view = view_at_start(map, {90, map.render.stretch});
-        if (!view.ok()) {
-            fail({path, "the map has no player to look from"});
-            return {};
-        }
-        subject.start_ = {view.value(), at_rest(map)};
-        const History history = begun(map);
-        show({map, history, 0}, subject.start_.snapshot);
-        return subject;
-    }
-
-    std::optional<OpenFlight> flight_;
-    std::optional<OpenMap> map_;
-    FlightFrame start_;
-};
 
 constexpr std::size_t kUsualRounds = 9;
 
@@ -81,6 +32,9 @@ struct BenchChoices {
 /// What the measure of prices has no choice of.
 Status refuse_beside_effects(const BenchRequest& request) {
     if (!request.effects) return {};
+    if (!request.against.empty() || request.instructions)
+        return Error{request.instructions ? "--instructions" : "--against",
+                     "the prices of effects are times of this program; leave it out beside --effects"};
     if (request.threads && *request.threads != 1)
         return Error{"--threads", "the prices of effects are those of one thread; leave it out beside --effects"};
     if (!request.renderer.empty() && request.renderer != "column")
@@ -88,6 +42,23 @@ Status refuse_beside_effects(const BenchRequest& request) {
                      "the prices of effects are those of the column renderer; leave it out beside --effects"};
     if (!request.csv.empty())
         return Error{"--csv", "--effects writes a table in Markdown to the terminal; leave one of the two out"};
+    return {};
+}
+
+/// What other processes measure has no frames to write down here.
+Status refuse_beside_children(const BenchRequest& request) {
+    if (request.against.empty() && !request.instructions) return {};
+    if (!request.against.empty() && request.instructions)
+        return Error{"--instructions",
+                     "expected it without --against, which compares times; measure one after the other"};
+    if (request.instructions && request.threads && *request.threads != 1)
+        return Error{"--threads", "instructions are counted on one thread; leave it out beside --instructions"};
+    if (request.instructions && !request.renderer.empty() && request.renderer != "column")
+        return Error{"--renderer", "instructions are those of the column renderer; leave it out beside --instructions"};
+    if (!request.csv.empty())
+        return Error{"--csv",
+                     "expected it without --against and --instructions, which write a table; leave one of them "
+                     "out"};
     return {};
 }
 
@@ -103,8 +74,9 @@ PriceChoices price_choices(const BenchRequest& request, const PictureSize& size)
 
 Result<BenchChoices> choices_of(const BenchRequest& request) {
     if (request.files.empty() && !request.effects)
-        return Error{"", "expected maps or scripts to measure, or --effects; see `enfilade bench --help`"};
+        return Error{"", "expected maps, walks or scripts to measure, or --effects; see `enfilade bench --help`"};
     if (Status wrong = refuse_beside_effects(request)) return *wrong;
+    if (Status wrong = refuse_beside_children(request)) return *wrong;
     const auto size = request.size.empty() ? PictureSize{} : parse_size(request.size);
     if (!size.ok()) return size.error();
     const auto renderer = parse_renderer(request.renderer.empty() ? "column" : request.renderer);
@@ -113,27 +85,78 @@ Result<BenchChoices> choices_of(const BenchRequest& request) {
                         request.rounds.value_or(kUsualRounds), price_choices(request, size.value())};
 }
 
-Status time_frames(const BenchRequest& request, const BenchChoices& choices, const std::vector<Subject>& subjects) {
+/// What is measured of a picture, and nothing else: by time, and by valgrind, which finds it by its name
+/// (kMeasuredFunction).
+[[gnu::noinline]] Status draw_measured(Renderer& renderer, Frame& picture, const BenchSubject& subject,
+                                       const FlightFrame& shown) {
+    return renderer.render(picture, nullptr, subject.map(), subject.textures(), shown.snapshot, shown.view);
+}
+
+Result<std::int64_t> time_picture(Renderer& renderer, Frame& picture, const BenchSubject& subject, int number) {
+    const FlightFrame shown = subject.frame(number);
+    const std::int64_t began_ns = now_ns();
+    Status failed = draw_measured(renderer, picture, subject, shown);
+    const std::int64_t took_ns = now_ns() - began_ns;
+    if (failed) return *failed;
+    return took_ns;
+}
+
+/// Draws every frame once more, with facts, which cost too much to have them while time is measured.
+Status count_frames(Renderer& renderer, Frame& picture, const std::vector<BenchSubject>& subjects,
+                    std::vector<BenchFrame>& frames) {
+    FrameFacts facts;
+    for (BenchFrame& frame : frames) {
+        const BenchSubject& subject = subjects[frame.subject];
+        const FlightFrame shown = subject.frame(frame.number);
+        reset(facts, picture.width, picture.height);
+        if (Status failed =
+                renderer.render(picture, &facts, subject.map(), subject.textures(), shown.snapshot, shown.view))
+            return failed;
+        frame.counts = counts_of(subject.map(), picture, facts);
+        frame.counts.viewports = renderer.viewports().size();
+    }
+    return {};
+}
+
+Status time_frames(const BenchRequest& request, const BenchChoices& choices,
+                   const std::vector<BenchSubject>& subjects) {
     auto renderer = make_renderer(choices.renderer, choices.threads, open_gl_for_pictures);
     if (!renderer.ok()) return renderer.error();
     std::vector<int> counts;
-    for (const Subject& subject : subjects) counts.push_back(subject.frames());
+    for (const BenchSubject& subject : subjects) counts.push_back(subject.frames());
     std::vector<BenchFrame> frames = frames_in_turn(counts);
     Frame picture;
     picture.resize(choices.size.width, choices.size.height);
-    const auto draw = [&](std::size_t number, int frame) -> Result<std::int64_t> {
-        const Subject& subject = subjects[number];
-        const FlightFrame shown = subject.frame(frame);
-        const std::int64_t began = now_ns();
-        Status failed =
-            renderer.value()->render(picture, nullptr, subject.map(), subject.textures(), shown.snapshot, shown.view);
-        const std::int64_t took_ns = now_ns() - began;
-        if (failed) return *failed;
-        return took_ns;
+    const auto draw = [&](std::size_t subject, int number) {
+        return time_picture(*renderer.value(), picture, subjects[subject], number);
     };
     if (Status failed = measure(frames, choices.rounds, draw)) return failed;
+    if (Status failed = count_frames(*renderer.value(), picture, subjects, frames)) return failed;
     print_text(request.csv == "-" ? stderr : stdout, bench_table(request.files, frames));
     return request.csv.empty() ? Status() : write_file(request.csv, bench_csv(request.files, frames));
+}
+
+ChildBench child_bench(const BenchRequest& request, const BenchChoices& choices) {
+    ChildBench bench{
+        request.files, {}, choices.rounds, std::size_t(choices.size.width) * std::size_t(choices.size.height)};
+    const std::size_t threads = request.instructions ? 1 : choices.threads;
+    bench.options = {"--size",     fmt::format("{}x{}", choices.size.width, choices.size.height),
+                     "--threads",  std::to_string(threads),
+                     "--renderer", name_of(choices.renderer)};
+    for (const std::string& folder : request.texture_folders) {
+        bench.options.push_back("--textures");
+        bench.options.push_back(folder);
+    }
+    return bench;
+}
+
+/// What other processes measure.
+int measure_by_children(const BenchRequest& request, const BenchChoices& choices) {
+    const ChildBench bench = child_bench(request, choices);
+    const auto table = request.instructions ? count_instructions(bench) : compare_with(request.against, bench);
+    if (!table.ok()) return fail(table.error());
+    print_text(stdout, table.value());
+    return kDone;
 }
 
 /// The prices of one map as a table; false where it has errors.
@@ -159,9 +182,10 @@ int run_bench(const BenchRequest& request) {
     const auto choices = choices_of(request);
     if (!choices.ok()) return refuse_usage(choices.error());
     if (request.effects) return price_maps(request, choices.value().prices);
-    std::vector<Subject> subjects;
-    for (const std::string& path : request.files) {
-        auto subject = Subject::open(path, request);
+    if (request.instructions || !request.against.empty()) return measure_by_children(request, choices.value());
+    std::vector<BenchSubject> subjects;
+    for (const std::string& name : request.files) {
+        auto subject = BenchSubject::open(name, request.texture_folders);
         if (!subject) return kFailed;
         subjects.push_back(std::move(*subject));
     }

@@ -253,8 +253,9 @@ CLI::App* declare_check(CLI::App& enfilade, CheckRequest& request) {
 
 CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
     CLI::App* command = enfilade.add_subcommand("bench", "Measure how long frames take, or what effects cost");
-    command->add_option("MAP|SCRIPT", request.files,
-                        "Maps, seen from the player's start, and flythroughs, every frame of them");
+    command->add_option("MAP|MAP:WALK.csv|SCRIPT", request.files,
+                        "Maps, seen from the player's start; walks, every view of a list as `render --views` takes it; "
+                        "and flythroughs, every frame of them");
     command->add_option("--size", request.size, "Size in pixels, 1280x800 if not given; with --effects 640x400")
         ->type_name("WxH");
     command->add_option("--renderer", request.renderer, kRenderers)->type_name("NAME");
@@ -266,16 +267,30 @@ CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
         ->check(number_within(1, kMostRounds));
     declare_threads(*command, request.threads);
     declare_textures(*command, request.texture_folders);
-    command->add_option("--csv", request.csv, "Times of every frame: subject,frame,minimum_ns,median_ns")
+    command
+        ->add_option("--csv", request.csv,
+                     "Every frame: subject,frame,minimum_ns,median_ns,walls,runs,viewports,pixels,hash")
         ->type_name("FILE");
+    command
+        ->add_option(
+            "--against", request.against,
+            "Instead, let another build of this program measure the same, in turn with this one, pass by pass: "
+            "ratios of this one's times to the other's, and whether the pictures are the same")
+        ->type_name("PROGRAM");
+    command->add_flag("--instructions", request.instructions,
+                      "Instead, count the instructions of a pixel on one thread; needs valgrind and takes fifty times "
+                      "as long");
     command->add_flag(
         "--effects", request.effects,
         "Instead, a table in Markdown of what each effect of the maps costs by the column renderer on one "
         "thread; without maps, of effects.toml");
     command->footer(
-        "Frames are drawn in turn, so that what else the machine does troubles all of them alike.\nExamples:\n  "
+        "Frames are drawn in turn, so that what else the machine does troubles all of them alike. Walls, runs (of one "
+        "surface "
+        "down one column) and viewports are means of a picture.\nExamples:\n  "
         "enfilade bench maps/enfilade.toml maps/flythroughs/cells.toml --threads 1 --csv times.csv\n  enfilade bench "
-        "--effects\nExit status: 0 done, 1 something is at fault, 2 wrong usage.");
+        "e1m1.toml:walk.csv --threads 1 --against old/enfilade\n  enfilade bench --effects\nExit status: 0 done, 1 "
+        "something is at fault, 2 wrong usage.");
     return command;
 }
 

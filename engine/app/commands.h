@@ -50,11 +50,11 @@ struct CheckRequest {
 };
 
 struct BenchRequest {
-    std::vector<std::string> files;   ///< maps and scripts
-    std::string size, renderer, csv;  ///< empty where not given
+    std::vector<std::string> files;            ///< maps, walks through maps and scripts
+    std::string size, renderer, csv, against;  ///< empty where not given
     std::vector<std::string> texture_folders;
     std::optional<std::size_t> threads, rounds;
-    bool effects = false;
+    bool effects = false, instructions = false;
 };
 
 /// Each does its work, says on stderr what went wrong and returns an exit code (app/exit_codes.h).

@@ -16,19 +16,6 @@
 namespace enfilade {
 namespace {
 
-/// The places of a list; where it is refused, its findings are on stderr.
-std::optional<std::vector<ViewRow>> read_places(const std::string& path) {
-    const auto bytes = read_file(path);
-    if (!bytes.ok()) {
-        fail(bytes.error());
-        return {};
-    }
-    ViewsReading reading = read_views(as_text(bytes.value()));
-    for (const Finding& finding : reading.findings) print_text(stderr, to_text(path, finding) + "\n");
-    if (has_errors(reading.findings)) return {};
-    return std::move(reading.views);
-}
-
 /// What the command line alone says about the job; views come with the map.
 Result<PictureJob> job_of(const RenderRequest& request) {
     const auto size = parse_size(request.size);
@@ -126,7 +113,7 @@ int run_render(const RenderRequest& request) {
         place.value().sector = request.sector;
         places.push_back(std::move(place).value());
     } else if (!request.views.empty()) {
-        auto list = read_places(request.views);
+        auto list = open_views(request.views);
         if (!list) return kFailed;
         places = std::move(*list);
     }

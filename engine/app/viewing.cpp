@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "app/exit_codes.h"
+#include "base/files.h"
+#include "base/terminal.h"
 #include "formats/number_text.h"
 #include "formats/quoted.h"
 #include "math/grid.h"
@@ -51,6 +54,18 @@ View looking(Vec2 forward, double pitch_degrees, const Lens& lens) {
 }
 
 }  // namespace
+
+std::optional<std::vector<ViewRow>> open_views(const std::string& path) {
+    const auto bytes = read_file(path);
+    if (!bytes.ok()) {
+        fail(bytes.error());
+        return {};
+    }
+    ViewsReading reading = read_views(as_text(bytes.value()));
+    for (const Finding& finding : reading.findings) print_text(stderr, to_text(path, finding) + "\n");
+    if (has_errors(reading.findings)) return {};
+    return std::move(reading.views);
+}
 
 Result<View> view_from(const Map& map, const ViewRow& row, const Lens& lens) {
     View view = looking(direction(Angle::from_degrees(row.yaw_degrees)), row.pitch_degrees, lens);

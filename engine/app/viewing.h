@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "flight/renderer.h"
@@ -19,6 +20,9 @@ struct Lens {
     bool true_pitch = false;  ///< pitch turns the picture instead of shifting its horizon
     double roll_degrees = 0;  ///< with true_pitch: how far the head leans to its right
 };
+
+/// The views of a list; none where it is refused, its findings then are on stderr.
+std::optional<std::vector<ViewRow>> open_views(const std::string& path);
 
 /// The view, its eye put onto the point grid. An error where the named sector does not exist or does not hold the eye,
 /// or where no sector does; of several that overlap, the one that comes first in the map is taken.

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include "render/surface_id.h"
+#include "support/map_builder.h"
+
 namespace enfilade {
 namespace {
 
@@ -50,19 +53,51 @@ TEST(Measure, EndsWithTheFirstError) {
     EXPECT_EQ(drawn, 3);
 }
 
-const std::vector<BenchFrame> kTimes{
-    {0, 0, 1'000'000, 1'500'000}, {1, 0, 2'000'000, 2'000'000}, {1, 1, 4'000'000, 6'000'000}};
+const std::vector<BenchFrame> kTimes{{0, 0, 1'000'000, 1'500'000, {.hash = 7, .pixels = 2'000'000}},
+                                     {1, 0, 2'000'000, 2'000'000, {.hash = 8, .pixels = 2'000'000, .walls = 3}},
+                                     {1, 1, 4'000'000, 6'000'000, {10, 2'000'000, 5, 400, 20}}};
 
 TEST(BenchCsv, HasALineForEachFrameAndQuotesOddNames) {
     EXPECT_EQ(bench_csv({"a.toml", "b, \"c\".toml"}, kTimes),
-              "subject,frame,minimum_ns,median_ns\na.toml,0,1000000,1500000\n"
-              "\"b, \"\"c\"\".toml\",0,2000000,2000000\n\"b, \"\"c\"\".toml\",1,4000000,6000000\n");
+              "subject,frame,minimum_ns,median_ns,walls,runs,viewports,pixels,hash\n"
+              "a.toml,0,1000000,1500000,0,0,0,2000000,0000000000000007\n"
+              "\"b, \"\"c\"\".toml\",0,2000000,2000000,3,0,0,2000000,0000000000000008\n"
+              "\"b, \"\"c\"\".toml\",1,4000000,6000000,5,400,20,2000000,000000000000000a\n");
 }
 
-TEST(BenchTable, TellsMeansAndTheSlowestFrameOfEachSubject) {
+TEST(BenchTable, TellsMeansTheSlowestFrameAndTheCostOfAPixel) {
     const std::string table = bench_table({"a.toml", "b.toml"}, kTimes);
-    EXPECT_THAT(table, HasSubstr("a.toml        1       1.000       1.500       1.000 (frame 0)\n"));
-    EXPECT_THAT(table, HasSubstr("b.toml        2       3.000       4.000       4.000 (frame 1)\n"));
+    EXPECT_THAT(table, HasSubstr("a.toml       1     1.000     1.500     1.000     0    0.500 "));
+    EXPECT_THAT(table,
+                HasSubstr("b.toml       2     3.000     4.000     4.000     1    1.500       4      200        10"
+                          "   2000000  "));
+}
+
+TEST(BenchTable, HasOneHashForAllPicturesOfASubject) {
+    std::vector<BenchFrame> other = kTimes;
+    other[2].counts.hash = 11;
+    const std::string before = bench_table({"a", "b"}, kTimes), after = bench_table({"a", "b"}, other);
+    EXPECT_EQ(before.substr(0, before.find("\nb")), after.substr(0, after.find("\nb")));
+    EXPECT_NE(before, after);
+}
+
+TEST(CountsOf, TellsWallsRunsAndPixels) {
+    const Map map = test::built(test::map_of({test::box_room("hall", 0, 0, 8, 6)}));
+    Frame frame;
+    frame.resize(2, 4);
+    FrameFacts facts;
+    reset(facts, 2, 4);
+    const SurfaceId up = ceiling_id(SectorId(0u)), down = floor_id(SectorId(0u));
+    const SurfaceId left = wall_id(map, WallId(0u), WallPart::middle),
+                    right = wall_id(map, WallId(1u), WallPart::lower),
+                    above = wall_id(map, WallId(1u), WallPart::upper);
+    facts.ids = {up, above, left, up, left, right, down, right};
+    facts.writes.assign(8, 1);
+    const BenchCounts counts = counts_of(map, frame, facts);
+    EXPECT_EQ(counts.walls, 2u);
+    EXPECT_EQ(counts.runs, 6u);
+    EXPECT_EQ(counts.pixels, 8u);
+    EXPECT_EQ(counts.hash, hash_of(frame));
 }
 
 }  // namespace

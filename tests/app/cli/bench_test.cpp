@@ -32,11 +32,85 @@ protected:
 TEST_F(Bench, TimesTheViewOfAMapAndEveryFrameOfAScript) {
     const Ended ended = bench({"map.toml", "turn.toml", "--csv", "times.csv"});
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
-    EXPECT_THAT(ended.out, HasSubstr("map.toml         1"));
-    EXPECT_THAT(ended.out, HasSubstr("turn.toml        3"));
+    EXPECT_THAT(ended.out, HasSubstr("map.toml        1"));
+    EXPECT_THAT(ended.out, HasSubstr("turn.toml       3"));
     const std::string csv = program_.text("times.csv");
-    EXPECT_THAT(csv, HasSubstr("subject,frame,minimum_ns,median_ns\nmap.toml,0,"));
+    EXPECT_THAT(csv, HasSubstr("subject,frame,minimum_ns,median_ns,walls,runs,viewports,pixels,hash\nmap.toml,0,"));
     EXPECT_EQ(std::ranges::count(csv, '\n'), 5);
+}
+
+TEST_F(Bench, TimesEveryViewOfAWalk) {
+    program_.write("walk.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n3,3,1.5,90,-10\n");
+    const Ended ended = bench({"map.toml", "map.toml:walk.csv", "--csv", "-"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr("map.toml:walk.csv       2"));
+    EXPECT_THAT(ended.out, HasSubstr("map.toml:walk.csv,1,"));
+    // The first view of the walk is that of the player: the same picture.
+    const auto hash_of_frame = [&](const std::string& subject) {
+        const std::size_t row = ended.out.find("\n" + subject + ",0,");
+        return ended.out.substr(ended.out.find('\n', row + 1) - 16, 16);
+    };
+    EXPECT_EQ(hash_of_frame("map.toml"), hash_of_frame("map.toml:walk.csv"));
+}
+
+TEST_F(Bench, RefusesWalksThatCannotBeWalked) {
+    program_.write("out.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n300,3,1.5,90,-10\n");
+    program_.write("empty.csv", "x,y,z,yaw,pitch\n");
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {"map.toml:out.csv", "out.csv:3: expected a view inside the map"},
+        {"map.toml:empty.csv", "empty.csv: expected at least one view"},
+        {"map.toml:gone.csv", "gone.csv"},
+        {"gone.toml:out.csv", "gone.toml"},
+        {"out.csv", "expected MAP:WALK.csv"}};
+    for (const auto& [subject, message] : wrong) {
+        const Ended ended = bench({subject});
+        EXPECT_EQ(ended.exit_code, 1) << subject;
+        EXPECT_THAT(ended.err, HasSubstr(message));
+    }
+}
+
+TEST_F(Bench, TakesTurnsWithAnotherProgram) {
+    const Ended ended = bench({"map.toml", "turn.toml", "--against", ENFILADE_PROGRAM});
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_THAT(ended.out, ::testing::ContainsRegex("turn.toml .* the same\nmean "));
+}
+
+TEST_F(Bench, SaysWhatIsWrongWithTheOtherProgram) {
+    program_.write("older.sh", "#!/bin/sh\necho \"enfilade: --csv: no such option\" >&2\nexit 2\n");
+    std::filesystem::permissions(program_.path("older.sh"), std::filesystem::perms::owner_all);
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {program_.path("older.sh"), "it ended with 2 and said: enfilade: --csv: no such option"},
+        {"/bin/true", "expected rows of `subject,frame"},
+        {"./it is $(not) here", "it ended with 127"}};
+    for (const auto& [other, message] : wrong) {
+        const Ended ended = bench({"map.toml", "--against", other});
+        EXPECT_EQ(ended.exit_code, 1) << other;
+        EXPECT_THAT(ended.err, HasSubstr(message));
+    }
+}
+
+TEST_F(Bench, CountsInstructionsOrSaysWhatItNeeds) {
+    const bool is_there = std::system("valgrind --version >/dev/null 2>&1") == 0;
+    const Ended ended = bench({"map.toml", "--instructions"});
+    EXPECT_EQ(ended.exit_code, is_there ? 0 : 1) << ended.err;
+    if (is_there)
+        EXPECT_THAT(ended.out, ::testing::ContainsRegex("instructions/pixel\nmap.toml +[1-9][0-9]*[.][0-9]+\n"));
+    const Ended without = program_.run({"bench", "map.toml", "--instructions"}, "PATH=");
+    EXPECT_EQ(without.exit_code, 1);
+    EXPECT_THAT(without.err, HasSubstr("expected valgrind to be installed"));
+}
+
+TEST_F(Bench, RefusesWhatOtherProcessesDoNotTell) {
+    for (const std::vector<std::string>& more :
+         std::vector<std::vector<std::string>>{{"--against", "/bin/true", "--csv", "times.csv"},
+                                               {"--against", "/bin/true", "--instructions"},
+                                               {"--instructions", "--threads", "2"},
+                                               {"--instructions", "--renderer", "stencil"},
+                                               {"--effects", "--against", "/bin/true"}}) {
+        std::vector<std::string> all{"map.toml"};
+        all.insert(all.end(), more.begin(), more.end());
+        EXPECT_EQ(bench(all).exit_code, 2) << more[0];
+    }
 }
 
 TEST_F(Bench, TimesEveryRenderer) {
@@ -68,7 +142,7 @@ TEST_F(Bench, RefusesWhatPricesHaveNoChoiceOf) {
 TEST_F(Bench, RefusesNothingToMeasure) {
     const Ended ended = bench({});
     EXPECT_EQ(ended.exit_code, 2);
-    EXPECT_THAT(ended.err, HasSubstr("expected maps or scripts"));
+    EXPECT_THAT(ended.err, HasSubstr("expected maps, walks or scripts"));
 }
 
 TEST_F(Bench, RefusesWhatHasErrorsAndWritesNothing) {
