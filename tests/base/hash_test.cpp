@@ -88,5 +88,20 @@ TEST(Random, FillsItsIntervalAndStaysInside) {
     EXPECT_LT(most, 5);
 }
 
+TEST(HashOfBytes, TellsEveryByteAndTheLength) {
+    for (std::size_t size = 0; size < 20; ++size) {
+        std::vector<std::byte> bytes(size);
+        std::set<std::uint64_t> hashes{hash_of_bytes(bytes)};
+        for (std::byte& byte : bytes) {
+            byte = std::byte{1};
+            hashes.insert(hash_of_bytes(bytes));
+            byte = std::byte{0};
+        }
+        bytes.push_back(std::byte{0});
+        hashes.insert(hash_of_bytes(bytes));
+        EXPECT_EQ(hashes.size(), size + 2);
+    }
+}
+
 }  // namespace
 }  // namespace enfilade

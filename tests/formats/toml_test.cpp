@@ -223,6 +223,14 @@ TEST(Toml, RefusesDottedHeadersThatWouldTakeQuadraticTime) {
     EXPECT_THAT(complaints(text, {64 << 20, 64 << 20}), ElementsAre("too-large 262145:9"));
 }
 
+TEST(Toml, ReadsMoreOfAPlainTextThanTheLibraryWouldBeGiven) {
+    std::string text = "a = [\n";
+    for (std::size_t i = 0; i <= kLibraryLimits.values; ++i) text += "0,\n";
+    text += "]\n";
+    EXPECT_THAT(complaints(text, {64 << 20, 64 << 20}), ElementsAre());
+    EXPECT_THAT(complaints(text + "b = \"\\u0041\"\n", {64 << 20, 64 << 20}), ElementsAre("too-large 8999998:2"));
+}
+
 TEST(Toml, SurvivesRandomTexts) {
     static constexpr std::string_view kParts[] = {"[",  "]",      "{", "}",  "=", ".", ",",  "\n",   "a",  "'",
                                                   "\"", "\"\"\"", "#", "\\", "1", "-", "e5", "inf",  "é",  "\xFF",
