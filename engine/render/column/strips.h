@@ -20,8 +20,9 @@ void cut_into_strips(int width, int first_line, std::size_t most, std::vector<Co
 inline constexpr int kLinePixels = 16;
 
 /// Column renderers and threads that share a picture. There are more strips than threads, taken in turn: one that meets
-/// simple rooms draws more of them. The picture is the same, bit for bit, for any number of threads, because every
-/// pixel is computed from its own column and row.
+/// simple rooms draws more of them. A large picture is cut for one thread, too, so that what is drawn stays in cache.
+/// The picture is the same, bit for bit, for any number of threads, because every pixel is computed from its own column
+/// and row.
 class ColumnStrips {
 public:
     /// threads >= 1. They end with this.

@@ -80,12 +80,31 @@ TEST(ColumnStrips, DrawFrameAfterFrameOfAnyWidth) {
     }
 }
 
+TEST(ColumnStrips, CutALargePictureForOneThreadTooAndDrawTheSame) {
+    const World world(palace());
+    Random random(11);
+    ColumnStrips strips(1);
+    ColumnRenderer whole;
+    Frame one, many;
+    for (Frame* frame : {&one, &many}) frame->resize(400, 800);
+    for (int trial = 0; trial < 5; ++trial) {
+        const View view = random_view(world.map, random);
+        whole.render(one, nullptr, world.map, world.textures, world.snapshot, view);
+        strips.render(many, nullptr, world.map, world.textures, world.snapshot, view);
+        EXPECT_EQ(strips.viewports().size(), 3u);  // 1.25 MB in canvases of at most 512 KiB
+        ASSERT_EQ(one.pixels, many.pixels) << "trial " << trial;
+    }
+    many.resize(320, 200);
+    strips.render(many, nullptr, world.map, world.textures, world.snapshot, random_view(world.map, random));
+    EXPECT_EQ(strips.viewports().size(), 1u);
+}
+
 TEST(ColumnStrips, AllocateNothingOnceTheyHaveDrawnTheView) {
     const World world(palace());
     Random random(10);
     ColumnStrips strips(1);
     Frame frame;
-    frame.resize(320, 200);
+    frame.resize(320, 600);
     for (int trial = 0; trial < 20; ++trial) {
         const View view = random_view(world.map, random);
         strips.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
