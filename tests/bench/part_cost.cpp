@@ -1,0 +1,144 @@
+// What the parts of the engine cost, each alone: inner loops by the length of a run, questions about a map by its size,
+// loading, conversion. Timed by Google Benchmark; `part_cost --help` says how to choose.
+#include <benchmark/benchmark.h>
+
+#include <functional>
+
+#include "base/random.h"
+#include "formats/map_toml.h"
+#include "math/grid.h"
+#include "render/column/kernels.h"
+#include "space/locate.h"
+#include "space/trace.h"
+#include "support/generate_map.h"
+#include "wadconv/freedoom/wads.h"
+
+using namespace enfilade;
+
+namespace {
+
+constexpr int kLongestRun = 800;     ///< a picture's height [px]
+constexpr std::uint32_t kSide = 64;  ///< of a texture, as most of Doom's have [px]
+
+Texture texture_of_noise() {
+    Random random(1);
+    Texture texture;
+    texture.width = texture.height = kSide;
+    for (std::uint32_t i = 0; i < kSide * kSide; ++i)
+        texture.pixels.push_back(0xFF000000u | static_cast<std::uint32_t>(random.below(1u << 24)));
+    return texture;
+}
+
+/// Times one call for each run of `state.range(0)` pixels, and tells pixels per second.
+void time_runs(benchmark::State& state, const std::function<void(const column::Run&)>& fill) {
+    std::vector<std::uint32_t> pixels(kLongestRun);
+    const column::Run run{pixels.data(), 0, static_cast<int>(state.range(0))};
+    for (auto round : state) {
+        fill(run);
+        benchmark::DoNotOptimize(pixels.data());
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * state.range(0));
+}
+
+void fill_wall(benchmark::State& state) {
+    const Texture texture = texture_of_noise();
+    column::WallRun wall{};
+    wall.texels = texture.pixels.data();
+    wall.height = kSide;
+    wall.v_per_row = column::tile_steps(0.7 / kSide);
+    wall.shade = 200;
+    time_runs(state, [&](const column::Run& run) { column::fill_wall(run, wall); });
+}
+
+void fill_flat(benchmark::State& state) {
+    const Texture texture = texture_of_noise();
+    std::vector<double> depths;
+    for (int row = 0; row < kLongestRun; ++row) depths.push_back(400.0 / (row + 1));
+    const std::vector<Shade> shades(kLongestRun, 200);
+    column::FlatRun flat{};
+    flat.texture = &texture;
+    flat.step_u = 0.5;
+    flat.step_v = 0.3;
+    flat.farthest = 1000;
+    flat.row_depths = depths.data();
+    flat.row_shades = shades.data();
+    time_runs(state, [&](const column::Run& run) { column::fill_flat(run, flat); });
+}
+
+MapFile grid_of(const benchmark::State& state) {
+    return test::RoomGrid(static_cast<std::size_t>(state.range(0)), 1).take();
+}
+
+constexpr std::size_t kPlaces = 1024;
+
+/// Somewhere in rooms anywhere in the map.
+std::vector<Place> places_in(const Map& map) {
+    Random random(2);
+    std::vector<Place> places;
+    while (places.size() < kPlaces) {
+        const Sector& sector = map.sectors[random.below(map.sectors.size())];
+        const Vec2 middle = snap_to_point_grid((sector.min + sector.max) * 0.5);
+        if (const SectorId found = ::enfilade::locate(map, middle)) places.push_back({found, middle});
+    }
+    return places;
+}
+
+void locate(benchmark::State& state) {
+    const Map map = test::built(grid_of(state));
+    const std::vector<Place> places = places_in(map);
+    std::size_t i = 0;
+    for (auto round : state) benchmark::DoNotOptimize(::enfilade::locate(map, places[i++ % kPlaces].point));
+}
+
+/// A look ahead of 20 m: through doors, or to the next wall.
+void cross(benchmark::State& state) {
+    const Map map = test::built(grid_of(state));
+    const std::vector<Place> places = places_in(map);
+    std::size_t i = 0;
+    for (auto round : state) {
+        const Place& place = places[i++ % kPlaces];
+        benchmark::DoNotOptimize(trace(map, place, place.point + Vec2{20, 0}));
+    }
+}
+
+void read(benchmark::State& state) {
+    const std::string text = write_map(grid_of(state));
+    for (auto round : state) benchmark::DoNotOptimize(read_map(text));
+    state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));
+}
+
+void build(benchmark::State& state) {
+    const MapFile file = grid_of(state);
+    const TextureSet textures = test::textures_for(file);
+    for (auto round : state) {
+        Findings findings;
+        benchmark::DoNotOptimize(build_map(file, textures, findings));
+    }
+}
+
+/// All maps of a game, without writing them.
+void convert(benchmark::State& state) {
+    const test::FreeDoomWad wad{"freedoom1", 36};
+    if (test::is_missing(wad)) {
+        state.SkipWithError(test::kMissing);
+        return;
+    }
+    const test::ReadWad read(wad);
+    for (auto round : state)
+        for (const wadconv::DoomMap& doom : read.maps)
+            benchmark::DoNotOptimize(wadconv::convert_map(doom, read.pictures, read.sounds, {}));
+    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * read.maps.size()));
+}
+
+BENCHMARK(fill_wall)->Arg(7)->Arg(64)->Arg(kLongestRun);
+BENCHMARK(fill_flat)->Arg(7)->Arg(64)->Arg(kLongestRun);
+BENCHMARK(locate)->Arg(1000)->Arg(100'000);
+BENCHMARK(cross)->Arg(1000)->Arg(100'000);
+BENCHMARK(read)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(build)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(convert)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
