@@ -132,7 +132,10 @@ Status time_frames(const BenchRequest& request, const BenchChoices& choices,
     };
     if (Status failed = measure(frames, choices.rounds, draw)) return failed;
     if (Status failed = count_frames(*renderer.value(), picture, subjects, frames)) return failed;
-    print_text(request.csv == "-" ? stderr : stdout, bench_table(request.files, frames));
+    std::FILE* const out = request.csv == "-" ? stderr : stdout;
+    print_text(out, bench_table(request.files, frames));
+    if (const std::string_view kernels = renderer.value()->kernels(); !kernels.empty())
+        print_text(out, fmt::format("inner loops: {}\n", kernels));
     return request.csv.empty() ? Status() : write_file(request.csv, bench_csv(request.files, frames));
 }
 

@@ -56,6 +56,8 @@ public:
         return shapes;
     }
 
+    std::string_view kernels() const override { return column::chosen_kernels().name; }
+
 private:
     ColumnStrips strips_;
 };

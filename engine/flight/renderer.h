@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -42,6 +43,9 @@ public:
 
     /// The viewports of the last picture; empty where the renderer has none. Cost: allocates.
     virtual std::vector<ViewportShape> viewports() const { return {}; }
+
+    /// The name of the inner loops it draws with ("scalar", "sse2" or "avx2"); empty where there is no choice.
+    virtual std::string_view kernels() const { return {}; }
 };
 
 /// threads: how many may draw one picture together, >= 1. The picture does not depend on it.

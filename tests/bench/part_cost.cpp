@@ -7,7 +7,7 @@
 #include "base/random.h"
 #include "formats/map_toml.h"
 #include "math/grid.h"
-#include "render/column/kernels.h"
+#include "render/column/plain_kernels.h"
 #include "space/locate.h"
 #include "space/trace.h"
 #include "support/generate_map.h"
@@ -29,41 +29,45 @@ Texture texture_of_noise() {
     return texture;
 }
 
-/// Times one call for each run of `state.range(0)` pixels, and tells pixels per second.
-void time_runs(benchmark::State& state, const std::function<void(const column::Run&)>& fill) {
-    std::vector<std::uint32_t> pixels(kLongestRun);
-    const column::Run run{pixels.data(), 0, static_cast<int>(state.range(0))};
+/// A column of `state.range(0)` rows, drawn over and over.
+struct Column {
+    std::vector<std::uint32_t> pixels = std::vector<std::uint32_t>(kLongestRun);
+    int top = 0, bottom;
+
+    explicit Column(const benchmark::State& state) : bottom(static_cast<int>(state.range(0))) {}
+    column::ColumnRuns runs() { return {pixels.data(), kLongestRun, 1, &top, &bottom}; }
+};
+
+/// Times fill(), and tells pixels per second.
+void time_runs(benchmark::State& state, const std::function<void()>& fill) {
     for (auto round : state) {
-        fill(run);
-        benchmark::DoNotOptimize(pixels.data());
+        fill();
         benchmark::ClobberMemory();
     }
+    state.SetLabel(std::string(column::chosen_kernels().name));
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * state.range(0));
 }
 
 void fill_wall(benchmark::State& state) {
     const Texture texture = texture_of_noise();
-    column::WallRun wall{};
-    wall.texels = texture.pixels.data();
-    wall.height = kSide;
-    wall.v_per_row = column::tile_steps(0.7 / kSide);
-    wall.shade = 200;
-    time_runs(state, [&](const column::Run& run) { column::fill_wall(run, wall); });
+    Column drawn(state);
+    const std::uint32_t first_texel = 0;
+    const column::TileSteps at_row_0 = 0, per_row = column::tile_steps(0.7 / kSide);
+    const Shade shade = 200;
+    const column::PlainWalls wall{drawn.runs(), &texture, &first_texel, &at_row_0, &per_row, &shade, nullptr};
+    time_runs(state, [&, fill = column::chosen_kernels().fill_walls] { fill(wall); });
 }
 
 void fill_flat(benchmark::State& state) {
     const Texture texture = texture_of_noise();
+    Column drawn(state);
     std::vector<double> depths;
-    for (int row = 0; row < kLongestRun; ++row) depths.push_back(400.0 / (row + 1));
-    const std::vector<Shade> shades(kLongestRun, 200);
-    column::FlatRun flat{};
-    flat.texture = &texture;
-    flat.step_u = 0.5;
-    flat.step_v = 0.3;
-    flat.farthest = 1000;
-    flat.row_depths = depths.data();
-    flat.row_shades = shades.data();
-    time_runs(state, [&](const column::Run& run) { column::fill_flat(run, flat); });
+    for (int row = 0; row < kLongestRun + column::kRowsBeyond; ++row) depths.push_back(400.0 / (row + 1));
+    const std::vector<std::uint32_t> darkness(depths.size(), column::darkness_of(nullptr, 200));
+    const double step_u = 0.5, step_v = 0.3, farthest = 1000;
+    const column::PlainFlats flat{drawn.runs(),  &texture,        0,      0, &step_u, &step_v, &farthest,
+                                  depths.data(), darkness.data(), nullptr};
+    time_runs(state, [&, fill = column::chosen_kernels().fill_flats] { fill(flat); });
 }
 
 MapFile grid_of(const benchmark::State& state) {

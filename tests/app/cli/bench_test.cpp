@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "app/cli/program.h"
 
@@ -116,6 +117,17 @@ TEST_F(Bench, RefusesWhatOtherProcessesDoNotTell) {
 TEST_F(Bench, TimesEveryRenderer) {
     for (const char* renderer : {"column", "stencil", "reference"})
         EXPECT_EQ(bench({"map.toml", "--renderer", renderer}).exit_code, 0) << renderer;
+}
+
+TEST_F(Bench, SaysWithWhichInnerLoops) {
+    ASSERT_EQ(setenv("ENFILADE_KERNELS", "scalar", 1), 0);
+    EXPECT_THAT(bench({"map.toml"}).out, HasSubstr("inner loops: scalar\n"));
+    EXPECT_EQ(bench({"map.toml", "--renderer", "reference"}).out.find("inner loops"), std::string::npos);
+    ASSERT_EQ(setenv("ENFILADE_KERNELS", "mmx", 1), 0);
+    const Ended refused = bench({"map.toml"});
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_THAT(refused.err, HasSubstr("ENFILADE_KERNELS: expected kernels that this processor can run"));
+    ASSERT_EQ(unsetenv("ENFILADE_KERNELS"), 0);
 }
 
 TEST_F(Bench, WritesTheTableOfEffectPrices) {
