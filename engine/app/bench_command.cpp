@@ -16,6 +16,7 @@
 #include "formats/map_toml.h"
 #include "platform/clock.h"
 #include "platform/gl_context.h"
+#include "render/column/column_renderer.h"
 
 namespace enfilade {
 namespace {
@@ -101,8 +102,17 @@ Result<std::int64_t> time_picture(Renderer& renderer, Frame& picture, const Benc
     return took_ns;
 }
 
+/// Of a picture in one piece: what threads draw is cut into strips, and so are its viewports.
+std::size_t count_viewports(Renderer& renderer, RendererKind kind, Frame& picture, const BenchSubject& subject,
+                            const FlightFrame& shown) {
+    if (kind != RendererKind::column) return renderer.viewports().size();
+    ColumnRenderer whole;
+    whole.render(picture, nullptr, subject.map(), subject.textures(), shown.snapshot, shown.view);
+    return whole.counts().viewports;
+}
+
 /// Draws every frame once more, with facts, which cost too much to have them while time is measured.
-Status count_frames(Renderer& renderer, Frame& picture, const std::vector<BenchSubject>& subjects,
+Status count_frames(Renderer& renderer, RendererKind kind, Frame& picture, const std::vector<BenchSubject>& subjects,
                     std::vector<BenchFrame>& frames) {
     FrameFacts facts;
     for (BenchFrame& frame : frames) {
@@ -113,7 +123,7 @@ Status count_frames(Renderer& renderer, Frame& picture, const std::vector<BenchS
                 renderer.render(picture, &facts, subject.map(), subject.textures(), shown.snapshot, shown.view))
             return failed;
         frame.counts = counts_of(subject.map(), picture, facts);
-        frame.counts.viewports = renderer.viewports().size();
+        frame.counts.viewports = count_viewports(renderer, kind, picture, subject, shown);
     }
     return {};
 }
@@ -131,7 +141,7 @@ Status time_frames(const BenchRequest& request, const BenchChoices& choices,
         return time_picture(*renderer.value(), picture, subjects[subject], number);
     };
     if (Status failed = measure(frames, choices.rounds, draw)) return failed;
-    if (Status failed = count_frames(*renderer.value(), picture, subjects, frames)) return failed;
+    if (Status failed = count_frames(*renderer.value(), choices.renderer, picture, subjects, frames)) return failed;
     std::FILE* const out = request.csv == "-" ? stderr : stdout;
     print_text(out, bench_table(request.files, frames));
     if (const std::string_view kernels = renderer.value()->kernels(); !kernels.empty())

@@ -54,6 +54,21 @@ TEST_F(Bench, TimesEveryViewOfAWalk) {
     EXPECT_EQ(hash_of_frame("map.toml"), hash_of_frame("map.toml:walk.csv"));
 }
 
+TEST_F(Bench, CountsTheSameWithAnyNumberOfThreads) {
+    const std::string map = ENFILADE_SOURCE_DIR "/maps/enfilade.toml";
+    const auto counts_with = [&](const char* threads) {
+        const Ended ended =
+            program_.run({"bench", map, "--size", "640x400", "--rounds", "1", "--threads", threads, "--csv", "-"});
+        std::size_t counts = ended.out.size();
+        for (int comma = 0; comma < 5; ++comma) counts = ended.out.rfind(',', counts - 1);  // walls and what follows
+        return ended.out.substr(counts);
+    };
+    const std::string one = counts_with("1");
+    EXPECT_THAT(one, HasSubstr(",256000,"));
+    EXPECT_EQ(counts_with("3"), one);
+    EXPECT_EQ(counts_with("8"), one);
+}
+
 TEST_F(Bench, RefusesWalksThatCannotBeWalked) {
     program_.write("out.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n300,3,1.5,90,-10\n");
     program_.write("empty.csv", "x,y,z,yaw,pitch\n");
