@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/large_pages.h"
 #include "base/output_file.h"
 
 namespace enfilade {
@@ -45,9 +44,7 @@ Status look_at(const std::string& path) {
 
 /// The bytes of the open file, as many as it had when it was opened.
 Result<Bytes> read_bytes(const std::string& path, int file, std::size_t size) {
-    Bytes bytes;
-    reserve_large(bytes, size);
-    bytes.resize(size);
+    Bytes bytes(size);
     for (std::size_t done = 0; done < size;) {
         const ssize_t more = ::read(file, bytes.data() + done, size - done);
         if (more < 0 && errno == EINTR) continue;

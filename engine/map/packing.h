@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "base/files.h"
-#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "map/map_fields.h"
 
@@ -157,13 +156,11 @@ public:
     void take(std::vector<T>& list) {
         list.clear();
         if constexpr (Packed<T>) {
-            const std::size_t count = take_count(packed_size<T>());
-            reserve_large(list, count);
-            list.resize(count);
+            list.resize(take_count(packed_size<T>()));
             unpack_all(list);
         } else {
             const std::size_t count = take_count(least_size<T>());
-            reserve_large(list, count);
+            list.reserve(count);
             for (std::size_t i = 0; i < count && !failed_; ++i) take(list.emplace_back());
         }
     }
