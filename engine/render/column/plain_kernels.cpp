@@ -53,6 +53,12 @@ std::vector<PlainKernels> available_kernels() {
     return kernels;
 }
 
+/// What the environment variable names; empty where it is empty or not set.
+std::string_view wanted_name() {
+    const char* const name = std::getenv(kVariable);
+    return name ? name : "";
+}
+
 }  // namespace
 
 TileSteps tile_steps(double tiles) { return static_cast<TileSteps>(fraction(tiles) * 0x1p64); }
@@ -65,18 +71,15 @@ std::optional<PlainKernels> kernels_named(std::string_view name) {
     return {};
 }
 
-PlainKernels chosen_kernels() {
-    const char* const name = std::getenv(kVariable);
-    return kernels_named(name ? name : "").value_or(available_kernels().front());
-}
+PlainKernels chosen_kernels() { return kernels_named(wanted_name()).value_or(available_kernels().front()); }
 
 Status check_kernels() {
-    const char* const name = std::getenv(kVariable);
-    if (!name || kernels_named(name)) return {};
+    const std::string_view name = wanted_name();
+    if (name.empty() || kernels_named(name)) return {};
     std::string known;
     for (const PlainKernels& kernels : available_kernels())
         known += (known.empty() ? "" : ", ") + std::string(kernels.name);
-    return Error{kVariable, "expected kernels that this processor can run (" + known + "), found " + name};
+    return Error{kVariable, "expected kernels that this processor can run (" + known + "), found " + std::string(name)};
 }
 
 }  // namespace enfilade::column

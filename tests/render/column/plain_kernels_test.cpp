@@ -188,6 +188,8 @@ TEST(ChosenKernels, AreThoseTheEnvironmentNames) {
     const Status wrong = check_kernels();
     ASSERT_TRUE(wrong);
     EXPECT_NE(wrong->text().find("scalar), found mmx"), std::string::npos) << wrong->text();
+    ASSERT_EQ(setenv("ENFILADE_KERNELS", "", 1), 0);
+    EXPECT_FALSE(check_kernels());
     ASSERT_EQ(unsetenv("ENFILADE_KERNELS"), 0);
     EXPECT_FALSE(check_kernels());
 }
