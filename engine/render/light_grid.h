@@ -8,26 +8,29 @@
 
 namespace enfilade {
 
-/// Red, green and blue light that is added to a surface's shade, as one number of three lanes of kLaneBits, red lowest.
-/// Each is 0..kMostLight, in steps of kLightSteps to one of Shade.
+/// Red, green and blue light that is added to a surface's shade, each 0..kMostLight, in steps of kLightSteps to one of
+/// Shade. Lanes of kLaneBits: red, blue and green from the lowest on, for red and blue lie side by side where every
+/// second byte of a pixel is taken.
 using LightCell = std::uint64_t;
 
-inline constexpr int kLaneBits = 21;
+inline constexpr int kLaneBits = 16;
 inline constexpr std::uint32_t kLightSteps = 16;
 
-/// What a lane holds at most: 13 bits, so that a product with 256 still fits it. Almost twice as bright as painted.
+/// What a lane holds at most: 13 bits, so that four times a difference still fits it. Almost twice as bright as
+/// painted.
 inline constexpr std::uint32_t kMostLight = (1u << 13) - 1;
 
 /// Brighter than this nothing gets: twice as painted.
 inline constexpr Shade kBrightest = 512;
 
 constexpr LightCell light_cell(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
-    return LightCell{red} | LightCell{green} << kLaneBits | LightCell{blue} << 2 * kLaneBits;
+    return LightCell{red} | LightCell{blue} << kLaneBits | LightCell{green} << 2 * kLaneBits;
 }
 
 /// channel: 0 red, 1 green, 2 blue.
 constexpr std::uint32_t lane(LightCell cell, int channel) {
-    return static_cast<std::uint32_t>(cell >> channel * kLaneBits) & kMostLight;
+    constexpr int kLaneOf[] = {0, 2, 1};
+    return static_cast<std::uint32_t>(cell >> kLaneOf[channel] * kLaneBits) & kMostLight;
 }
 
 /// Whether it makes no surface brighter; then neither does anything between two such cells.
@@ -38,8 +41,10 @@ constexpr bool is_dark(LightCell cell) {
 
 /// Between two cells, `part` of 256 of the way from a to b. part: 0..256.
 constexpr LightCell between(LightCell a, LightCell b, std::uint32_t part) {
-    constexpr LightCell kLanes = light_cell(kMostLight, kMostLight, kMostLight);
-    return (a * (256 - part) + b * part) >> 8 & kLanes;
+    constexpr LightCell kEven = light_cell(kMostLight, kMostLight, 0);  // two lanes apart, so that products fit
+    const LightCell even = ((a & kEven) * (256 - part) + (b & kEven) * part) >> 8 & kEven;
+    const LightCell blue = (lane(a, 2) * (256 - part) + lane(b, 2) * part) >> 8;
+    return even | blue << kLaneBits;
 }
 
 /// The colour 0xAABBGGRR in this shade and this light. Alpha becomes opaque.

@@ -19,8 +19,9 @@ struct ColumnRenderer::Scratch {
     ViewportDrawer drawer;
     std::optional<LightGrids> own_lights;
     LightGrids& lights;
-    std::vector<LightCell> glow;
+    ColumnScratch column;
     PlainKernels kernels = chosen_kernels();
+    Passes passes = passes_beside(kernels);
 
     Scratch() : lights(own_lights.emplace()) {}
     explicit Scratch(LightGrids& of_several) : lights(of_several) {}
@@ -77,8 +78,9 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& 
     Scratch& s = *scratch_;
     s.screen.set(Projection(view, frame.width, frame.height));
     canvas.set(columns.begin, columns.end, frame.height);
+    s.column.resize(frame.height);
     LightGrids* lights = built_in::kPointLights && s.lights.start(map) ? &s.lights : nullptr;
-    const Scene scene{map, textures, snapshot, s.screen, canvas, facts, lights, s.glow, s.kernels};
+    const Scene scene{map, textures, snapshot, s.screen, canvas, facts, lights, s.column, s.kernels, s.passes};
     start_frame(s.state, map, view, columns, frame.height);
     while (!s.state.stack.empty()) {
         Viewport& next = *s.state.stack.back();

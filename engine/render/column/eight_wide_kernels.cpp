@@ -1,20 +1,16 @@
 // Eight pixels at a time, for processors with AVX2. Texels are loaded one by one: gathering them is no faster where it
 // is fast, and much slower on processors that had to be mended.
-#include "render/column/plain_kernels.h"
+#include "render/column/eight_wide.h"
 
 #if defined(__x86_64__)
-#include <immintrin.h>
-
 #include <cstring>
 
 #include "render/column/texel_numbers.h"
 
-#define WITH_AVX2 [[gnu::target("avx2,bmi2")]]  // bmi2: shifts by any register
-
 namespace enfilade::column {
 namespace {
 
-constexpr int kWide = 8;
+constexpr int kWide = kEightWide;
 
 /// Four columns of eight lanes each that are numbered 0 1 4 5 2 3 6 7, as two sums of four doubles leave them.
 WITH_AVX2 inline __m256i places_of(__m256d a, __m256d b) {
@@ -230,7 +226,7 @@ void fill_flats(const PlainFlats& f) {
 }  // namespace
 
 std::optional<PlainKernels> eight_wide_kernels() {
-    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("bmi2")) return {};
+    if (!has_avx2()) return {};
     return PlainKernels{"avx2", fill_walls, fill_flats, four_wide_kernels()->fill_sky};
 }
 

@@ -5,10 +5,13 @@
 #include <limits>
 
 #include "render/column/fog.h"
+#include "render/column/kernels.h"
 #include "render/picture_now.h"
 
 namespace enfilade::column {
 namespace {
+
+constexpr Shade kFullBright = 256;
 
 /// What a ray climbs from one row to the next: where the sky's rows are straight, per metre of depth; else per metre
 /// along the ground, which is longer by the length of `ray`.
@@ -41,11 +44,12 @@ void FlatPainter::start(const Scene& scene, const Pose& pose, const FlatNow& fla
     base_v_ = fraction((pose.eye.y - flat.origin.y) / surface.tile_m.y - surface.offset_tiles.y);
     prepared_top_ = prepared_bottom_ = 0;
     row_depths_.resize(scene.screen.row_depths.size() + kRowsBeyond);
-    row_shades_.resize(scene.screen.row_depths.size());
-    if (is_there(fog_)) row_mists_.resize(scene.screen.row_depths.size());
+    row_shades_.resize(row_depths_.size());
+    row_darkness_.resize(row_depths_.size());
+    if (glow_) full_light_.resize(row_depths_.size(), darkness_of(nullptr, kFullBright));
+    if (is_there(fog_)) row_mists_.resize(row_depths_.size());
     is_plain_ = !(built_in::kSky && flat.sky) && !(built_in::kPointLights && glow) && !is_there(fog_) && !is_extended_;
     near_limit_ = (kNearTiles - 1) * std::min(surface.tile_m.x, surface.tile_m.y) / longest_ray(scene.screen);
-    if (is_plain_) row_darkness_.resize(scene.screen.row_depths.size() + kRowsBeyond);
     if (!built_in::kSkyLayers) return;
     layers_.clear();
     for (std::uint32_t i = 0; i < flat.layer_count; ++i)
@@ -59,7 +63,7 @@ void FlatPainter::paint(const Scene& scene, const WallLooks& looks, const int* t
         if (built_in::kSky && flat_.sky)
             paint_sky(scene, looks.begin + i, tops[i], bottoms[i]);
         else
-            paint_level(scene, looks.begin + i, tops[i], bottoms[i], looks.depth[i]);
+            paint_level(scene, looks.begin + i, {tops[i], bottoms[i]}, looks.depth[i]);
     }
 }
 
@@ -86,36 +90,74 @@ void FlatPainter::paint_plain(const Scene& scene, const WallLooks& looks, const 
     for (int i = 0; i < looks.count; ++i) note_level(scene, looks.begin + i, tops[i], bottoms[i], looks.depth[i]);
 }
 
-// Out of line, so that flats without point lights and color tables do not save registers for them.
-[[gnu::noinline]] void FlatPainter::fill_rich(const Run& run, const FlatRun& flat, Vec2 ray) const {
-    if (!built_in::kPointLights || !glow_) return fill_flat_by_table(run, flat);
-    fill_lit_flat(run, flat,
-                  {glow_, (pose_->eye.x - glow_->u) / kLightCell, (pose_->eye.y - glow_->v) / kLightCell,
-                   ray.x / kLightCell, ray.y / kLightCell});
+void FlatPainter::paint_level(const Scene& scene, int x, OpenRows rows, double wall_depth) {
+    prepare_rows(scene, rows.top, rows.bottom);
+    if (is_extended_) shade_extended_rows(rows.top, rows.bottom, wall_depth);
+    const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x], tile = flat_.surface.tile_m;
+    const FlatColumn column{x, ray, ray.x / tile.x, ray.y / tile.y, wall_depth};
+    if (built_in::kPointLights && glow_)
+        paint_lit(scene, column, rows);
+    else
+        fill(scene, scene.canvas.column(x), column, rows, row_darkness_.data(), color_table_);
+    if (is_there(fog_))
+        scene.passes.mist(scene.canvas.run(x, rows.top, rows.bottom), fog_.color, &row_mists_[std::size_t(rows.top)]);
+    if (scene.facts != nullptr) note_level(scene, x, rows.top, rows.bottom, wall_depth);
 }
 
-void FlatPainter::paint_level(const Scene& scene, int x, int top, int bottom, double wall_depth) {
-    prepare_rows(scene, top, bottom);
-    if (is_extended_) shade_extended_rows(top, bottom, wall_depth);
-    const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
-    const Vec2 tile = flat_.surface.tile_m;
-    const FlatRun flat{texture_,
-                       base_u_,
-                       base_v_,
-                       ray.x / tile.x,
-                       ray.y / tile.y,
-                       wall_depth,
-                       row_depths_.data(),
-                       row_shades_.data(),
-                       is_there(fog_) ? row_mists_.data() : nullptr,
-                       fog_.color,
-                       color_table_};
-    const Run run = scene.canvas.run(x, top, bottom);
-    if ((built_in::kPointLights && glow_) || color_table_)
-        fill_rich(run, flat, ray);
-    else
-        fill_flat(run, flat);
-    if (scene.facts != nullptr) note_level(scene, x, top, bottom, wall_depth);
+void FlatPainter::fill(const Scene& scene, std::uint32_t* row_0, const FlatColumn& column, const OpenRows& rows,
+                       const std::uint32_t* darkness, const ColorTable* table) const {
+    const PlainFlats flats{{row_0, 0, 1, &rows.top, &rows.bottom},
+                           texture_,
+                           base_u_,
+                           base_v_,
+                           &column.step_u,
+                           &column.step_v,
+                           &column.farthest,
+                           row_depths_.data(),
+                           darkness,
+                           table};
+    column.farthest < near_limit_ ? scene.kernels.fill_flats(flats) : fill_far_flats(flats);
+}
+
+void FlatPainter::paint_lit(const Scene& scene, const FlatColumn& column, const OpenRows& rows) const {
+    const FlatGlow glow = glow_at(column);
+    const OpenRows lit = lit_rows(glow, rows);
+    std::uint32_t* const pixels = scene.canvas.column(column.x);
+    fill(scene, pixels, column, {rows.top, lit.top}, row_darkness_.data(), color_table_);
+    fill(scene, pixels, column, {lit.bottom, rows.bottom}, row_darkness_.data(), color_table_);
+    LitRun to{scene.canvas.run(column.x, lit.top, lit.bottom)};
+    if (color_table_) {
+        std::uint32_t* const texels = scene.scratch.texels.data();
+        fill(scene, pixels, column, lit, row_darkness_.data(), color_table_);
+        fill(scene, texels, column, lit, full_light_.data(), nullptr);
+        to.texels = texels + lit.top;
+    } else {
+        fill(scene, pixels, column, lit, full_light_.data(), nullptr);
+    }
+    scene.passes.lamps.light_flat(to, glow);
+}
+
+FlatGlow FlatPainter::glow_at(const FlatColumn& column) const {
+    return {glow_,
+            (pose_->eye.x - glow_->u) / kLightCell,
+            (pose_->eye.y - glow_->v) / kLightCell,
+            column.ray.x / kLightCell,
+            column.ray.y / kLightCell,
+            column.farthest,
+            row_depths_.data(),
+            row_shades_.data()};
+}
+
+/// Which of the rows may be lit: only their ends are looked at.
+OpenRows FlatPainter::lit_rows(const FlatGlow& glow, const OpenRows& rows) const {
+    const auto is_dark = [&](int row) {
+        const double depth = std::min(row_depths_[row], glow.farthest);
+        return is_beyond_light(*glow.grid, glow.base_u + depth * glow.step_u, glow.base_v + depth * glow.step_v);
+    };
+    OpenRows lit = rows;
+    while (lit.top < lit.bottom && is_dark(lit.top)) ++lit.top;
+    while (lit.top < lit.bottom && is_dark(lit.bottom - 1)) --lit.bottom;
+    return lit;
 }
 
 void FlatPainter::note_level(const Scene& scene, int x, int top, int bottom, double wall_depth) const {
@@ -175,8 +217,7 @@ void FlatPainter::prepare_more_rows(const Scene& scene, int top, int bottom) {
 /// depths: [bottom - top].
 void FlatPainter::shade_rows(int top, int bottom, const double* depths) {
     dimming_.at_all(depths, bottom - top, &row_shades_[static_cast<std::size_t>(top)]);
-    if (is_plain_)
-        for (int row = top; row < bottom; ++row) row_darkness_[row] = darkness_of(color_table_, row_shades_[row]);
+    for (int row = top; row < bottom; ++row) row_darkness_[row] = darkness_of(color_table_, row_shades_[row]);
     if (is_there(fog_))
         for (int row = top; row < bottom; ++row) row_mists_[row] = mist_at(fog_.reach, depths[row - top]);
 }

@@ -2,7 +2,6 @@
 #pragma once
 #include <vector>
 
-#include "render/column/kernels.h"
 #include "render/column/scene.h"
 #include "render/column/wall_looks.h"
 #include "render/lighting.h"
@@ -25,10 +24,21 @@ public:
     void paint(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms);
 
 private:
+    /// One column of the flat.
+    struct FlatColumn {
+        int x;
+        Vec2 ray;               ///< per metre of depth
+        double step_u, step_v;  ///< the same [tiles/m]
+        double farthest;        ///< where the wall behind it stands [m]
+    };
     void paint_plain(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms);
     void note_level(const Scene& scene, int x, int top, int bottom, double wall_depth) const;
-    void paint_level(const Scene& scene, int x, int top, int bottom, double wall_depth);
-    void fill_rich(const Run& run, const FlatRun& flat, Vec2 ray) const;
+    void paint_level(const Scene& scene, int x, OpenRows rows, double wall_depth);
+    void fill(const Scene& scene, std::uint32_t* row_0, const FlatColumn& column, const OpenRows& rows,
+              const std::uint32_t* darkness, const ColorTable* table) const;
+    void paint_lit(const Scene& scene, const FlatColumn& column, const OpenRows& rows) const;
+    FlatGlow glow_at(const FlatColumn& column) const;
+    OpenRows lit_rows(const FlatGlow& glow, const OpenRows& rows) const;
     void paint_sky(const Scene& scene, int x, int top, int bottom);
     SkyRun sky_run(const Scene& scene, const Surface& surface, Vec2 ray) const;
     void prepare_rows(const Scene& scene, int top, int bottom);
@@ -52,7 +62,8 @@ private:
     double base_u_ = 0, base_v_ = 0;  ///< tile position under the eye, in [0, 1)
     std::vector<double> row_depths_;  ///< valid for rows [prepared_top_, prepared_bottom_)
     std::vector<Shade> row_shades_;
-    std::vector<std::uint32_t> row_darkness_;  ///< the same as kernels want it; where it is plain
+    std::vector<std::uint32_t> row_darkness_;  ///< the same as kernels want it
+    std::vector<std::uint32_t> full_light_;    ///< the same of rows as painted; where there are lamps
     std::vector<Mist> row_mists_;              ///< where there is fog
     int prepared_top_ = 0, prepared_bottom_ = 0;
 };

@@ -6,11 +6,6 @@
 namespace enfilade::column {
 namespace {
 
-std::uint32_t darkened(const ColorTable* table, const Texture& texture, std::size_t texel, std::uint32_t darkness) {
-    if (table) return table->at_level(0)[darkness + texture.numbers[texel]];
-    return shaded(texture.pixels[texel], darkness & 0xFFFF);
-}
-
 void fill_walls(const PlainWalls& w) {
     for (int i = 0; i < w.runs.count; ++i) {
         const std::uint32_t darkness = darkness_of(w.color_table, w.shades[i]);

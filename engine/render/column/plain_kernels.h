@@ -84,6 +84,13 @@ inline std::uint32_t darkness_of(const ColorTable* table, Shade shade) {
                  : shade * kBothHalves;
 }
 
+/// A texel in the light that darkness_of() tells. texel: among the texture's.
+inline std::uint32_t darkened(const ColorTable* table, const Texture& texture, std::size_t texel,
+                              std::uint32_t darkness) {
+    if (table) return table->at_level(0)[darkness + texture.numbers[texel]];
+    return shaded(texture.pixels[texel], darkness & 0xFFFF);
+}
+
 /// A column of sky.
 struct SkyRun {
     const std::uint32_t* texels;  ///< texture column [height]

@@ -5,6 +5,7 @@
 #include "map/map.h"
 #include "map/textures.h"
 #include "render/column/canvas.h"
+#include "render/column/passes.h"
 #include "render/column/screen.h"
 #include "render/frame.h"
 #include "render/light_grids.h"
@@ -18,16 +19,42 @@ struct Fog {
     std::uint32_t color = 0;  ///< as a pixel
 };
 
+/// What one column is drawn by way of.
+struct ColumnScratch {
+    std::vector<std::uint32_t> red_blue, green;  ///< of the light of lamps down a wall, as a LightRow has them
+    std::vector<std::uint32_t> texels;           ///< by row: as painted
+    std::vector<std::uint32_t> colors;           ///< by row: of what is laid over the canvas
+    std::vector<Mist> mists;                     ///< of a wall's rows [height + kRowsBeyond]
+
+    /// Room for so many points of light.
+    LightRow cells(int count) {
+        const auto words = static_cast<std::size_t>(count + 2 * kCellsBeyond);
+        if (red_blue.size() < words) {
+            red_blue.resize(words);
+            green.resize(words);
+        }
+        return {red_blue.data() + kCellsBeyond, green.data() + kCellsBeyond, count};
+    }
+
+    void resize(int height) {
+        const auto rows = static_cast<std::size_t>(height);
+        texels.resize(rows);
+        colors.resize(rows);
+        mists.resize(rows + kRowsBeyond);
+    }
+};
+
 struct Scene {
     const Map& map;
     const TextureSet& textures;
     const Snapshot& snapshot;
     const Screen& screen;
     Canvas& canvas;
-    FrameFacts* facts;             ///< null where nobody asked what the pixels show
-    LightGrids* lights;            ///< null where the map has no point lights
-    std::vector<LightCell>& glow;  ///< scratch of one column: the light down a wall
+    FrameFacts* facts;   ///< null where nobody asked what the pixels show
+    LightGrids* lights;  ///< null where the map has no point lights
+    ColumnScratch& scratch;
     const PlainKernels& kernels;
+    const Passes& passes;
 
     // What point lights throw on a surface, or null: nothing. Asked once for each surface.
     const LightGrid* light_on(WallId id) const { return lights ? lights->on_wall(map, snapshot, id) : nullptr; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/built_in.h"
+#include "render/column/kernels.h"
 #include "render/look_budget.h"
 #include "render/open_steps.h"
 #include "render/picture_now.h"

@@ -4,9 +4,22 @@
 #include <cmath>
 
 #include "render/column/fog.h"
+#include "render/column/kernels.h"
 #include "render/picture_now.h"
 
 namespace enfilade::column {
+namespace {
+
+constexpr Shade kFullBright = 256;
+
+ColumnRuns column_of(const ColumnRuns& runs, int i) {
+    return {runs.pixels + i * runs.pitch, runs.pitch, 1, runs.tops + i, runs.bottoms + i};
+}
+
+TileSteps steps_of(double tiles) { return std::fabs(tiles) <= kNearTiles ? near_tile_steps(tiles) : tile_steps(tiles); }
+
+}  // namespace
+
 void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& surface, double peg, double light,
                         SurfaceId id) {
     hang(scene, surface, wall.length, peg);
@@ -51,20 +64,29 @@ void WallPainter::light_up(const LightGrid* grid, double length, double eye_z) {
 }
 
 /// The light down a column: of each row of the grid that the rows from top to bottom come near.
-WallGlow WallPainter::glow_at(const Scene& scene, int top, int bottom, const WallHit& hit) const {
+WallGlow WallPainter::glow_at(const Scene& scene, int top, int bottom, Shade shade, const WallHit& hit) const {
     constexpr double kWrap = 0x1p-32;  // cells are counted modulo 2^32
     const LightGrid& grid = *light_grid_;
     const double cells_per_row = -hit.depth / scene.screen.focal_y / kLightCell;
     const double at_row_0 = (eye_z_ - grid.v) / kLightCell - (scene.screen.horizon - 0.5) * cells_per_row;
     const int last = grid_step(at_row_0 + top * cells_per_row, grid.rows).cell + 1;
     const int first = grid_step(at_row_0 + (bottom - 1) * cells_per_row, grid.rows).cell;
-    const GridStep across = grid_step((hit.along * length_ - grid.u) / kLightCell, grid.columns);
-    const LightCell* left = &grid.cells[static_cast<std::size_t>(across.cell) * static_cast<std::size_t>(grid.rows)];
-    scene.glow.clear();
-    for (int row = first; row <= last; ++row)
-        scene.glow.push_back(between(left[row], left[grid.rows + row], across.part));
-    return {scene.glow.data(), last - first + 1, tile_steps((at_row_0 - first) * kWrap),
-            tile_steps(cells_per_row * kWrap)};
+    const GridStep across = grid_step(across_at(hit), grid.columns);
+    const LightCell* const left =
+        &grid.cells[static_cast<std::size_t>(across.cell) * static_cast<std::size_t>(grid.rows)] + first;
+    const LightRow cells = scene.scratch.cells(last - first + 1);
+    scene.passes.lamps.mix_cells(left, left + grid.rows, across.part, cells);
+    return {shade, cells, tile_steps((at_row_0 - first) * kWrap), tile_steps(cells_per_row * kWrap)};
+}
+
+/// Where a look meets the light's grid [points from its first column].
+double WallPainter::across_at(const WallHit& hit) const { return (hit.along * length_ - light_grid_->u) / kLightCell; }
+
+/// Whether no lamp reaches the column.
+bool WallPainter::is_dark_at(const WallHit& hit) const {
+    const double across = across_at(hit);
+    return (light_grid_->is_dark_before_u && across <= 0) ||
+           (light_grid_->is_dark_after_u && across >= light_grid_->columns - 1);
 }
 
 void WallPainter::shade_by(const Scene& scene, const Lighting& lighting) {
@@ -78,45 +100,22 @@ WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallH
     return {hit.along * u_per_along_ - u_offset_, v_at_peg_ - (scene.screen.horizon - 0.5) * v_per_row, v_per_row};
 }
 
-// Inlined by order: whether it is must not depend on what else is in it.
-[[gnu::always_inline]] inline WallRun WallPainter::run_of(const ColumnTexels& at, const WallHit& hit) const {
-    const std::size_t first = std::size_t{texel_of(place_on_tile(at.u), texture_->width)} * texture_->height;
-    WallRun run{&texture_->pixels[first], texture_->height, tile_steps(at.v_at_row_0), tile_steps(at.v_per_row),
-                dimming_.at(hit.depth)};
-    if (is_there(fog_)) {
-        run.mist = mist_at(fog_.reach, hit.depth);
-        run.fog = fog_.color;
-    }
-    return run;
-}
-
-WallRun WallPainter::looked_up(WallRun run) const {
-    if (!color_table_) return run;
-    run.numbers = &texture_->numbers[static_cast<std::size_t>(run.texels - texture_->pixels.data())];
-    run.darkened = darkened_colors(*color_table_, run.shade);
-    return run;
-}
-
-// Out of line, so that walls without point lights and color tables do not save registers for them.
-[[gnu::noinline]] void WallPainter::fill_rich(const Scene& scene, const Run& run, const ColumnTexels& at,
-                                              const WallHit& hit) const {
-    const WallRun wall = looked_up(run_of(at, hit));
-    if (built_in::kPointLights && light_grid_)
-        fill_lit_wall(run, wall, glow_at(scene, run.first_row, run.first_row + run.count, hit));
-    else
-        fill_wall_by_table(run, wall);
-}
-
 void WallPainter::paint(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const {
     int first = 0, end = looks.count;
     while (first < end && tops[first] >= bottoms[first]) ++first;
     while (first < end && tops[end - 1] >= bottoms[end - 1]) --end;
     if (first == end) return;
-    const bool is_plain = !(built_in::kPointLights && light_grid_) && !is_there(fog_) && is_near(scene, looks.farthest);
-    if (is_plain)
-        paint_plain(scene, looks, first, end, tops, bottoms);
+    Placed placed;
+    if (is_near(scene, looks.farthest))
+        place(scene, looks.depth + first, looks.along + first, end - first, placed);
     else
-        for (int i = first; i < end; ++i) paint_column(scene, looks.begin + i, tops[i], bottoms[i], looks.at(i));
+        for (int i = first; i < end; ++i) place_one(texels_at(scene, looks.at(i)), looks.depth[i], placed, i - first);
+    const ColumnRuns runs{scene.canvas.column(looks.begin + first), scene.canvas.pitch(), end - first, tops + first,
+                          bottoms + first};
+    fill(scene, runs, placed, looks.depth + first, looks.along + first);
+    if (is_there(fog_))
+        for (int i = first; i < end; ++i)
+            mist(scene, scene.canvas.run(looks.begin + i, tops[i], std::max(tops[i], bottoms[i])), looks.depth[i]);
     if (scene.facts == nullptr) return;
     for (int i = first; i < end; ++i) note_column(scene, looks.begin + i, tops[i], bottoms[i], looks.at(i));
 }
@@ -128,37 +127,71 @@ bool WallPainter::is_near(const Scene& scene, double farthest) const {
            u_per_along_ + std::fabs(u_offset_) < kNearTiles;
 }
 
-/// Columns `first` to `end` of those that look, as paint_column() would.
-void WallPainter::paint_plain(const Scene& scene, const WallLooks& looks, int first, int end, const int* tops,
-                              const int* bottoms) const {
-    std::uint32_t first_texels[WallLooks::kMost];
-    TileSteps v_at_row_0[WallLooks::kMost], v_per_row[WallLooks::kMost];
-    Shade shades[WallLooks::kMost];
-    const int count = end - first;
-    const double* const depths = looks.depth + first;
-    const double* const along = looks.along + first;
+/// As place_one(), of columns that are near.
+void WallPainter::place(const Scene& scene, const double* depths, const double* along, int count,
+                        Placed& placed) const {
     const double rows_to_horizon = scene.screen.horizon - 0.5, focal_y = scene.screen.focal_y;
     for (int i = 0; i < count; ++i) {
         const double per_row = depths[i] / focal_y * v_per_m_;
-        v_per_row[i] = near_tile_steps(per_row);
-        v_at_row_0[i] = near_tile_steps(v_at_peg_ - rows_to_horizon * per_row);
-        first_texels[i] =
+        placed.v_per_row[i] = near_tile_steps(per_row);
+        placed.v_at_row_0[i] = near_tile_steps(v_at_peg_ - rows_to_horizon * per_row);
+        placed.first_texels[i] =
             texel_of(place_on_near_tile(along[i] * u_per_along_ - u_offset_), texture_->width) * texture_->height;
     }
-    dimming_.at_all(depths, count, shades);
-    const ColumnRuns runs{scene.canvas.column(looks.begin + first), scene.canvas.pitch(), count, tops + first,
-                          bottoms + first};
-    scene.kernels.fill_walls({runs, texture_, first_texels, v_at_row_0, v_per_row, shades, color_table_});
+    dimming_.at_all(depths, count, placed.shades);
 }
 
-void WallPainter::paint_column(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
-    if (top >= bottom) return;
-    const ColumnTexels at = texels_at(scene, hit);
-    const Run run = scene.canvas.run(x, top, bottom);
-    if ((built_in::kPointLights && light_grid_) || color_table_)
-        fill_rich(scene, run, at, hit);
+void WallPainter::place_one(const ColumnTexels& at, double depth, Placed& placed, int i) const {
+    placed.v_per_row[i] = steps_of(at.v_per_row);
+    placed.v_at_row_0[i] = steps_of(at.v_at_row_0);
+    placed.first_texels[i] = texel_of(place_on_tile(at.u), texture_->width) * texture_->height;
+    placed.shades[i] = dimming_.at(depth);
+}
+
+/// runs: of the columns from the i-th on.
+PlainWalls WallPainter::walls_at(const ColumnRuns& runs, const Placed& placed, int i) const {
+    return {
+        runs,        texture_, placed.first_texels + i, placed.v_at_row_0 + i, placed.v_per_row + i, placed.shades + i,
+        color_table_};
+}
+
+/// As placed; depths, along: of the columns.
+void WallPainter::fill(const Scene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
+                       const double* along) const {
+    if (built_in::kPointLights && light_grid_)
+        fill_lit(scene, runs, placed, depths, along);
     else
-        fill_wall(run, run_of(at, hit));
+        scene.kernels.fill_walls(walls_at(runs, placed, 0));
+}
+
+// Out of line, so that walls without lamps do not save registers for it.
+[[gnu::noinline]] void WallPainter::fill_lit(const Scene& scene, const ColumnRuns& runs, Placed& placed,
+                                             const double* depths, const double* along) const {
+    const auto is_lit = [&](int i) { return runs.tops[i] < runs.bottoms[i] && !is_dark_at({depths[i], along[i]}); };
+    Shade shades[WallLooks::kMost];
+    std::copy_n(placed.shades, runs.count, shades);
+    for (int i = 0; i < runs.count && !color_table_; ++i)
+        if (is_lit(i)) placed.shades[i] = kFullBright;
+    scene.kernels.fill_walls(walls_at(runs, placed, 0));
+    for (int i = 0; i < runs.count; ++i)
+        if (is_lit(i)) light(scene, walls_at(column_of(runs, i), placed, i), shades[i], {depths[i], along[i]});
+}
+
+/// One column that is filled.
+void WallPainter::light(const Scene& scene, PlainWalls wall, Shade shade, const WallHit& hit) const {
+    const int top = *wall.runs.tops, bottom = *wall.runs.bottoms;
+    LitRun lit{{wall.runs.pixels + top, top, bottom - top}};
+    if (color_table_) {
+        wall.runs.pixels = scene.scratch.texels.data();
+        read_wall(wall);
+        lit.texels = wall.runs.pixels + top;
+    }
+    scene.passes.lamps.light_wall(lit, glow_at(scene, top, bottom, shade, hit));
+}
+
+void WallPainter::mist(const Scene& scene, const Run& run, double depth) const {
+    std::fill_n(scene.scratch.mists.begin(), run.count, mist_at(fog_.reach, depth));
+    scene.passes.mist(run, fog_.color, scene.scratch.mists.data());
 }
 
 void WallPainter::note_column(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
@@ -183,17 +216,21 @@ int WallPainter::end_of_picture(const ColumnTexels& at, int top, int bottom) con
 
 void WallPainter::lay_rows(const Scene& scene, int x, OpenRows rows, const ColumnTexels& at, const WallHit& hit) const {
     if (rows.is_closed()) return;
-    const WallRun run = looked_up(run_of(at, hit));
-    if (built_in::kPointLights && light_grid_)
-        lay_lit_wall(scene.canvas.run(x, rows.top, rows.bottom), run, glow_at(scene, rows.top, rows.bottom, hit));
-    else
-        lay_wall(scene.canvas.run(x, rows.top, rows.bottom), run);
+    Placed placed;
+    place_one(at, hit.depth, placed, 0);
+    std::vector<std::uint32_t>&texels = scene.scratch.texels, &colors = scene.scratch.colors;
+    const ColumnRuns to_texels{texels.data(), 0, 1, &rows.top, &rows.bottom};
+    if (read_wall(walls_at(to_texels, placed, 0)) >> 24 == 0) return;
+    const ColumnRuns to_colors{colors.data(), 0, 1, &rows.top, &rows.bottom};
+    fill(scene, to_colors, placed, &hit.depth, &hit.along);
+    const int top = rows.top, count = rows.bottom - rows.top;
+    if (is_there(fog_)) mist(scene, {colors.data() + top, top, count}, hit.depth);
+    for (int y = top; y < rows.bottom; ++y) colors[y] = (colors[y] & 0x00FFFFFFu) | (texels[y] & 0xFF000000u);
+    scene.passes.lay(scene.canvas.run(x, top, rows.bottom), colors.data() + top);
     if (scene.facts == nullptr) return;
-    for (int y = rows.top; y < rows.bottom; ++y) {
-        const double v = at.v_at_row_0 + y * at.v_per_row;
-        const std::uint32_t texel = run.texels[texel_of(place_on_tile(v), run.height)];
-        if (texel >> 24 >= kSolidAlpha) note_over(scene, x, y, id_, hit.depth, at.u, v);
-    }
+    for (int y = top; y < rows.bottom; ++y)
+        if (texels[y] >> 24 >= kSolidAlpha)
+            note_over(scene, x, y, id_, hit.depth, at.u, at.v_at_row_0 + y * at.v_per_row);
 }
 
 double peg_height(Peg peg, const RelativeHeights& here, const RelativeHeights* behind) {

@@ -1,6 +1,5 @@
 // Walls, steps and pictures of things: which texel does a row of a column show?
 #pragma once
-#include "render/column/kernels.h"
 #include "render/column/scene.h"
 #include "render/column/wall_looks.h"
 #include "render/lighting.h"
@@ -37,23 +36,34 @@ public:
     void lay_over(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
 
 private:
-    bool is_near(const Scene& scene, double farthest) const;
-    void paint_plain(const Scene& scene, const WallLooks& looks, int first, int end, const int* tops,
-                     const int* bottoms) const;
-    void paint_column(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
-    void note_column(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
-    /// Where on the picture the rows of one column are.
+    /// Where on the picture the rows of some columns are, and how dark they are there.
+    struct Placed {
+        std::uint32_t first_texels[WallLooks::kMost];
+        TileSteps v_at_row_0[WallLooks::kMost], v_per_row[WallLooks::kMost];
+        Shade shades[WallLooks::kMost];
+    };
+    /// The same of one column, as numbers.
     struct ColumnTexels {
         double u, v_at_row_0, v_per_row;  ///< [tiles]
     };
-    WallGlow glow_at(const Scene& scene, int top, int bottom, const WallHit& hit) const;
+    ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
+    bool is_near(const Scene& scene, double farthest) const;
+    void place(const Scene& scene, const double* depths, const double* along, int count, Placed& placed) const;
+    void place_one(const ColumnTexels& at, double depth, Placed& placed, int i) const;
+    PlainWalls walls_at(const ColumnRuns& runs, const Placed& placed, int i) const;
+    void fill(const Scene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
+              const double* along) const;
+    void fill_lit(const Scene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
+                  const double* along) const;
+    void light(const Scene& scene, PlainWalls wall, Shade shade, const WallHit& hit) const;
+    double across_at(const WallHit& hit) const;
+    bool is_dark_at(const WallHit& hit) const;
+    void mist(const Scene& scene, const Run& run, double depth) const;
+    void note_column(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
+    WallGlow glow_at(const Scene& scene, int top, int bottom, Shade shade, const WallHit& hit) const;
     void hang(const Scene& scene, const Surface& surface, double length, double peg);
     int end_of_picture(const ColumnTexels& at, int top, int bottom) const;
     void lay_rows(const Scene& scene, int x, OpenRows rows, const ColumnTexels& at, const WallHit& hit) const;
-    ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
-    void fill_rich(const Scene& scene, const Run& run, const ColumnTexels& at, const WallHit& hit) const;
-    WallRun looked_up(WallRun run) const;
-    WallRun run_of(const ColumnTexels& at, const WallHit& hit) const;
     void shade_by(const Scene& scene, const Lighting& lighting);
 
     const Texture* texture_ = nullptr;

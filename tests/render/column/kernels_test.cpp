@@ -1,4 +1,4 @@
-// The inner loops: every texel in range, runs independent of where they start.
+// The inner loops, one pixel at a time: every texel in range, runs independent of where they start.
 #include "render/column/kernels.h"
 
 #include <gtest/gtest.h>
@@ -21,12 +21,21 @@ Texture numbered(std::uint32_t width, std::uint32_t height) {
     return texture;
 }
 
+/// One column of a wall down to `end`, by the kernels that say what is drawn.
+void fill_wall(std::vector<std::uint32_t>& pixels, int first, int end, const Texture& texture, TileSteps v_at_row_0,
+               TileSteps v_per_row) {
+    const std::uint32_t first_texel = 0;
+    const Shade shade = 256;
+    scalar_kernels().fill_walls(
+        {{pixels.data(), 0, 1, &first, &end}, &texture, &first_texel, &v_at_row_0, &v_per_row, &shade, nullptr});
+}
+
 TEST(FillWall, ShowsTheTexelOfEachRowForAnyTextureHeight) {
     for (std::uint32_t height : {1u, 3u, 5u, 72u, 127u, 128u, 129u}) {
         const Texture texture = numbered(1, height);
         std::vector<std::uint32_t> pixels(300);
         const double v0 = -3.3, per_row = 0.0137;
-        fill_wall({pixels.data(), 0, 300}, {texture.pixels.data(), height, tile_steps(v0), tile_steps(per_row), 256});
+        fill_wall(pixels, 0, 300, texture, tile_steps(v0), tile_steps(per_row));
         for (int y = 0; y < 300; ++y)
             ASSERT_EQ(pixels[y] & 0xFFF, texel_of(place_on_tile(v0 + y * per_row), height)) << height << " row " << y;
     }
@@ -35,35 +44,10 @@ TEST(FillWall, ShowsTheTexelOfEachRowForAnyTextureHeight) {
 /// Rounding puts what should be at the edge between two texels a little to either side of it.
 TEST(FillWall, RoundsToTheEdgesOfTexels) {
     const Texture texture = numbered(1, 64);
-    std::uint32_t pixel = 0;
+    std::vector<std::uint32_t> pixel(1);
     for (const double off : {-1e-11, 0.0, 1e-11}) {
-        fill_wall({&pixel, 0, 1}, {texture.pixels.data(), 64, tile_steps(17.0 / 64 + off), 0, 256});
-        EXPECT_EQ(pixel & 0xFFF, 17u) << off;
-    }
-}
-
-TEST(FillFlat, RoundsToTheEdgesOfTexels) {
-    const Texture texture = numbered(64, 32);
-    const double depth = 1;
-    const Shade shade = 256;
-    std::uint32_t pixel = 0;
-    for (const double off : {-1e-11, 0.0, 1e-11}) {
-        fill_flat({&pixel, 0, 1}, {&texture, 0.5, 0.25, 11.0 / 64 - off, -3.0 / 32 + off, 1, &depth, &shade});
-        EXPECT_EQ(pixel >> 12 & 0xFFF, 43u) << off;
-        EXPECT_EQ(pixel & 0xFFF, 5u) << off;
-    }
-}
-
-/// A tile of a hand's breadth at the far end of the world.
-TEST(FillFlat, ShowsTheTexelsOfFarTiles) {
-    const Texture texture = numbered(64, 32);
-    const std::vector<double> depths{0.5, 1e4, 123456.7};
-    const std::vector<Shade> shades(depths.size(), 256);
-    std::vector<std::uint32_t> pixels(depths.size());
-    fill_flat({pixels.data(), 0, 3}, {&texture, 0.3, 0.6, 141.3, -227.7, 2e5, depths.data(), shades.data()});
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-        EXPECT_EQ(pixels[i] >> 12 & 0xFFF, texel_of(place_on_tile(0.3 + depths[i] * 141.3), 64)) << i;
-        EXPECT_EQ(pixels[i] & 0xFFF, texel_of(place_on_tile(0.6 - depths[i] * 227.7), 32)) << i;
+        fill_wall(pixel, 0, 1, texture, tile_steps(17.0 / 64 + off), 0);
+        EXPECT_EQ(pixel[0] & 0xFFF, 17u) << off;
     }
 }
 
@@ -71,39 +55,87 @@ TEST(FillWall, DrawsTheSameRowsWhereverTheRunStarts) {
     const Texture texture = numbered(1, 77);
     Random random(3);
     for (int trial = 0; trial < 500; ++trial) {
-        const WallRun wall{texture.pixels.data(), 77, random.bits(), random.bits(), 200};
+        const TileSteps at_row_0 = random.bits(), per_row = random.bits();
         std::vector<std::uint32_t> whole(120), part(120);
-        fill_wall({whole.data(), 0, 120}, wall);
+        fill_wall(whole, 0, 120, texture, at_row_0, per_row);
         const int start = static_cast<int>(random.below(120));
-        fill_wall({part.data(), start, 120 - start}, wall);
-        ASSERT_TRUE(std::equal(whole.begin() + start, whole.end(), part.begin())) << "trial " << trial;
+        fill_wall(part, start, 120, texture, at_row_0, per_row);
+        ASSERT_TRUE(std::equal(whole.begin() + start, whole.end(), part.begin() + start)) << "trial " << trial;
     }
 }
 
-TEST(FillFlat, StaysInTheTextureForAnyStepAndDepth) {
+TEST(ReadWall, TellsTexelsWithTheirAlphaAndWhetherAnyIsSeen) {
+    for (std::uint32_t height : {1u, 64u, 72u}) {
+        Texture texture = numbered(1, height);
+        for (std::uint32_t i = 0; i < height; ++i) texture.pixels[i] = (i % 3 * 100) << 24 | i;
+        const int top = 5, bottom = 50;
+        const TileSteps at_row_0 = tile_steps(0.01), per_row = tile_steps(0.003);
+        const std::uint32_t first_texel = 0;
+        const Shade shade = 100;
+        std::vector<std::uint32_t> pixels(60, 7);
+        const PlainWalls wall{
+            {pixels.data(), 0, 1, &top, &bottom}, &texture, &first_texel, &at_row_0, &per_row, &shade, nullptr};
+        std::uint32_t any = 0;
+        read_wall(wall);
+        for (int y = 0; y < 60; ++y) {
+            const bool is_in = y >= top && y < bottom;
+            const std::uint32_t texel = texture.pixels[texel_of(place_on_tile(0.01 + y * 0.003), height)];
+            ASSERT_EQ(pixels[static_cast<std::size_t>(y)], is_in ? texel : 7) << height << " row " << y;
+            any |= is_in ? texel : 0;
+        }
+        EXPECT_EQ(read_wall(wall), any);
+        for (std::uint32_t& texel : texture.pixels) texel &= 0x00FFFFFFu;
+        EXPECT_EQ(read_wall(wall) >> 24, 0u);
+    }
+}
+
+/// One column of a flat, however far.
+std::vector<std::uint32_t> far_flat(const Texture& texture, double base_u, double base_v, double step_u, double step_v,
+                                    double farthest, const std::vector<double>& depths) {
+    const int top = 0, bottom = static_cast<int>(depths.size());
+    const std::vector<std::uint32_t> darkness(depths.size(), darkness_of(nullptr, 256));
+    std::vector<std::uint32_t> pixels(depths.size());
+    fill_far_flats({{pixels.data(), 0, 1, &top, &bottom},
+                    &texture,
+                    base_u,
+                    base_v,
+                    &step_u,
+                    &step_v,
+                    &farthest,
+                    depths.data(),
+                    darkness.data(),
+                    nullptr});
+    return pixels;
+}
+
+TEST(FillFarFlats, RoundToTheEdgesOfTexels) {
+    const Texture texture = numbered(64, 32);
+    for (const double off : {-1e-11, 0.0, 1e-11}) {
+        const auto pixels = far_flat(texture, 0.5, 0.25, 11.0 / 64 - off, -3.0 / 32 + off, 1, {1.0});
+        EXPECT_EQ(pixels[0] >> 12 & 0xFFF, 43u) << off;
+        EXPECT_EQ(pixels[0] & 0xFFF, 5u) << off;
+    }
+}
+
+/// Rooms, and a tile of a hand's breadth at the far end of the world.
+TEST(FillFarFlats, ShowTheTexelUnderEachRow) {
+    const Texture texture = numbered(64, 32);
+    const std::vector<double> depths{0.5, 1.25, 2, 7.75, 31.3, 1e4, 123456.7};
+    const auto pixels = far_flat(texture, 0.3, 0.6, 141.3, -227.7, 2e5, depths);
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        EXPECT_EQ(pixels[i] >> 12 & 0xFFF, texel_of(place_on_tile(0.3 + depths[i] * 141.3), 64)) << i;
+        EXPECT_EQ(pixels[i] & 0xFFF, texel_of(place_on_tile(0.6 - depths[i] * 227.7), 32)) << i;
+    }
+}
+
+TEST(FillFarFlats, StayInTheTextureForAnyStepAndDepth) {
     const Texture texture = numbered(3, 5);
     const std::vector<double> depths{0, 1, 1e9, 1e300, std::numeric_limits<double>::infinity()};
-    const std::vector<Shade> shades(depths.size(), 256);
-    for (double step : {0.0, 1e-9, -0.7, 1e3, -1e9, 1e200}) {
-        std::vector<std::uint32_t> pixels(depths.size());
-        fill_flat({pixels.data(), 0, 5}, {&texture, 0.25, 0.99, step, -step, 1e5, depths.data(), shades.data()});
-        for (std::uint32_t pixel : pixels) {
+    for (double step : {0.0, 1e-9, -0.7, 1e3, -1e9, 1e200})
+        for (std::uint32_t pixel : far_flat(texture, 0.25, 0.99, step, -step, 1e5, depths)) {
             EXPECT_LT(pixel >> 12 & 0xFFF, 3u);
             EXPECT_LT(pixel & 0xFFF, 5u);
         }
-    }
-}
-
-TEST(FillFlat, ShowsTheTexelUnderEachRow) {
-    const Texture texture = numbered(64, 32);
-    const std::vector<double> depths{0.5, 1.25, 2, 7.75, 31.3};
-    const std::vector<Shade> shades(depths.size(), 256);
-    std::vector<std::uint32_t> pixels(depths.size());
-    fill_flat({pixels.data(), 0, 5}, {&texture, 0.3, 0.6, 0.41, -0.27, 100, depths.data(), shades.data()});
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-        EXPECT_EQ(pixels[i] >> 12 & 0xFFF, texel_of(place_on_tile(0.3 + depths[i] * 0.41), 64)) << i;
-        EXPECT_EQ(pixels[i] & 0xFFF, texel_of(place_on_tile(0.6 - depths[i] * 0.27), 32)) << i;
-    }
 }
 
 TEST(FillSky, HoldsItsFirstAndLastRowBeyondThePicture) {
@@ -126,113 +158,6 @@ TEST(LaySky, MixesWhatIsThereByItsAlpha) {
     EXPECT_EQ(pixels[0], 0xFF204060u);
     EXPECT_EQ(pixels[1], laid_over(0xFF204060u, 0x80FF0000u));
     EXPECT_EQ(pixels[2], 0xFF0000FFu);
-}
-
-/// A pool of light with a dark rim on some sides, as it lies on a floor.
-LightGrid random_pool(Random& random) {
-    LightGrid pool{0, 0, 5, 6, {}};
-    pool.is_dark_before_u = random.below(2) == 0;
-    pool.is_dark_after_u = random.below(2) == 0;
-    pool.is_dark_before_v = random.below(2) == 0;
-    pool.is_dark_after_v = random.below(2) == 0;
-    for (int column = 0; column < 5; ++column)
-        for (int row = 0; row < 6; ++row) {
-            const bool is_rim = (column == 0 && pool.is_dark_before_u) || (column == 4 && pool.is_dark_after_u) ||
-                                (row == 0 && pool.is_dark_before_v) || (row == 5 && pool.is_dark_after_v);
-            const auto light = static_cast<std::uint32_t>(random.below(is_rim ? kLightSteps : 4000));
-            pool.cells.push_back(light_cell(light, light / 2, light / 3));
-        }
-    return pool;
-}
-
-TEST(FillLitFlat, LightsEachPixelByItsPlaceWhereverTheLightEnds) {
-    const Texture texture = numbered(64, 32);
-    Random random(11);
-    for (int trial = 0; trial < 500; ++trial) {
-        const LightGrid pool = random_pool(random);
-        std::vector<double> depths(60);
-        std::vector<Shade> shades(60);
-        for (std::size_t i = 0; i < 60; ++i) {
-            depths[i] = 40.0 / static_cast<double>(i + 1 + random.below(3));
-            shades[i] = static_cast<Shade>(random.below(257));
-        }
-        const auto number = [&] { return static_cast<double>(random.below(1000)) / 100 - 5; };
-        const FlatRun flat{&texture, 0.3, 0.6, number(), number(), 20, depths.data(), shades.data()};
-        const FlatGlow glow{&pool, number(), number(), number() / 4, number() / 4};
-        std::vector<std::uint32_t> plain(60), lit_up(60);
-        const std::vector<Shade> bright(60, 256);
-        FlatRun painted = flat;
-        painted.row_shades = bright.data();
-        fill_flat({plain.data(), 0, 60}, painted);
-        fill_lit_flat({lit_up.data(), 0, 60}, flat, glow);
-        for (std::size_t i = 0; i < 60; ++i) {
-            const double depth = std::min(depths[i], 20.0);
-            const GridStep across = grid_step(glow.base_u + depth * glow.step_u, 5);
-            const GridStep along = grid_step(glow.base_v + depth * glow.step_v, 6);
-            ASSERT_EQ(lit_up[i], lit(plain[i], shades[i], light_between(pool, across, along))) << trial << " " << i;
-        }
-    }
-}
-
-/// The light at a row, by the definition.
-LightCell light_at_row(const std::vector<LightCell>& cells, const WallGlow& glow, int row) {
-    const auto position = static_cast<std::int64_t>(glow.at_row_0 + glow.per_row * static_cast<std::uint64_t>(row));
-    const std::int64_t last = (static_cast<std::int64_t>(cells.size() - 1) << 32) - 1;
-    const std::int64_t at = std::clamp(position, std::int64_t{0}, last);
-    const auto cell = static_cast<std::size_t>(at >> 32);
-    return between(cells[cell], cells[cell + 1], static_cast<std::uint32_t>(at >> 24) & 0xFF);
-}
-
-TEST(FillLitWall, LightsEachPixelByItsPlaceAsFarAsAnyLightReaches) {
-    Random random(12);
-    for (int trial = 0; trial < 2000; ++trial) {
-        Texture texture = numbered(1, 77);
-        for (std::uint32_t& texel : texture.pixels)
-            texel = static_cast<std::uint32_t>(random.bits()) & (random.below(3) == 0 ? 0x00FFFFFFu : 0xFFFFFFFFu);
-        std::vector<LightCell> cells;
-        const auto channel = [&] { return static_cast<std::uint32_t>(random.below(kMostLight + 1)); };
-        const std::size_t count = 2 + random.below(trial % 10 == 0 ? 90 : 8);
-        for (std::size_t i = 0; i < count; ++i) cells.push_back(light_cell(channel(), channel(), channel()));
-        const double place = random.uniform(-2, 10), step = random.uniform(0, 0.3);  // mostly beyond both ends
-        const WallGlow glow{cells.data(), static_cast<int>(count), tile_steps(place / 4294967296.0),
-                            tile_steps(step / 4294967296.0)};
-        const WallRun wall{texture.pixels.data(),
-                           77,
-                           tile_steps(random.uniform(0, 1)),
-                           tile_steps(random.uniform(0, 0.1)),
-                           static_cast<Shade>(random.below(257)),
-                           static_cast<Mist>(random.below(2) * random.below(257)),
-                           0xFF80FF40u};
-        const int rows = static_cast<int>(random.below(40)), first = static_cast<int>(random.below(100));
-        const std::vector<std::uint32_t> before(40, 0xFF104070u);
-        std::vector<std::uint32_t> filled = before, laid = before;
-        fill_lit_wall({filled.data(), first, rows}, wall, glow);
-        lay_lit_wall({laid.data(), first, rows}, wall, glow);
-        for (int i = 0; i < 40; ++i) {
-            const TileSteps v = wall.v_at_row_0 + wall.v_per_row * static_cast<TileSteps>(first + i) + kHalfPlace;
-            const std::uint32_t texel = texture.pixels[texel_of(static_cast<TilePlace>(v >> 32), 77)];
-            const std::uint32_t clear = lit(texel, wall.shade, light_at_row(cells, glow, first + i));
-            const std::uint32_t color = misted(clear, wall.fog, wall.mist);
-            const std::uint32_t over = laid_over(before[i], (color & 0x00FFFFFFu) | (texel & 0xFF000000u));
-            ASSERT_EQ(filled[i], i < rows ? color : before[i]) << trial << " row " << i;
-            ASSERT_EQ(laid[i], i < rows && texel >> 24 != 0 ? over : before[i]) << trial << " row " << i;
-        }
-    }
-}
-
-TEST(FillLitWall, IsPlainInLightThatIsTooFaintToBeSeen) {
-    const Texture texture = numbered(1, 77);
-    const WallRun wall{texture.pixels.data(), 77, tile_steps(0.1), tile_steps(0.013), 200};
-    const std::vector<LightCell> faint(4, light_cell(15, 7, 15)), seen{faint[0], faint[0], light_cell(1600, 0, 0), 0};
-    const auto drawn = [&](const std::vector<LightCell>& cells) {
-        std::vector<std::uint32_t> pixels(100);
-        fill_lit_wall({pixels.data(), 0, 100}, wall, {cells.data(), 4, 0, tile_steps(0.03 * 0x1p-32)});
-        return pixels;
-    };
-    std::vector<std::uint32_t> plain(100);
-    fill_wall({plain.data(), 0, 100}, wall);
-    EXPECT_EQ(drawn(faint), plain);
-    EXPECT_NE(drawn(seen), plain);
 }
 
 }  // namespace

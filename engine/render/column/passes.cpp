@@ -1,0 +1,71 @@
+#include "render/column/passes.h"
+
+#include <algorithm>
+
+namespace enfilade::column {
+namespace {
+
+void mix_cells(const LightCell* a, const LightCell* b, std::uint32_t part, const LightRow& to) {
+    for (int i = 0; i < to.count; ++i) {
+        const LightCell cell = between(a[i], b[i], part);
+        to.red_blue[i] = static_cast<std::uint32_t>(cell);
+        to.green[i] = static_cast<std::uint32_t>(cell >> 32);
+    }
+}
+
+LightCell cell_at(const LightRow& cells, std::int64_t i) { return cells.red_blue[i] | LightCell{cells.green[i]} << 32; }
+
+/// The light at a position among the cells, which is counted on even where it is far outside them.
+LightCell light_at(const WallGlow& glow, std::uint64_t position) {
+    const std::int64_t last = (std::int64_t{glow.cells.count - 1} << 32) - 1;
+    const std::int64_t at = std::clamp(static_cast<std::int64_t>(position), std::int64_t{0}, last);
+    const std::int64_t cell = at >> 32;
+    return between(cell_at(glow.cells, cell), cell_at(glow.cells, cell + 1),
+                   static_cast<std::uint32_t>(at >> 24) & 0xFF);
+}
+
+LightCell light_at(const FlatGlow& glow, int row) {
+    const double depth = glow.row_depths[row] < glow.farthest ? glow.row_depths[row] : glow.farthest;
+    return light_between(*glow.grid, grid_step(glow.base_u + depth * glow.step_u, glow.grid->columns),
+                         grid_step(glow.base_v + depth * glow.step_v, glow.grid->rows));
+}
+
+void light_pixel(const LitRun& to, int i, Shade shade, LightCell light) {
+    std::uint32_t& pixel = to.run.pixels[i];
+    pixel = to.texels ? lit_above(pixel, to.texels[i], shade, light) : lit(pixel, shade, light);
+}
+
+void light_wall(const LitRun& to, const WallGlow& glow) {
+    std::uint64_t position = glow.at_row_0 + glow.per_row * static_cast<std::uint64_t>(to.run.first_row);
+    for (int i = 0; i < to.run.count; ++i, position += glow.per_row)
+        light_pixel(to, i, glow.shade, light_at(glow, position));
+}
+
+void light_flat(const LitRun& to, const FlatGlow& glow) {
+    for (int i = 0; i < to.run.count; ++i) {
+        const int row = to.run.first_row + i;
+        light_pixel(to, i, glow.row_shades[row], light_at(glow, row));
+    }
+}
+
+void mist(const Run& run, std::uint32_t fog, const Mist* mists) {
+    for (int i = 0; i < run.count; ++i) run.pixels[i] = misted(run.pixels[i], fog, mists[i]);
+}
+
+void lay(const Run& run, const std::uint32_t* above) {
+    for (int i = 0; i < run.count; ++i)
+        if (above[i] >> 24 != 0) run.pixels[i] = laid_over(run.pixels[i], above[i]);
+}
+
+constexpr Passes kScalar{{mix_cells, light_wall, light_flat}, mist, lay};
+
+}  // namespace
+
+const Passes& scalar_passes() { return kScalar; }
+
+Passes passes_beside(const PlainKernels& kernels) {
+    const auto eight_wide = eight_wide_kernels();
+    return eight_wide && kernels.name == eight_wide->name ? eight_wide_passes().value_or(kScalar) : kScalar;
+}
+
+}  // namespace enfilade::column
