@@ -78,7 +78,7 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& 
     Scratch& s = *scratch_;
     s.screen.set(Projection(view, frame.width, frame.height));
     canvas.set(columns.begin, columns.end, frame.height);
-    s.column.resize(frame.height);
+    s.column.start_frame(frame.width, frame.height);
     LightGrids* lights = built_in::kPointLights && s.lights.start(map) ? &s.lights : nullptr;
     const Scene scene{map, textures, snapshot, s.screen, canvas, facts, lights, s.column, s.kernels, s.passes};
     start_frame(s.state, map, view, columns, frame.height);

@@ -24,9 +24,24 @@ WITH_AVX2 inline void store(std::uint32_t* words, __m256i eight) {
 /// The same 16 bits in both halves of each word.
 WITH_AVX2 inline __m256i in_both_halves(__m256i words) { return _mm256_or_si256(words, _mm256_slli_epi32(words, 16)); }
 
+/// Low words of eight numbers of 64 bits, or their high ones. a: those numbered 0 1 4 5, b: 2 3 6 7.
+WITH_AVX2 inline __m256i low_words(__m256i a, __m256i b) {
+    return _mm256_castps_si256(
+        _mm256_shuffle_ps(_mm256_castsi256_ps(a), _mm256_castsi256_ps(b), _MM_SHUFFLE(2, 0, 2, 0)));
+}
+WITH_AVX2 inline __m256i high_words(__m256i a, __m256i b) {
+    return _mm256_castps_si256(
+        _mm256_shuffle_ps(_mm256_castsi256_ps(a), _mm256_castsi256_ps(b), _MM_SHUFFLE(3, 1, 3, 1)));
+}
+
 /// Which of eight words are there, if `count` are.
 WITH_AVX2 inline __m256i first_words(int count) {
     return _mm256_cmpgt_epi32(_mm256_set1_epi32(count), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+}
+
+/// The first `count` of eight, no more.
+WITH_AVX2 inline void store_first(std::uint32_t* words, int count, __m256i eight) {
+    _mm256_maskstore_epi32(reinterpret_cast<int*>(words), first_words(count), eight);
 }
 
 /// Does `eight_at(pixels, texels, i)` to eight pixels after the other, `texels` being eight of a lit run's, if it has

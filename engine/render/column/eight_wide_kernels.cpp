@@ -3,8 +3,6 @@
 #include "render/column/eight_wide.h"
 
 #if defined(__x86_64__)
-#include <cstring>
-
 #include "render/column/texel_numbers.h"
 
 namespace enfilade::column {
@@ -32,40 +30,77 @@ WITH_AVX2 inline __m256i scaled(__m256i places, __m256i size) {
     return _mm256_blend_epi32(even, odd, 0b10101010);
 }
 
-/// Fewer than eight rows of a wall.
+/// A texture column of a wall under one light.
 template <bool kByShifts>
-[[gnu::noinline]] void fill_short_wall(const WallColumn& to, RowNumber<kByShifts> row_at, const std::uint32_t* texels,
-                                       Shade shade) {
-    for (int i = 0; i < to.count; ++i)
-        to.pixels[i] = shaded(texels[row_at(to.v + static_cast<TileSteps>(i) * to.step)], shade);
-}
+struct Texels {
+    const std::uint32_t* texels;
+    int height;
+    RowNumber<kByShifts> row_at;
+    __m256i shades;
 
-/// At least eight rows of a wall.
-template <bool kByShifts>
-WITH_AVX2 inline void fill_wall(const WallColumn& to, const RowNumber<kByShifts>& row_at, const std::uint32_t* texels,
-                                Shade shade) {
-    const __m256i shades = _mm256_set1_epi16(static_cast<short>(shade));
-    const TileSteps step = to.step;
-    const int last = to.count - kWide;
-    for (int i = 0; i < to.count; i += kWide) {
-        if (i > last) i = last;
-        const TileSteps v = to.v + step * static_cast<TileSteps>(i), w = v + 4 * step;
+    /// Of eight rows, one by one.
+    WITH_AVX2 __m256i far(TileSteps v, TileSteps step) const {
+        const TileSteps w = v + 4 * step;
         const auto texel = [&](TileSteps from)
                                __attribute__((always_inline)) { return static_cast<int>(texels[row_at(from)]); };
-        const __m256i eight = _mm256_setr_epi32(texel(v), texel(v + step), texel(v + 2 * step), texel(v + 3 * step),
-                                                texel(w), texel(w + step), texel(w + 2 * step), texel(w + 3 * step));
-        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to.pixels + i), shaded_eight(eight, shades));
+        return _mm256_setr_epi32(texel(v), texel(v + step), texel(v + 2 * step), texel(v + 3 * step), texel(w),
+                                 texel(w + step), texel(w + 2 * step), texel(w + 3 * step));
+    }
+
+    /// Of eight rows, none of which is more than a texel below the one before: eight texels side by side hold theirs.
+    /// places: TilePlace of each.
+    WITH_AVX2 __m256i near(__m256i places, TileSteps v, TileSteps step) const {
+        const auto first = static_cast<int>(row_at(v));
+        if (first + kWide > height) return far(v, step);  // the picture ends, and begins again
+        const __m256i rows =
+            kByShifts ? _mm256_srl_epi32(places, _mm_cvtsi32_si128(32 - bits_below(static_cast<std::uint32_t>(height))))
+                      : scaled(places, _mm256_set1_epi32(height));
+        return _mm256_permutevar8x32_epi32(load(texels + first), _mm256_sub_epi32(rows, _mm256_set1_epi32(first)));
+    }
+};
+
+/// What is drawn of a column eight rows at a time: eight_at(position of the first).
+template <class EightAt>
+WITH_AVX2 inline void fill_wall(const WallColumn& to, const EightAt& eight_at) {
+    const int last = to.count - kWide;
+    if (last < 0) return store_first(to.pixels, to.count, eight_at(to.v));
+    for (int i = 0; i < to.count; i += kWide) {
+        if (i > last) i = last;
+        store(to.pixels + i, eight_at(to.v + to.step * static_cast<TileSteps>(i)));
     }
 }
 
 template <bool kByShifts>
+WITH_AVX2 inline void fill_far_wall(const WallColumn& to, const Texels<kByShifts>& from) {
+    fill_wall(to, [&](TileSteps v) __attribute__((always_inline, target("avx2,bmi2"))) {
+        return shaded_eight(from.far(v, to.step), from.shades);
+    });
+}
+
+/// Where a row is at most a texel below the one before.
+template <bool kByShifts>
+WITH_AVX2 inline void fill_near_wall(const WallColumn& to, const Texels<kByShifts>& from) {
+    const auto steps = [&](TileSteps n) { return static_cast<long long>(n * to.step); };
+    const __m256i even = _mm256_setr_epi64x(0, steps(1), steps(4), steps(5));
+    const __m256i odd = _mm256_setr_epi64x(steps(2), steps(3), steps(6), steps(7));
+    fill_wall(to, [&](TileSteps v) __attribute__((always_inline, target("avx2,bmi2"))) {
+        const __m256i first = _mm256_set1_epi64x(static_cast<long long>(v));
+        const __m256i places = high_words(_mm256_add_epi64(first, even), _mm256_add_epi64(first, odd));
+        return shaded_eight(from.near(places, v, to.step), from.shades);
+    });
+}
+
+template <bool kByShifts>
 WITH_AVX2 void fill_walls_as(const PlainWalls& w) {
-    const RowNumber<kByShifts> row_at(w.texture->height);
+    const std::uint32_t height = w.texture->height;
+    const RowNumber<kByShifts> row_at(height);
+    const TileSteps one_texel = ~TileSteps{0} / height;
     for (int i = 0; i < w.runs.count; ++i) {
-        if (w.runs.bottoms[i] - w.runs.tops[i] >= kWide)
-            fill_wall(column_of(w, i), row_at, &w.texture->pixels[w.first_texels[i]], w.shades[i]);
-        else if (w.runs.bottoms[i] > w.runs.tops[i])
-            fill_short_wall(column_of(w, i), row_at, &w.texture->pixels[w.first_texels[i]], w.shades[i]);
+        const WallColumn to = column_of(w, i);
+        if (to.count <= 0) continue;
+        const Texels<kByShifts> from{&w.texture->pixels[w.first_texels[i]], static_cast<int>(height), row_at,
+                                     _mm256_set1_epi16(static_cast<short>(w.shades[i]))};
+        to.step <= one_texel ? fill_near_wall(to, from) : fill_far_wall(to, from);
     }
 }
 
@@ -184,8 +219,7 @@ WITH_AVX2 [[gnu::noinline]] void fill_short_column(const Picture& p, const FlatC
     const Numbers at = numbers_at<kByShifts>(p, column, 0, _mm256_set1_pd(column.step_u), _mm256_set1_pd(column.step_v),
                                              _mm256_set1_pd(column.farthest));
     if (!kByTable) {
-        const __m256i eight = shaded_texels(p, column, 0, at);
-        std::memcpy(column.pixels, &eight, sizeof *column.pixels * static_cast<std::size_t>(column.count));
+        store_first(column.pixels, column.count, shaded_texels(p, column, 0, at));
         return;
     }
     const std::uint64_t twos[] = {at.p01, at.p23, at.p45, at.p67};

@@ -44,16 +44,6 @@ WITH_AVX2 inline __m256i parts_of(__m256i positions, __m256i cells) {
     return in_both_halves(_mm256_slli_epi32(_mm256_sub_epi32(positions, _mm256_slli_epi32(cells, kPartBits)), 6));
 }
 
-/// Low words of eight numbers of 64 bits, or their high ones. a: those numbered 0 1 4 5, b: 2 3 6 7.
-WITH_AVX2 inline __m256i low_words(__m256i a, __m256i b) {
-    return _mm256_castps_si256(
-        _mm256_shuffle_ps(_mm256_castsi256_ps(a), _mm256_castsi256_ps(b), _MM_SHUFFLE(2, 0, 2, 0)));
-}
-WITH_AVX2 inline __m256i high_words(__m256i a, __m256i b) {
-    return _mm256_castps_si256(
-        _mm256_shuffle_ps(_mm256_castsi256_ps(a), _mm256_castsi256_ps(b), _MM_SHUFFLE(3, 1, 3, 1)));
-}
-
 /// Two cells side by side, and two others.
 WITH_AVX2 inline __m256i two_and_two(const LightCell* cells, std::uint32_t number, std::uint32_t other) {
     const auto two = [&](std::uint32_t n) __attribute__((always_inline, target("avx2"))) {

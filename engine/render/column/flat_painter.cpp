@@ -171,24 +171,24 @@ void FlatPainter::note_level(const Scene& scene, int x, int top, int bottom, dou
 
 void FlatPainter::paint_sky(const Scene& scene, int x, int top, int bottom) {
     const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
+    const SkyColumn column{scene.scratch.turns.of(*pose_, x, ray), rise_per_row(scene, ray)};
     const Run run = scene.canvas.run(x, top, bottom);
-    scene.kernels.fill_sky(run, sky_run(scene, flat_.surface, ray));
-    for (const Surface& layer : layers_) lay_sky(run, sky_run(scene, layer, ray));
+    scene.kernels.fill_sky(run, sky_run(scene, flat_.surface, column));
+    for (const Surface& layer : layers_) lay_sky(run, sky_run(scene, layer, column));
     if (scene.facts == nullptr) return;
-    const double rise = rise_per_row(scene, ray);
     for (int y = top; y < bottom; ++y) {
-        const SkyTexel texel =
-            sky_texel(flat_.surface.tile_m, flat_.surface.offset_tiles, turn_of(ray), scene.screen.row_rises[y] * rise);
+        const SkyTexel texel = sky_texel(flat_.surface.tile_m, flat_.surface.offset_tiles, column.turn,
+                                         scene.screen.row_rises[y] * column.rise_per_row);
         note(scene, x, y, id_, std::numeric_limits<double>::infinity(), texel.u, texel.v);
     }
 }
 
-SkyRun FlatPainter::sky_run(const Scene& scene, const Surface& surface, Vec2 ray) const {
+SkyRun FlatPainter::sky_run(const Scene& scene, const Surface& surface, const SkyColumn& column) const {
     const Texture& texture = scene.textures[surface.texture];
-    const SkyTexel horizon = sky_texel(surface.tile_m, surface.offset_tiles, turn_of(ray), 0);
-    const std::uint32_t column = texel_of(place_on_tile(horizon.u), texture.width);
-    return {&texture.pixels[std::size_t{column} * texture.height], texture.height, 1 - surface.offset_tiles.y,
-            -rise_per_row(scene, ray) / surface.tile_m.y, scene.screen.row_rises.data()};
+    const SkyTexel horizon = sky_texel(surface.tile_m, surface.offset_tiles, column.turn, 0);
+    const std::uint32_t texels = texel_of(place_on_tile(horizon.u), texture.width);
+    return {&texture.pixels[std::size_t{texels} * texture.height], texture.height, 1 - surface.offset_tiles.y,
+            -column.rise_per_row / surface.tile_m.y, scene.screen.row_rises.data()};
 }
 
 void FlatPainter::prepare_rows(const Scene& scene, int top, int bottom) {

@@ -40,7 +40,12 @@ private:
     FlatGlow glow_at(const FlatColumn& column) const;
     OpenRows lit_rows(const FlatGlow& glow, const OpenRows& rows) const;
     void paint_sky(const Scene& scene, int x, int top, int bottom);
-    SkyRun sky_run(const Scene& scene, const Surface& surface, Vec2 ray) const;
+    /// One column of a sky.
+    struct SkyColumn {
+        double turn;          ///< which way it looks [1]
+        double rise_per_row;  ///< as rows of the sky lie
+    };
+    SkyRun sky_run(const Scene& scene, const Surface& surface, const SkyColumn& column) const;
     void prepare_rows(const Scene& scene, int top, int bottom);
     void prepare_more_rows(const Scene& scene, int top, int bottom);
     void shade_rows(int top, int bottom, const double* depths);

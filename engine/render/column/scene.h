@@ -1,6 +1,8 @@
 // Everything one frame is drawn from and into, gathered so that the drawing functions need not pass it piece by piece.
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "map/map.h"
 #include "map/textures.h"
@@ -9,6 +11,7 @@
 #include "render/column/screen.h"
 #include "render/frame.h"
 #include "render/light_grids.h"
+#include "render/pose.h"
 #include "world/snapshot.h"
 
 namespace enfilade::column {
@@ -17,6 +20,35 @@ namespace enfilade::column {
 struct Fog {
     double reach = 0;         ///< depth at which it hides half; 0: no fog [m]
     std::uint32_t color = 0;  ///< as a pixel
+};
+
+/// Which way columns look, in parts of a full turn: worked out once for each, for often several viewports show a sky.
+class ColumnTurns {
+public:
+    void start_frame(int columns) {
+        turns_.assign(static_cast<std::size_t>(columns), kUnknown);
+        forward_ = right_ = {};
+    }
+
+    /// ray: of column x in the pose.
+    double of(const Pose& pose, int x, Vec2 ray) {
+        if (pose.forward != forward_ || pose.right != right_) turn_to(pose);
+        double& turn = turns_[static_cast<std::size_t>(x)];
+        if (turn == kUnknown) turn = turn_of(ray);
+        return turn;
+    }
+
+private:
+    static constexpr double kUnknown = -1;
+
+    void turn_to(const Pose& pose) {
+        std::fill(turns_.begin(), turns_.end(), kUnknown);
+        forward_ = pose.forward;
+        right_ = pose.right;
+    }
+
+    std::vector<double> turns_;
+    Vec2 forward_, right_;
 };
 
 /// What one column is drawn by way of.
@@ -36,11 +68,14 @@ struct ColumnScratch {
         return {red_blue.data() + kCellsBeyond, green.data() + kCellsBeyond, count};
     }
 
-    void resize(int height) {
+    ColumnTurns turns;
+
+    void start_frame(int width, int height) {
         const auto rows = static_cast<std::size_t>(height);
         texels.resize(rows);
         colors.resize(rows);
         mists.resize(rows + kRowsBeyond);
+        turns.start_frame(width);
     }
 };
 

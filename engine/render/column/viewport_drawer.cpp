@@ -19,6 +19,10 @@ RelativeHeights heights_above(const Scene& scene, SectorId id, double eye_z) {
     return {heights.floor_z - eye_z, heights.ceiling_z - eye_z};
 }
 
+Lighting flat_lighting(const Scene& scene, SectorId sector) {
+    return lighting_in(scene.map, sector, light_now(scene.snapshot, sector), 1);
+}
+
 Rigid passage_of(const Scene& scene, const Wall& portal) {
     return built_in::kLinks ? scene.map.passage(portal) : Rigid{};
 }
@@ -37,11 +41,7 @@ void ViewportDrawer::start_viewport(const Scene& scene, FrameState& state, Viewp
     nearest_.choose(scene.map, scene.screen, viewport, pose_,
                     state.projections.get(scene.map, viewport.sector, viewport.pose, pose_, scene.screen));
     here_ = heights_above(scene, viewport.sector, pose_.eye_z);
-    const Lighting lighting = lighting_in(scene.map, viewport.sector, light_now(scene.snapshot, viewport.sector), 1);
-    floor_.start(scene, pose_, floor_now(scene.map, scene.snapshot, viewport.sector), FlatSide::floor, here_.floor,
-                 lighting, scene.light_on_floor(viewport.sector), floor_id(viewport.sector));
-    ceiling_.start(scene, pose_, ceiling_now(scene.map, scene.snapshot, viewport.sector), FlatSide::ceiling,
-                   here_.ceiling, lighting, scene.light_on_ceiling(viewport.sector), ceiling_id(viewport.sector));
+    is_floor_started_ = is_ceiling_started_ = false;
     furniture_.note({scene, viewport, pose_, here_, nearest_}, state.masked);
     openings_.assign(nearest_.count(), {});
     wall_index_ = NearestWalls::kNoWall;
@@ -59,30 +59,66 @@ void ViewportDrawer::draw_stretch(const Scene& scene, FrameState& state, Stretch
 void ViewportDrawer::draw_columns(const Scene& scene, FrameState& state, int begin, int end) {
     look_at(nearest_.wall(wall_index_), scene.screen, begin, end - begin, looks_);
     split_rows(scene.screen, looks_, &viewport_->rows_at(begin), here_, is_portal_ ? &behind_ : nullptr, rows_);
-    ceiling_.paint(scene, looks_, rows_.top, rows_.wall_top);
-    floor_.paint(scene, looks_, rows_.wall_bottom, rows_.bottom);
+    if (rows_.has_ceiling) ceiling(scene).paint(scene, looks_, rows_.top, rows_.wall_top);
+    if (rows_.has_floor) floor(scene).paint(scene, looks_, rows_.wall_bottom, rows_.bottom);
     if (!is_portal_) return middle_.paint(scene, looks_, rows_.wall_top, rows_.wall_bottom);
-    if (!upper_open_) upper_.paint(scene, looks_, rows_.wall_top, rows_.opening_top);
-    if (!lower_open_) lower_.paint(scene, looks_, rows_.opening_bottom, rows_.wall_bottom);
+    if (!upper_open_ && rows_.has_upper) upper(scene).paint(scene, looks_, rows_.wall_top, rows_.opening_top);
+    if (!lower_open_ && rows_.has_lower) lower(scene).paint(scene, looks_, rows_.opening_bottom, rows_.wall_bottom);
     open_behind(scene, state);
+}
+
+// Many viewports and walls show only some of their surfaces: each is made ready when the first of its rows is seen.
+
+FlatPainter& ViewportDrawer::floor(const Scene& scene) {
+    const SectorId sector = viewport_->sector;
+    if (!is_floor_started_)
+        floor_.start(scene, pose_, floor_now(scene.map, scene.snapshot, sector), FlatSide::floor, here_.floor,
+                     flat_lighting(scene, sector), scene.light_on_floor(sector), floor_id(sector));
+    is_floor_started_ = true;
+    return floor_;
+}
+
+FlatPainter& ViewportDrawer::ceiling(const Scene& scene) {
+    const SectorId sector = viewport_->sector;
+    if (!is_ceiling_started_)
+        ceiling_.start(scene, pose_, ceiling_now(scene.map, scene.snapshot, sector), FlatSide::ceiling, here_.ceiling,
+                       flat_lighting(scene, sector), scene.light_on_ceiling(sector), ceiling_id(sector));
+    is_ceiling_started_ = true;
+    return ceiling_;
+}
+
+const WallPainter& ViewportDrawer::upper(const Scene& scene) {
+    if (!is_upper_started_) start_part(scene, upper_, scene.map[wall_].upper, WallPart::upper, &behind_);
+    is_upper_started_ = true;
+    return upper_;
+}
+
+const WallPainter& ViewportDrawer::lower(const Scene& scene) {
+    if (!is_lower_started_) start_part(scene, lower_, scene.map[wall_].lower, WallPart::lower, &behind_);
+    is_lower_started_ = true;
+    return lower_;
+}
+
+/// behind: null for a solid wall.
+void ViewportDrawer::start_part(const Scene& scene, WallPainter& painter, LayId lay, WallPart part,
+                                const RelativeHeights* behind) const {
+    const Wall& wall = scene.map[wall_];
+    painter.start(scene, wall, picture_now(scene.map, scene.snapshot, wall_, lay),
+                  peg_height(scene.map[lay].peg, here_, behind), light_now(scene.snapshot, wall.sector),
+                  wall_id(scene.map, wall_, part));
+    painter.light_up(glow_, wall.length, pose_.eye_z);
 }
 
 void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_index) {
     wall_index_ = wall_index;
-    const WallId id = nearest_.wall(wall_index).wall;
-    const Wall& wall = scene.map[id];
-    const double light = light_now(scene.snapshot, wall.sector);
-    const WallKind kind = kind_now(scene.map, scene.snapshot, id);
+    wall_ = nearest_.wall(wall_index).wall;
+    const Wall& wall = scene.map[wall_];
+    const WallKind kind = kind_now(scene.map, scene.snapshot, wall_);
     is_portal_ = kind != WallKind::solid;
     masked_ = kNoMasked;
-    glow_ = scene.light_on(id);
-    if (!is_portal_) {
-        middle_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.texture),
-                      peg_height(scene.map[wall.texture].peg, here_, nullptr), light,
-                      wall_id(scene.map, id, WallPart::middle));
-        middle_.light_up(glow_, wall.length, pose_.eye_z);
-        return;
-    }
+    glow_ = scene.light_on(wall_);
+    is_upper_started_ = is_lower_started_ = false;
+    if (!is_portal_) return start_part(scene, middle_, wall.texture, WallPart::middle, nullptr);
     if (built_in::kMirrors && kind == WallKind::mirror) {
         behind_ = here_;
         upper_open_ = lower_open_ = false;
@@ -91,29 +127,21 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
     behind_ = heights_above(scene, wall.behind, passage_of(scene, wall).apply_height(pose_.eye_z));
     upper_open_ = !has_upper_step(scene.map, wall);
     lower_open_ = !has_lower_step(scene.map, wall);
-    upper_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.upper),
-                 peg_height(scene.map[wall.upper].peg, here_, &behind_), light,
-                 wall_id(scene.map, id, WallPart::upper));
-    lower_.start(scene, wall, picture_now(scene.map, scene.snapshot, id, wall.lower),
-                 peg_height(scene.map[wall.lower].peg, here_, &behind_), light,
-                 wall_id(scene.map, id, WallPart::lower));
-    upper_.light_up(glow_, wall.length, pose_.eye_z);
-    lower_.light_up(glow_, wall.length, pose_.eye_z);
-    if (built_in::kMasked && scene.map[wall.middle].texture) start_masked(scene, state, id);
+    if (built_in::kMasked && scene.map[wall.middle].texture) start_masked(scene, state);
 }
 
 /// A fence or window in the portal. Its picture is shown once from top to bottom, hanging from its peg or standing on
 /// it; where it scrolls it runs through that place, which itself stays.
-void ViewportDrawer::start_masked(const Scene& scene, FrameState& state, WallId id) {
-    const Wall& wall = scene.map[id];
-    const Surface surface = picture_now(scene.map, scene.snapshot, id, wall.middle);
+void ViewportDrawer::start_masked(const Scene& scene, FrameState& state) {
+    const Wall& wall = scene.map[wall_];
+    const Surface surface = picture_now(scene.map, scene.snapshot, wall_, wall.middle);
     const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
     const double top = peg_height(surface.peg, here_, &behind_) + (stands ? surface.tile_m.y : 0);
     picture_.ceiling = top - scene.map[wall.middle].offset_tiles.y * surface.tile_m.y;
     picture_.floor = picture_.ceiling - surface.tile_m.y;
     WallPainter painter;
     painter.start(scene, wall, surface, top, light_now(scene.snapshot, wall.sector),
-                  wall_id(scene.map, id, WallPart::middle));
+                  wall_id(scene.map, wall_, WallPart::middle));
     painter.light_up(glow_, wall.length, pose_.eye_z);
     if (surface.scroll.y == 0) painter.show_once();
     masked_ = state.masked.add(painter);

@@ -36,7 +36,13 @@ private:
     void draw_stretch(const Scene& scene, FrameState& state, Stretch stretch);
     void draw_columns(const Scene& scene, FrameState& state, int begin, int end);
     void start_wall(const Scene& scene, FrameState& state, int wall_index);
-    void start_masked(const Scene& scene, FrameState& state, WallId wall);
+    void start_part(const Scene& scene, WallPainter& painter, LayId lay, WallPart part,
+                    const RelativeHeights* behind) const;
+    void start_masked(const Scene& scene, FrameState& state);
+    FlatPainter& floor(const Scene& scene);
+    FlatPainter& ceiling(const Scene& scene);
+    const WallPainter& upper(const Scene& scene);
+    const WallPainter& lower(const Scene& scene);
     void open_behind(const Scene& scene, FrameState& state);
     void note_masked(const Scene& scene, FrameState& state, int i, OpenRows open);
     void fill_cut(const Scene& scene, int x, OpenRows open) const;
@@ -51,6 +57,7 @@ private:
     RelativeHeights here_;
     NearestWalls nearest_;
     FlatPainter floor_, ceiling_;
+    bool is_floor_started_ = false, is_ceiling_started_ = false;
     RoomColumns furniture_;
 
     /// A portal wall of the viewport, and where what is seen through it is gathered.
@@ -63,6 +70,7 @@ private:
     // The wall being drawn.
     static constexpr int kNoMasked = -1;
     int wall_index_ = NearestWalls::kNoWall;
+    WallId wall_;
     const LightGrid* glow_ = nullptr;  ///< of point lights on it
     bool is_portal_ = false;
     bool upper_open_ = false, lower_open_ = false;  ///< a step that is not drawn: one sees over it
@@ -70,6 +78,7 @@ private:
     int masked_ = kNoMasked;   ///< its picture with holes in FrameState::masked
     RelativeHeights picture_;  ///< lower and upper end of that picture
     WallPainter middle_, upper_, lower_;
+    bool is_upper_started_ = false, is_lower_started_ = false;
 
     // The columns being drawn.
     WallLooks looks_;

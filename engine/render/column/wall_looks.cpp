@@ -38,6 +38,7 @@ void look_at(const ProjectedWall& wall, const Screen& screen, int begin, int cou
 
 void split_rows(const Screen& screen, const WallLooks& looks, const OpenRows* open, const RelativeHeights& here,
                 const RelativeHeights* behind, RowSplits& rows) {
+    rows.has_ceiling = rows.has_upper = rows.has_lower = rows.has_floor = false;
     for (int i = 0; i < looks.count; ++i) {
         const RowSplit split = split_rows(screen, open[i], looks.depth[i], here, behind);
         rows.top[i] = open[i].top;
@@ -46,6 +47,10 @@ void split_rows(const Screen& screen, const WallLooks& looks, const OpenRows* op
         rows.opening_bottom[i] = split.opening_bottom;
         rows.wall_bottom[i] = split.wall_bottom;
         rows.bottom[i] = open[i].bottom;
+        rows.has_ceiling |= open[i].top < split.wall_top;
+        rows.has_upper |= split.wall_top < split.opening_top;
+        rows.has_lower |= split.opening_bottom < split.wall_bottom;
+        rows.has_floor |= split.wall_bottom < open[i].bottom;
     }
 }
 

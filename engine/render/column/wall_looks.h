@@ -26,6 +26,7 @@ void look_at(const ProjectedWall& wall, const Screen& screen, int begin, int cou
 struct RowSplits {
     int top[WallLooks::kMost], wall_top[WallLooks::kMost], opening_top[WallLooks::kMost],
         opening_bottom[WallLooks::kMost], wall_bottom[WallLooks::kMost], bottom[WallLooks::kMost];
+    bool has_ceiling, has_upper, has_lower, has_floor;  ///< whether any column shows rows of it
 };
 
 /// open: of each column. behind: null for a solid wall.
