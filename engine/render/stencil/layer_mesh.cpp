@@ -24,11 +24,10 @@ public:
             if (exit.layer == Exit::kCut) add_opening(exit.wall, true);
         out_.surfaces = mesh_.sort_by_kind(begin);
         for (const Exit& exit : layer_.exits) out_.exits.push_back(added([&] { add_opening(exit.wall, false); }));
-        out_.panes = added([&] {
+        out_.panes = mesh_.with_holes(added([&] {
             for (auto pane = layer_.panes.rbegin(); pane != layer_.panes.rend(); ++pane)
                 std::visit([&](const auto& it) { add_pane(it); }, *pane);
-        });
-        out_.panes_kind = mesh_.richest_kind(out_.panes);
+        }));
     }
 
 private:

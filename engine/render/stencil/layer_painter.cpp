@@ -44,6 +44,14 @@ Corner near_horizon(const RayField& rays) {
     return {std::floor(x - up.per_x * away), std::floor(y - up.per_y * away)};
 }
 
+/// Depths from 0 to `farthest`. Neither call is known to both kinds of OpenGL.
+void depth_range(float farthest) {
+    if (epoxy_is_desktop_gl())
+        glDepthRange(0, static_cast<double>(farthest));
+    else
+        glDepthRangef(0, farthest);
+}
+
 /// Only pixels of this level; what happens to it where depth passes.
 void at_level(int level, GLenum then) {
     glStencilFunc(GL_EQUAL, level, 0xFF);
@@ -53,8 +61,6 @@ void at_level(int level, GLenum then) {
 }  // namespace
 
 Status LayerPainter::prepare() {
-    if (Status failed = build(surfaces_[0], Kind::plain)) return failed;
-    if (Status failed = build(masks_)) return failed;
     vertex_array_.create();
     vertices_.create();
     indices_.create();
@@ -65,10 +71,13 @@ Status LayerPainter::prepare() {
     return {};
 }
 
-Status LayerPainter::prepare_for(const Mesh& mesh) {
+Status LayerPainter::prepare_for(const Mesh& mesh, bool is_tilted) {
+    programs_ = &all_programs_[is_tilted];
+    if (programs_->masks.program.id() == 0)
+        if (Status failed = build(programs_->masks, is_tilted)) return failed;
     for (std::size_t kind = 0; kind < kKinds; ++kind)
-        if (mesh.has(Kind(kind)) && surfaces_[kind].program.id() == 0)
-            if (Status failed = build(surfaces_[kind], Kind(kind))) return failed;
+        if (mesh.has(static_cast<Kind>(kind)) && programs_->surfaces[kind].program.id() == 0)
+            if (Status failed = build(programs_->surfaces[kind], static_cast<Kind>(kind), is_tilted)) return failed;
     return {};
 }
 
@@ -96,9 +105,7 @@ void LayerPainter::upload(const Mesh& mesh) {
 }
 
 void LayerPainter::set_uniforms(const Scene& scene) const {
-    glUseProgram(masks_.program.id());
-    glUniform1i(masks_.is_tilted, scene.rays.is_tilted);
-    for (const SurfaceProgram& program : surfaces_)
+    for (const SurfaceProgram& program : programs_->surfaces)
         if (program.program.id() != 0) set_uniforms(program, scene);
     const GLuint textures[] = {scene.store.texture(), scene.records.texture(), scene.store.color_numbers(),
                                scene.store.color_table()};
@@ -112,7 +119,6 @@ void LayerPainter::set_uniforms(const SurfaceProgram& program, const Scene& scen
     const RayField& rays = scene.rays;
     const Corner level = near_horizon(rays);
     glUseProgram(program.program.id());
-    glUniform1i(program.is_tilted, rays.is_tilted);
     glUniform2f(program.level, static_cast<float>(level.x), static_cast<float>(level.y));
     glUniform3f(program.climb, static_cast<float>(rays.up.at(level.x, level.y)), static_cast<float>(rays.up.per_x),
                 static_cast<float>(rays.up.per_y));
@@ -144,17 +150,15 @@ void LayerPainter::paint_layer(const Job& job, std::size_t index, int level) {
     glDepthFunc(GL_GREATER);
     paint_surfaces(job, layer, ranges);
     look_through(job, layer, ranges, level);
-    if (!ranges.panes.is_empty()) paint_panes(job, layer, ranges, level);
+    if (!ranges.panes.range.is_empty()) paint_panes(job, layer, ranges, level);
 }
 
 void LayerPainter::paint_surfaces(const Job& job, const Layer& layer, const LayerRanges& ranges) {
-    for (std::size_t kind = 0; kind < kKinds; ++kind) {
-        if (ranges.surfaces[kind].is_empty()) continue;
-        const SurfaceProgram& program = surfaces_[kind];
+    for (const auto& [kind, range] : ranges.surfaces) {
+        const SurfaceProgram& program = programs_->surfaces[kind];
         glUseProgram(program.program.id());
         set_entry(program, job, layer);
-        glUniform1ui(program.least_alpha, 0);
-        draw(ranges.surfaces[kind]);
+        draw(range);
     }
 }
 
@@ -163,6 +167,16 @@ void LayerPainter::use_layer(const Layer& layer, int level) {
     glScissor(box.begin_x, box.begin_y, box.end_x - box.begin_x, box.end_y - box.begin_y);
     glDepthMask(GL_TRUE);
     at_level(level, GL_KEEP);
+}
+
+/// is_far: at an infinite depth, instead of where the portal is.
+void LayerPainter::use_masks(bool is_far) const {
+    const MaskProgram& masks = programs_->masks;
+    glUseProgram(masks.program.id());
+    if (masks.is_far >= 0)
+        glUniform1i(masks.is_far, is_far);
+    else
+        depth_range(is_far ? 0 : 1);
 }
 
 void LayerPainter::look_through(const Job& job, const Layer& layer, const LayerRanges& ranges, int level) {
@@ -178,7 +192,7 @@ void LayerPainter::look_through(const Job& job, const Layer& layer, const LayerR
 void LayerPainter::count_on_from_one(const Job& job, const Layer& layer) {
     job.target.keep_levels();
     use_layer(layer, kDeepestLevel);
-    glUseProgram(masks_.program.id());
+    use_masks(false);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDisable(GL_DEPTH_TEST);
     glStencilFunc(GL_NOTEQUAL, kDeepestLevel, 0xFF);
@@ -194,8 +208,7 @@ void LayerPainter::count_on_from_one(const Job& job, const Layer& layer) {
 
 void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening, int level) {
     use_layer(layer, level);
-    glUseProgram(masks_.program.id());
-    glUniform1i(masks_.is_far, 0);  // the level above is at its own reset
+    use_masks(false);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     // Mark: what of the portal is not hidden rises by one level.
     glDepthMask(GL_FALSE);
@@ -206,24 +219,24 @@ void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& 
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_ALWAYS);
     at_level(level + 1, GL_KEEP);
-    glUniform1i(masks_.is_far, 1);
+    use_masks(true);
     draw(opening);
+    use_masks(false);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     paint_layer(job, exit.layer, level + 1);
     // Restore: the portal's own depth, and the level it had.
     use_layer(layer, level);
-    glUseProgram(masks_.program.id());
+    use_masks(false);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_ALWAYS);
     at_level(level + 1, GL_DECR);
-    glUniform1i(masks_.is_far, 0);
     draw(opening);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges, int level) {
     use_layer(layer, level);
-    const SurfaceProgram& program = surfaces_[static_cast<std::size_t>(ranges.panes_kind)];
+    const SurfaceProgram& program = programs_->surfaces[ranges.panes.kind];
     glUseProgram(program.program.id());
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
@@ -231,12 +244,12 @@ void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRa
     if (job.with_facts) {
         job.target.write_facts();
         glUniform1ui(program.least_alpha, kSolidAlpha);
-        draw(ranges.panes);
+        draw(ranges.panes.range);
     }
     job.target.write_color();
     glUniform1ui(program.least_alpha, 1);
     glEnable(GL_BLEND);
-    draw(ranges.panes);
+    draw(ranges.panes.range);
     glDisable(GL_BLEND);
 }
 

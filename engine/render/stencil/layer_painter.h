@@ -21,7 +21,7 @@ public:
     Status prepare();
 
     /// Compiles the programs that the mesh needs and no frame before needed.
-    Status prepare_for(const Mesh& mesh);
+    Status prepare_for(const Mesh& mesh, bool is_tilted);
 
     /// Draws all layers into the target, which is prepared and cleared. Everything was prepared, records uploaded.
     void paint(Target& target, const Scene& scene, const Plan& plan, const Mesh& mesh,
@@ -41,6 +41,7 @@ private:
 
     void upload(const Mesh& mesh);
     void set_uniforms(const Scene& scene) const;
+    void use_masks(bool is_far) const;
     void set_uniforms(const SurfaceProgram& program, const Scene& scene) const;
     void paint_surfaces(const Job& job, const Layer& layer, const LayerRanges& ranges);
     void set_entry(const SurfaceProgram& program, const Job& job, const Layer& layer);
@@ -53,8 +54,12 @@ private:
     void use_layer(const Layer& layer, int level);
     void draw(const Range& range);
 
-    std::array<SurfaceProgram, kKinds> surfaces_;
-    MaskProgram masks_;
+    struct Programs {
+        std::array<SurfaceProgram, kKinds> surfaces;
+        MaskProgram masks;
+    };
+    std::array<Programs, 2> all_programs_;    ///< upright, tilted
+    Programs* programs_ = &all_programs_[0];  ///< of this picture
     GlVertexArray vertex_array_;
     GlBuffer vertices_, indices_;
     std::size_t draws_ = 0;

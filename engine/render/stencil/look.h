@@ -30,16 +30,27 @@ struct Look {
     float left_edge[3]{1, 0, 0}, right_edge[3]{-1, 0, 0};  ///< tilted: shown where left >= 0 > right; from the corner
 };
 
-/// Which program draws a surface: chosen once for each, so that what it does not use is in no pixel's way.
-/// Those by table, which only maps with one have, draw others as well.
-enum class Kind : std::uint8_t { plain, layered_sky, lit, by_table, lit_by_table };
-inline constexpr std::size_t kKinds = 5;
+/// Which program draws a surface: chosen once for each, so that what it does not use is in no pixel's way (graphics
+/// cards that draw many pixels in step take all branches of a program). A set of what the program can draw:
+using Kind = std::uint8_t;
+inline constexpr Kind kFlats = 1, kSkies = 2, kColors = 3;  ///< one of these, or none: walls and pictures
+inline constexpr Kind kWithRecords = 4;                     ///< light of lamps, or a sky's layers
+inline constexpr Kind kGoingByTable = 8;                    ///< and others
+inline constexpr Kind kInSmoothLight = 16, kInClassicLight = 32;
+inline constexpr Kind kWithHoles = 64;  ///< pixels that are not there, or hide only a part
+inline constexpr std::size_t kKinds = 128;
+
+inline Kind paints(Kind kind) { return kind & kColors; }
 
 inline Kind kind_of(const Look& look) {
-    if ((look.id_and_paint & kByTable) != 0) return look.record == 0 ? Kind::by_table : Kind::lit_by_table;
-    if (look.record == 0) return Kind::plain;
-    const std::uint32_t paint = (look.id_and_paint & ~kClassicLight) >> 24;
-    return paint == static_cast<std::uint32_t>(Paint::sky) ? Kind::layered_sky : Kind::lit;
+    constexpr Kind kByPaint[] = {0, kFlats, kSkies, kColors, 0};
+    const Kind paint = kByPaint[look.id_and_paint >> 24 & 7];
+    Kind kind = paint;
+    if (look.record != 0) kind |= kWithRecords;
+    if ((look.id_and_paint & kByTable) != 0) kind |= kGoingByTable;
+    const bool is_lit = paint == 0 || paint == kFlats;
+    if (is_lit) kind |= (look.id_and_paint & kClassicLight) != 0 ? kInClassicLight : kInSmoothLight;
+    return kind;
 }
 
 }  // namespace enfilade::stencil

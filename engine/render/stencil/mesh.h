@@ -21,6 +21,12 @@ struct Range {
     bool is_empty() const { return begin == end; }
 };
 
+/// Those that one program draws.
+struct KindRange {
+    Kind kind = 0;
+    Range range;
+};
+
 /// All polygons of one frame.
 class Mesh {
 public:
@@ -35,13 +41,13 @@ public:
     const Range& sheet() const { return sheet_; }  ///< empty: none was added
 
     /// Puts the triangles from index `begin` on in the order of their kinds, and says where those of each kind are.
-    std::array<Range, kKinds> sort_by_kind(std::size_t begin);
+    std::vector<KindRange> sort_by_kind(std::size_t begin);
 
-    /// The kind that can draw all of a range, which has no sky.
-    Kind richest_kind(const Range& range) const;
+    /// A kind that can draw all of a range of walls and pictures with holes, which stay in their order.
+    KindRange with_holes(const Range& range);
 
-    /// Whether there is a polygon of that kind.
-    bool has(Kind kind) const { return has_[static_cast<std::size_t>(kind)]; }
+    /// Whether a range of that kind was asked for.
+    bool has(Kind kind) const { return has_[kind]; }
 
     std::size_t index_count() const { return indices_.size(); }
     const std::vector<Vertex>& vertices() const { return vertices_; }

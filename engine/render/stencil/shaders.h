@@ -9,13 +9,12 @@ namespace enfilade::stencil {
 /// Draws surfaces: colours to output 0, facts (id, depth, texel) to output 1.
 struct SurfaceProgram {
     GlProgram program;
-    GLint is_tilted = -1;               ///< 0 or 1
     GLint entry = -1, entry_span = -1;  ///< of the layer: the doorway one looks in through, see shaders.cpp
     GLint level = -1;                   ///< a point at or near the horizon [px]
     GLint climb = -1;                   ///< what the ray climbs there, per column, per row
     GLint is_sky_round = -1;            ///< its rows are
     GLint fog = -1;                     ///< its colour and reach
-    GLint least_alpha = -1;  ///< pixels of a picture with less are left out, 0..255; 0: the picture is opaque
+    GLint least_alpha = -1;             ///< with holes: pixels of a picture with less are left out, 1..255
     GLint texels = -1;
     GLint records = -1;                          ///< where there is more to know than a look
     GLint color_numbers = -1, color_table = -1;  ///< where pictures may go by one
@@ -24,12 +23,11 @@ struct SurfaceProgram {
 /// Draws only depth: for masks.
 struct MaskProgram {
     GlProgram program;
-    GLint is_tilted = -1;  ///< as above
-    GLint is_far = -1;     ///< 1: infinitely far, 0: where the portal is
+    GLint is_far = -1;  ///< tilted: 1: infinitely far, 0: where the portal is; upright glDepthRangef() does it
 };
 
-/// Compile them for the current context. An error says what the driver said.
-Status build(SurfaceProgram& surface, Kind kind);
-Status build(MaskProgram& mask);
+/// Compile them for the current context, for upright or tilted pictures. An error says what the driver said.
+Status build(SurfaceProgram& surface, Kind kind, bool is_tilted);
+Status build(MaskProgram& mask, bool is_tilted);
 
 }  // namespace enfilade::stencil

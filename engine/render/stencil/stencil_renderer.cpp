@@ -84,7 +84,7 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
     mesh.clear();
     const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
     if (Status failed = objects->records.upload()) return failed;
-    if (Status failed = objects->painter.prepare_for(mesh)) return failed;
+    if (Status failed = objects->painter.prepare_for(mesh, rays.is_tilted)) return failed;
     objects->target.clear();
     objects->painter.paint(objects->target, scene, plan, mesh, ranges, with_facts);
     objects->target.read(frame);
