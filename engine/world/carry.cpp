@@ -80,7 +80,7 @@ private:
                 answers.push_back(answer_to(here(), *mover.change, world_.tick));
             else if (const std::optional<Change> slow = slowed(here(), *mover.change, world_.tick))
                 answers.push_back(*slow);
-        for (const Change& answer : answers) world_.history.add(answer);
+        for (const Change& answer : answers) world_.history.add(map_, answer);
         for (const Mover& mover : found)
             if (!mover.change) hold_up_bob(map_, world_.history, mover.sector, mover.channel, world_.tick);
     }

@@ -207,7 +207,7 @@ bool stop_what_loops(const Instant& now, History& history, TriggerId cause, Sect
     for (const Channel channel : {Channel::floor, Channel::ceiling}) {
         const Change* change = history.newest_of(sector, channel);
         if (!bobs(now.map, history, sector, channel) && !(change && change->course.loops)) continue;
-        history.add({sector, channel, {tick, height_now(now, sector, channel), {}, 0, false}, cause});
+        history.add(now.map, {sector, channel, {tick, height_now(now, sector, channel), {}, 0, false}, cause});
         has_stopped = true;
     }
     return has_stopped;
@@ -248,7 +248,7 @@ bool change_target(const Map& map, History& history, TriggerId id, std::size_t n
         clip(target, channel, course);
     }
     course.start = start;
-    history.add({sector, channel, course, cause});
+    history.add(map, {sector, channel, course, cause});
     return true;
 }
 
@@ -292,11 +292,11 @@ void hold_up_bob(const Map& map, History& history, SectorId sector, Channel chan
     const Change* newest = history.newest_of(sector, channel);
     const std::optional<Change> ordered = newest == before ? std::nullopt : std::optional(*newest);
     const std::uint64_t lag = (before ? before->lag : 0) + kPatience;
-    history.add({sector, channel, {tick, height_now(now, sector, channel), {}, 0, false}, TriggerId(), lag});
+    history.add(map, {sector, channel, {tick, height_now(now, sector, channel), {}, 0, false}, TriggerId(), lag});
     if (!ordered) return;
     Change later = *ordered;  // an order that begins later stays one, and sets off from where the bob then is
     later.course.from = height_now({map, history, static_cast<double>(later.course.start)}, sector, channel);
-    history.add(later);
+    history.add(map, later);
 }
 
 std::optional<Change> slowed(const Instant& now, const Change& crusher, std::uint64_t tick) {

@@ -67,13 +67,24 @@ const Change* History::change_of(const ChangedSector& sector, Channel channel, d
     return index == Change::kNone ? nullptr : &changes_[index];
 }
 
-void History::add(Change change) {
+void History::add(const Map& map, Change change) {
+    const Change* const ended = newest_of(change.sector, change.channel);
+    change.before = change.before_with_picture = change.before_that_heals = Change::kNone;
+    if (ended) {
+        const auto index = static_cast<std::uint32_t>(ended - changes_.data());
+        const bool has_cause = !ended->holds_up_bob();
+        change.before = index;
+        change.before_with_picture = has_cause && map[ended->cause].texture ? index : ended->before_with_picture;
+        change.before_that_heals = has_cause && map[ended->cause].heals ? index : ended->before_that_heals;
+    }
+    append(change);
+}
+
+void History::append(const Change& change) {
     auto it = place_in(changed_sectors_, change.sector, is_before);
     if (it == changed_sectors_.end() || it->sector != change.sector)
         it = changed_sectors_.insert(it, {change.sector, {Change::kNone, Change::kNone, Change::kNone}});
-    std::uint32_t& newest = it->newest[static_cast<std::size_t>(change.channel)];
-    change.before = newest;
-    newest = static_cast<std::uint32_t>(changes_.size());
+    it->newest[static_cast<std::size_t>(change.channel)] = static_cast<std::uint32_t>(changes_.size());
     changes_digest_ = mixed(changes_digest_, change);
     changes_.push_back(change);
 }
@@ -85,9 +96,7 @@ void History::add(const Firing& firing) {
         place_in(by_trigger_, firing.trigger, [this](std::uint32_t i, TriggerId t) { return firings_[i].trigger < t; });
     if (it == by_trigger_.end() || firings_[*it].trigger != firing.trigger) by_trigger_.insert(it, index);
     if (firing.wall) {
-        const auto after = std::upper_bound(by_wall_.begin(), by_wall_.end(), firing.wall,
-                                            [this](WallId w, std::uint32_t i) { return w < firings_[i].wall; });
-        by_wall_.insert(after, index);
+        by_wall_.insert(end_of_presses(firing.wall), index);
     }
     firings_digest_ = mixed(firings_digest_, {firing.tick, firing.trigger.index, firing.wall.index});
 }
@@ -113,9 +122,13 @@ bool History::has_fired(TriggerId trigger) const {
     return it != by_trigger_.end() && firings_[*it].trigger == trigger;
 }
 
+std::vector<std::uint32_t>::const_iterator History::end_of_presses(WallId wall) const {
+    return std::upper_bound(by_wall_.begin(), by_wall_.end(), wall,
+                            [this](WallId w, std::uint32_t i) { return w < firings_[i].wall; });
+}
+
 const Firing* History::pressed(WallId wall, double tick) const {
-    auto it = std::upper_bound(by_wall_.begin(), by_wall_.end(), wall,
-                               [this](WallId w, std::uint32_t i) { return w < firings_[i].wall; });
+    auto it = end_of_presses(wall);
     while (it != by_wall_.begin() && firings_[*--it].wall == wall)
         if (static_cast<double>(firings_[*it].tick) <= tick) return &firings_[*it];
     return nullptr;
@@ -140,7 +153,7 @@ std::uint64_t History::digest() const {
 
 History History::beginning(const Length& length) const {
     History begun;
-    for (std::size_t i = 0; i < length.changes; ++i) begun.add(changes_[i]);
+    for (std::size_t i = 0; i < length.changes; ++i) begun.append(changes_[i]);
     for (std::size_t i = 0; i < length.firings; ++i) begun.add(firings_[i]);
     for (std::size_t i = 0; i < length.takings; ++i) begun.add(takings_[i]);
     for (std::size_t i = 0; i < length.ways_back; ++i) begun.add(ways_back_[i]);

@@ -23,6 +23,8 @@ struct Change {
     TriggerId cause;               ///< none: somebody was in the way of a bob (world/bob.h)
     std::uint64_t lag = 0;         ///< of a bob that was held up: how far it then is behind the clock [ticks]
     std::uint32_t before = kNone;  ///< index of the change of the same value that this one ends, or kNone
+    /// The newest before it whose cause gives a floor a picture, or heals on it; so that nobody need ask all of them.
+    std::uint32_t before_with_picture = kNone, before_that_heals = kNone;
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
     bool holds_up_bob() const { return !cause; }
@@ -71,8 +73,8 @@ public:
     /// change_of, of a record that was found before. Cost: the newer changes of this value.
     const Change* change_of(const ChangedSector& sector, Channel channel, double tick) const;
 
-    /// Sets the change's `before`.
-    void add(Change change);
+    /// Sets what was before the change.
+    void add(const Map& map, Change change);
     void add(const Firing& firing);
     void add(const Taking& taking);
     /// It counts from the tick of the one before, where that is later.
@@ -80,6 +82,30 @@ public:
 
     /// Whether the trigger has gone off before. Cost: log of the triggers that have.
     bool has_fired(TriggerId trigger) const;
+
+    /// Calls see(Firing) with the first firing of every trigger that ever went off, in the order of their numbers.
+    template <class See>
+    void each_first_firing(See see) const {
+        for (const std::uint32_t i : by_trigger_) see(firings_[i]);
+    }
+
+    /// Calls see(Firing) with the last firing by `tick` of every wall whose switch was pressed, in the order of their
+    /// numbers. Cost: those walls, each the log of all firings, and the newer firings.
+    template <class See>
+    void each_last_press(double tick, See see) const {
+        for (auto it = by_wall_.begin(); it != by_wall_.end();) {
+            const WallId wall = firings_[*it].wall;
+            it = end_of_presses(wall);
+            if (const Firing* firing = pressed(wall, tick)) see(*firing);
+        }
+    }
+
+    /// Calls see(ThingId) with what is taken by `tick`, in the order of their numbers.
+    template <class See>
+    void each_taken(double tick, See see) const {
+        for (const std::uint32_t i : by_thing_)
+            if (static_cast<double>(takings_[i].tick) <= tick) see(takings_[i].thing);
+    }
 
     /// The last time a wall's switch was pressed by `tick`, or null. Cost: as has_fired.
     const Firing* pressed(WallId wall, double tick) const;
@@ -107,6 +133,9 @@ public:
     History beginning(const Length& length) const;
 
 private:
+    void append(const Change& change);
+    std::vector<std::uint32_t>::const_iterator end_of_presses(WallId wall) const;
+
     std::vector<Change> changes_;
     std::vector<ChangedSector> changed_sectors_;
     std::vector<Firing> firings_;            ///< in the order they came

@@ -21,15 +21,15 @@ double value_of(const Instant& now, const Change* change, const Flat& flat, cons
 }
 
 /// What gave a floor what `gives` looks for, the change it follows or one before: a rising floor has it at once,
-/// another on arrival.
+/// another on arrival. before: the newest change before one that gives it.
 template <class Gives>
-const Trigger* giver_of(const Instant& now, const Change* change, Gives gives) {
+const Trigger* giver_of(const Instant& now, const Change* change, std::uint32_t Change::* before, Gives gives) {
     while (change) {
         const Course& course = change->course;
         const bool rises = course.count > 0 && course.stops[0].value > course.from;
         const bool has_come = rises || stop_at(course, now.tick) > 0;
         if (!change->holds_up_bob() && gives(now.map[change->cause]) && has_come) return &now.map[change->cause];
-        change = change->before == Change::kNone ? nullptr : &now.history->changes()[change->before];
+        change = change->*before == Change::kNone ? nullptr : &now.history->changes()[change->*before];
     }
     return nullptr;
 }
@@ -80,11 +80,13 @@ double foot_of(const Instant& now, ThingId id) {
 
 int damage_of(const Instant& now, SectorId sector) {
     const Change* floor = change_of(now, sector, Channel::floor);
-    return giver_of(now, floor, [](const Trigger& t) { return t.heals; }) ? 0 : now.map[sector].damage;
+    const auto heals = [](const Trigger& t) { return t.heals; };
+    return giver_of(now, floor, &Change::before_that_heals, heals) ? 0 : now.map[sector].damage;
 }
 
 TextureId changed_floor_picture(const Instant& now, const Change* floor) {
-    const Trigger* giver = giver_of(now, floor, [](const Trigger& t) { return bool(t.texture); });
+    const auto has_picture = [](const Trigger& t) { return bool(t.texture); };
+    const Trigger* giver = giver_of(now, floor, &Change::before_with_picture, has_picture);
     return giver ? giver->texture : TextureId();
 }
 

@@ -54,15 +54,15 @@ void show_changed(const Instant& now, Snapshot& snapshot) {
 }
 
 /// A trigger that works once turns its switch for ever, others for a moment.
-bool shows_other_face(const Instant& now, const Firing& firing) {
-    return now.map[firing.trigger].once || now.tick < static_cast<double>(firing.tick) + kSwitchSeconds * kTickRate;
-}
-
 void find_pressed(const Instant& now, std::vector<WallId>& walls) {
     walls.clear();
-    for (const Firing& firing : now.history->firings())
-        if (firing.wall && static_cast<double>(firing.tick) <= now.tick && shows_other_face(now, firing))
-            walls.push_back(firing.wall);
+    now.history->each_first_firing([&](const Firing& firing) {
+        const bool stays = firing.wall && now.map[firing.trigger].once;
+        if (stays && static_cast<double>(firing.tick) <= now.tick) walls.push_back(firing.wall);
+    });
+    now.history->each_last_press(now.tick, [&](const Firing& firing) {
+        if (now.tick < static_cast<double>(firing.tick) + kSwitchSeconds * kTickRate) walls.push_back(firing.wall);
+    });
     std::sort(walls.begin(), walls.end());
     walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
 }
@@ -84,9 +84,7 @@ void show(const Instant& now, Snapshot& snapshot) {
     snapshot.way_back = now.history->way_back(now.tick);
     find_pressed(now, snapshot.pressed);
     snapshot.taken.clear();
-    for (const Taking& taking : now.history->takings())
-        if (static_cast<double>(taking.tick) <= now.tick) snapshot.taken.push_back(taking.thing);
-    std::sort(snapshot.taken.begin(), snapshot.taken.end());
+    now.history->each_taken(now.tick, [&](ThingId thing) { snapshot.taken.push_back(thing); });
 }
 
 void leave_out(const LeftOut& what, Snapshot& snapshot) {

@@ -66,10 +66,11 @@ TEST(BobbingFloor, CarriesWhoStandsOnIt) {
 }
 
 TEST(BobbingFloor, ThatIsLateIsAnotherStateThanOneThatIsNot) {
+    const Map map = built(map_of({box_room("room", 0, 0, 8, 8, 0, 4)}));
     std::vector<std::uint64_t> digests;
     for (const std::uint64_t lag : {15, 30}) {
         History history;
-        history.add({SectorId(0u), Channel::floor, {60, 0.5, {}, 0, false}, TriggerId(), lag});
+        history.add(map, {SectorId(0u), Channel::floor, {60, 0.5, {}, 0, false}, TriggerId(), lag});
         for (const std::uint64_t other : digests) EXPECT_NE(history.digest(), other);
         digests.push_back(history.digest());
     }
