@@ -111,12 +111,26 @@ std::size_t count_viewports(Renderer& renderer, RendererKind kind, Frame& pictur
     return whole.counts().viewports;
 }
 
+/// One for each subject: what a renderer keeps of a map, light and pictures, it would make anew in every turn.
+using Renderers = std::vector<std::unique_ptr<Renderer>>;
+
+Result<Renderers> renderers_for(const std::vector<BenchSubject>& subjects, const BenchChoices& choices) {
+    Renderers renderers;
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+        auto renderer = make_renderer(choices.renderer, choices.threads, open_gl_for_pictures);
+        if (!renderer.ok()) return renderer.error();
+        renderers.push_back(std::move(renderer).value());
+    }
+    return renderers;
+}
+
 /// Draws every frame once more, with facts, which cost too much to have them while time is measured.
-Status count_frames(Renderer& renderer, RendererKind kind, Frame& picture, const std::vector<BenchSubject>& subjects,
-                    std::vector<BenchFrame>& frames) {
+Status count_frames(const Renderers& renderers, RendererKind kind, Frame& picture,
+                    const std::vector<BenchSubject>& subjects, std::vector<BenchFrame>& frames) {
     FrameFacts facts;
     for (BenchFrame& frame : frames) {
         const BenchSubject& subject = subjects[frame.subject];
+        Renderer& renderer = *renderers[frame.subject];
         const FlightFrame shown = subject.frame(frame.number);
         reset(facts, picture.width, picture.height);
         if (Status failed =
@@ -130,21 +144,21 @@ Status count_frames(Renderer& renderer, RendererKind kind, Frame& picture, const
 
 Status time_frames(const BenchRequest& request, const BenchChoices& choices,
                    const std::vector<BenchSubject>& subjects) {
-    auto renderer = make_renderer(choices.renderer, choices.threads, open_gl_for_pictures);
-    if (!renderer.ok()) return renderer.error();
+    const Result<Renderers> renderers = renderers_for(subjects, choices);
+    if (!renderers.ok()) return renderers.error();
     std::vector<int> counts;
     for (const BenchSubject& subject : subjects) counts.push_back(subject.frames());
     std::vector<BenchFrame> frames = frames_in_turn(counts);
     Frame picture;
     picture.resize(choices.size.width, choices.size.height);
     const auto draw = [&](std::size_t subject, int number) {
-        return time_picture(*renderer.value(), picture, subjects[subject], number);
+        return time_picture(*renderers.value()[subject], picture, subjects[subject], number);
     };
     if (Status failed = measure(frames, choices.rounds, draw)) return failed;
-    if (Status failed = count_frames(*renderer.value(), choices.renderer, picture, subjects, frames)) return failed;
+    if (Status failed = count_frames(renderers.value(), choices.renderer, picture, subjects, frames)) return failed;
     std::FILE* const out = request.csv == "-" ? stderr : stdout;
     print_text(out, bench_table(request.files, frames));
-    if (const std::string_view kernels = renderer.value()->kernels(); !kernels.empty())
+    if (const std::string_view kernels = renderers.value().front()->kernels(); !kernels.empty())
         print_text(out, fmt::format("inner loops: {}\n", kernels));
     return request.csv.empty() ? Status() : write_file(request.csv, bench_csv(request.files, frames));
 }
