@@ -96,9 +96,13 @@ TEST_F(Fly, FilmsAsMp4) {
 }
 
 TEST_F(Fly, LeavesTheFilmOfBeforeWhereItIsStopped) {
-    program_.write("walk.toml", std::string(kWalk) + "[[legs]]\nwait = 1000\n");
+    program_.write("walk.toml", std::string(kWalk) + "[[legs]]\nwait = 3600\n");
     program_.write("walk.y4m", "the film of before");
-    const Ended ended = program_.run({"fly", "walk.toml", "--out", "walk.y4m"}, "timeout --preserve-status 0.3");
+    const Ended ended = program_.run_other("sh", {"-c",
+                                                  "\"$0\" fly walk.toml --out walk.y4m & "
+                                                  "while kill -0 $! && ! ls .enfilade-*.part; do sleep 0.01; done; "
+                                                  "kill $!; wait $!",
+                                                  ENFILADE_PROGRAM});
     EXPECT_EQ(ended.exit_code, 128 + SIGTERM);
     EXPECT_EQ(program_.text("walk.y4m"), "the film of before");
     EXPECT_EQ(program_.hidden_files(), 0u);
