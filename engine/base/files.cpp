@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/large_pages.h"
 #include "base/output_file.h"
 
 namespace enfilade {
@@ -44,7 +45,10 @@ Status look_at(const std::string& path) {
 
 /// The bytes of the open file, as many as it had when it was opened.
 Result<Bytes> read_bytes(const std::string& path, int file, std::size_t size) {
-    Bytes bytes(size);
+    Bytes bytes;
+    bytes.reserve(size);
+    prefer_large_pages(bytes.data(), size);
+    bytes.resize(size);
     for (std::size_t done = 0; done < size;) {
         const ssize_t more = ::read(file, bytes.data() + done, size - done);
         if (more < 0 && errno == EINTR) continue;

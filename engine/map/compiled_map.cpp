@@ -1,6 +1,7 @@
 #include "map/compiled_map.h"
 
 #include "base/hash.h"
+#include "base/parallel.h"
 #include "map/packing.h"
 #include "map/shape.h"
 
@@ -46,7 +47,7 @@ constexpr auto fields(Some<CompiledMap> auto& whole, auto visit) {
 namespace {
 
 /// Begins a compiled map: "ENFMAP" and the number of this way of writing it.
-constexpr std::uint64_t kMagic = 0x0001'50414D'464E45;
+constexpr std::uint64_t kMagic = 0x0002'50414D'464E45;
 
 /// What stands around the map itself: the magic number and the source before it, the checksum behind it [bytes].
 constexpr std::size_t kHead = 2 * sizeof(std::uint64_t), kTail = sizeof(std::uint64_t);
@@ -74,6 +75,27 @@ bool are_rings(const Map& map) {
     return walls == map.walls.size();
 }
 
+void settle_shapes(Map& map) {
+    constexpr std::size_t kPart = 4096;  // sectors that one thread takes at once
+    const std::size_t sectors = map.sectors.size();
+    parallel_for((sectors + kPart - 1) / kPart, hardware_threads(), [&](std::size_t part, std::size_t) {
+        for (std::size_t i = part * kPart; i < std::min(sectors, (part + 1) * kPart); ++i)
+            settle_shape(map, SectorId(i));
+    });
+}
+
+/// None where it is no map that can be drawn and walked through.
+std::optional<CompiledMap> unpack(std::span<const std::byte> bytes) {
+    Unpacker unpacker(bytes);
+    CompiledMap compiled;
+    unpacker.take(compiled);
+    if (unpacker.failed() || !unpacker.is_at_end() || !are_rings(compiled.map)) return {};
+    settle_shapes(compiled.map);
+    const std::size_t pictures = compiled.needs.pictures.size();
+    if (compiled.sizes.size() != pictures || !is_consistent(compiled.map, pictures)) return {};
+    return compiled;
+}
+
 }  // namespace
 
 Bytes compile(const CompiledMap& compiled, std::uint64_t source) {
@@ -85,19 +107,23 @@ Bytes compile(const CompiledMap& compiled, std::uint64_t source) {
     return std::move(packer.bytes());
 }
 
+bool is_compiled_from(std::span<const std::byte> bytes, std::uint64_t source) {
+    return bytes.size() >= kHead + kTail && number_at(bytes, 0) == kMagic && number_at(bytes, sizeof(kMagic)) == source;
+}
+
 std::optional<CompiledMap> read_compiled(std::span<const std::byte> bytes, std::uint64_t source) {
-    if (bytes.size() < kHead + kTail) return {};
-    if (number_at(bytes, 0) != kMagic || number_at(bytes, sizeof(kMagic)) != source) return {};
+    if (!is_compiled_from(bytes, source)) return {};
     const std::span<const std::byte> checked = bytes.first(bytes.size() - kTail);
-    if (number_at(bytes, checked.size()) != hash_of_bytes(checked)) return {};
-    Unpacker unpacker(checked.subspan(kHead));
-    CompiledMap compiled;
-    unpacker.take(compiled);
-    if (unpacker.failed() || !unpacker.is_at_end() || !are_rings(compiled.map)) return {};
-    for (std::size_t i = 0; i < compiled.map.sectors.size(); ++i) settle_shape(compiled.map, SectorId(i));
-    const std::size_t pictures = compiled.needs.pictures.size();
-    if (compiled.sizes.size() != pictures || !is_consistent(compiled.map, pictures)) return {};
-    return compiled;
+    bool is_whole = false;
+    std::optional<CompiledMap> compiled;
+    // Whatever the bytes are, they may be unpacked while their checksum is still being worked out.
+    parallel_for(2, hardware_threads(), [&](std::size_t task, std::size_t) {
+        if (task == 0)
+            is_whole = number_at(bytes, checked.size()) == hash_of_bytes(checked);
+        else
+            compiled = unpack(checked.subspan(kHead));
+    });
+    return is_whole ? std::move(compiled) : std::nullopt;
 }
 
 }  // namespace enfilade

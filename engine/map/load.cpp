@@ -159,19 +159,25 @@ LoadedMap refused(const Error& unreadable) {
 
 LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
                    const FileReader& read, std::optional<int> skill, const FolderLister& list, const MapStore* store) {
-    Result<Bytes> text = read(path);
-    if (!text) return refused(text.error());
     Loading loading(path, more_texture_folders, read, skill, list);
+    Result<Bytes> text = Error{}, kept = Error{};
+    parallel_for(2, hardware_threads(), [&](std::size_t task, std::size_t) {
+        if (task == 0)
+            text = read(path);
+        else if (store)
+            kept = store->find();
+    });
+    if (!text) return refused(text.error());
     const bool is_kept = store && store->keep && text.value().size() >= kLeastKeptBytes;
     std::uint64_t source = is_kept ? loading.source(text.value(), store->edition) : 0;
-    if (is_kept) {
+    if (is_kept && kept && is_compiled_from(kept.value(), source)) {
         text = Bytes();  // text, bytes and map in memory at once would be much
-        if (const Result<Bytes> kept = store->find(); kept && loading.from_store(kept.value(), source))
-            return loading.take();
+        if (loading.from_store(kept.value(), source)) return loading.take();
         text = read(path);
         if (!text) return refused(text.error());
         source = loading.source(text.value(), store->edition);
     }
+    kept = Bytes();
     loading.from_text(std::move(text).value());
     if (is_kept) loading.keep_in(*store, source);
     return loading.take();

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "map/map_fields.h"
 
@@ -155,12 +156,13 @@ public:
     template <class T>
     void take(std::vector<T>& list) {
         list.clear();
+        const std::size_t count = take_count(least_size<T>());
+        list.reserve(count);
+        if constexpr (!std::is_same_v<T, bool>) prefer_large_pages(list.data(), count * sizeof(T));
         if constexpr (Packed<T>) {
-            list.resize(take_count(packed_size<T>()));
+            list.resize(count);
             unpack_all(list);
         } else {
-            const std::size_t count = take_count(least_size<T>());
-            list.reserve(count);
             for (std::size_t i = 0; i < count && !failed_; ++i) take(list.emplace_back());
         }
     }

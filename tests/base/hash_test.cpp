@@ -88,8 +88,19 @@ TEST(Random, FillsItsIntervalAndStaysInside) {
     EXPECT_LT(most, 5);
 }
 
+// The expected values come from the same second implementation.
+TEST(HashOfBytes, HasKnownValues) {
+    std::vector<std::byte> bytes(77);
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = std::byte(i);
+    const auto hash_of_first = [&](std::size_t count) { return hash_of_bytes(std::span(bytes).first(count)); };
+    EXPECT_EQ(hash_of_first(0), 0x3A315B4585D4F4C6u);
+    EXPECT_EQ(hash_of_first(5), 0xA442A59882FBBE7Eu);
+    EXPECT_EQ(hash_of_first(32), 0x7514B0577328BB1Cu);
+    EXPECT_EQ(hash_of_first(77), 0x236D2C746F87175Fu);
+}
+
 TEST(HashOfBytes, TellsEveryByteAndTheLength) {
-    for (std::size_t size = 0; size < 20; ++size) {
+    for (std::size_t size = 0; size < 80; ++size) {
         std::vector<std::byte> bytes(size);
         std::set<std::uint64_t> hashes{hash_of_bytes(bytes)};
         for (std::byte& byte : bytes) {
