@@ -1,255 +1,165 @@
-// As seen from a root outside a tile, looking in through an edge: the edge's end is on the left, its start on the
-// right. Seen from inside, looking out, it is the other way round.
 #include "space/hearing.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "math/predicates.h"
-#include "space/reach.h"
+#include <limits>
 
 namespace enfilade {
 namespace {
 
-double length_of(Vec2 v) { return std::sqrt(dot(v, v)); }
+/// Longer than any way [m].
+constexpr double kFarAway = std::numeric_limits<double>::infinity();
 
-Vec2 unit(Vec2 v) {
-    const double length = length_of(v);
-    return length > 0 ? v * (1 / length) : Vec2{};
+/// By how much sums of lengths may be wrong, and far more: what is left out for being longer is longer.
+constexpr double kRounding = 1e-9;
+
+/// Between two boxes, 0 where they meet [m].
+double gap(Vec2 min, Vec2 max, Vec2 other_min, Vec2 other_max) {
+    const double x = std::max({0.0, other_min.x - max.x, min.x - other_max.x});
+    const double y = std::max({0.0, other_min.y - max.y, min.y - other_max.y});
+    return std::sqrt(x * x + y * y);
 }
-
-/// Where the look from the root through `through` meets the edge; `end`, on that side, where the two are parallel.
-Vec2 meeting(Vec2 root, Vec2 through, Vec2 a, Vec2 b, Vec2 end) {
-    if (through == end) return end;
-    const Vec2 ahead = through - root;
-    const double approach = -cross(b - a, ahead);
-    return approach > 0 ? root + ahead * (exact_cross(a, b, root) / approach) : end;
-}
-
-/// Orders what waits: the nearest first, of several equally near the first that was seen.
-constexpr auto kIsLater = [](const auto& s, const auto& t) {
-    return s.least != t.least ? s.least > t.least : s.glance > t.glance;
-};
-
-/// Who stands exactly in a corner has no directions to it. Far less than anybody hears [m].
-constexpr double kOffTheCorner = 0x1p-16;
 
 }  // namespace
 
-void Hearing::listen(const Place& listener, double reach_m, const MayPass& may_pass) {
-    ++listening_;
-    listener_ = listener;
-    reach_m_ = reach_m;
+Hearing::Hearing(const Map& map) : map_(map), tiling_(map), roots_(map.walls.size()) {
+    for (Field* field : {&heard_, &field_}) {
+        field->latest.resize(tiling_.tile_count());
+        field->touched.resize(map.sectors.size());
+    }
+}
+
+void Hearing::listen(const Place& listener, double reach_m, const MayPass& may_pass, std::size_t slice) {
+    if (!is_under_way_) {
+        is_seeking_ = false;
+        sought_.clear();
+        begin(listener, reach_m, may_pass);
+    }
+    follow(may_pass, slice);
+}
+
+void Hearing::listen(const Place& listener, std::span<const SoundSource> sources, const MayPass& may_pass,
+                     std::size_t slice) {
+    if (!is_under_way_) {
+        is_seeking_ = true;
+        const double reach_m = seek(sources, listener);
+        begin(listener, reach_m, may_pass);
+    }
+    follow(may_pass, slice);
+}
+
+void Hearing::begin(const Place& listener, double reach_m, const MayPass& may_pass) {
+    is_under_way_ = true;
     may_pass_ = may_pass;
-    glances_.clear();
+    field_.listening = ++listening_;
+    field_.listener = listener;
+    field_.reach_m = reach_m;
+    field_.glances.clear();
+    field_.ways.clear();
+    field_.own_tile = tiling_.find(map_, listener.sector, listener.point);
+    if (field_.own_tile == Tiling::kNone) return;
+    for (Sought& sought : sought_)
+        if (sought.tile == field_.own_tile)
+            sought.nearest = straight_way(listener.point, *sought.source.point).length_m;
+        else if (!sought.source.point && map_[sought.source.sector].leader == map_[listener.sector].leader)
+            sought.nearest = 0;
+    look_around();
+}
+
+void Hearing::follow(const MayPass& may_pass, std::size_t slice) {
+    may_pass_ = may_pass;
+    double least = 0;
+    for (std::size_t i = 0; i < slice && is_under_way_; ++i) {
+        if (waiting_.empty() || field_.glances.size() >= kMostGlances || (is_seeking_ && is_all_found(least)))
+            end();
+        else
+            least = follow_nearest();
+    }
+    may_pass_ = {};  // the caller's
+}
+
+/// What was found is heard from now on.
+void Hearing::end() {
+    is_under_way_ = false;
     waiting_.clear();
-    touched_.clear();
-    own_tile_ = tiling_.find(map_, listener.sector, listener.point);
-    if (own_tile_ != Tiling::kNone) look_around();
-    while (!waiting_.empty() && glances_.size() < kMostGlances) {
-        std::pop_heap(waiting_.begin(), waiting_.end(), kIsLater);
-        const Glance glance = glances_[waiting_.back().glance];
-        waiting_.pop_back();
-        if (!is_outdone(glance)) glance.fan == Fan::none ? go_on(glance) : fan_out(glance);
+    field_.sectors.assign(1, field_.listener.sector);
+    for (const Touched& touched : field_.ways)
+        if (touched.sector != field_.listener.sector) field_.sectors.push_back(touched.sector);
+    std::sort(field_.sectors.begin(), field_.sectors.end());
+    std::swap(heard_, field_);
+}
+
+/// Fills sought_. A straight line is the shortest way there could be, but for links. The longest reach that is left.
+double Hearing::seek(std::span<const SoundSource> sources, const Place& listener) {
+    double reach_m = 0;
+    sought_.clear();
+    for (const SoundSource& source : sources) {
+        const Sought sought = sought_as(source);
+        const bool is_far = gap(listener.point, listener.point, sought.min, sought.max) >= source.reach_m;
+        if (is_far && map_.links.empty()) continue;
+        reach_m = std::max(reach_m, source.reach_m);
+        sought_.push_back(sought);
     }
-    sort_out();
+    return reach_m;
 }
 
-void Hearing::look_around() {
-    const std::uint32_t first = 3 * own_tile_;
-    for (std::uint32_t edge = first; edge < first + 3; ++edge) {
-        if (start_of(edge) != listener_.point) continue;
-        const Vec2 inward = end_of(edge) + end_of(next_edge(edge)) - start_of(edge) * 2;
-        listener_.point = snap_to_point_grid(listener_.point + unit(inward) * kOffTheCorner);
+Hearing::Sought Hearing::sought_as(const SoundSource& source) const {
+    if (source.point) {
+        const Vec2 point = *source.point;
+        return {source, point, point, tiling_.find(map_, source.sector, point), kFarAway};
     }
-    Glance glance;
-    glance.root = listener_.point;
-    for (std::uint32_t edge = first; edge < first + 3; ++edge) look_through(glance, edge, start_of(edge), end_of(edge));
-}
-
-/// The corner opposite the edge parts what is seen through the two other edges. What the edge's own ends hide is
-/// reached by turning there: also where that corner is just on the border of the shadow, and all of this tile is seen.
-void Hearing::go_on(const Glance& glance) {
-    const std::uint32_t left_edge = next_edge(glance.edge), right_edge = previous_edge(glance.edge);
-    const Vec2 apex = start_of(right_edge);
-    const double from_left = exact_cross(glance.root, glance.left, apex);
-    const double from_right = exact_cross(glance.root, apex, glance.right);
-    if (from_left > 0) look_through(glance, left_edge, glance.left, from_right >= 0 ? apex : glance.right);
-    if (from_right > 0) look_through(glance, right_edge, from_left >= 0 ? apex : glance.left, glance.right);
-    if (from_left <= 0 && glance.left == end_of(glance.edge)) turn_left(glance);
-    if (from_right <= 0 && glance.right == start_of(glance.edge)) turn_right(glance);
-}
-
-void Hearing::turn_left(const Glance& glance) {
-    const std::uint32_t left_edge = next_edge(glance.edge), right_edge = previous_edge(glance.edge);
-    const Glance around = bent(glance, left_edge);
-    if (!is_corner(around.corner, glance.passage) || !take_corner(around)) return;
-    const Vec2 straight_on = around.root * 2 - glance.root, apex = start_of(right_edge);
-    fan_through(around, left_edge, Fan::left, straight_on);
-    if (exact_cross(around.root, apex, straight_on) > 0) look_through(around, right_edge, apex, straight_on);
-}
-
-void Hearing::turn_right(const Glance& glance) {
-    const std::uint32_t left_edge = next_edge(glance.edge), right_edge = previous_edge(glance.edge);
-    const Glance around = bent(glance, glance.edge);
-    if (!is_corner(around.corner, glance.passage) || !take_corner(around)) return;
-    const Vec2 straight_on = around.root * 2 - glance.root, apex = end_of(left_edge);
-    fan_through(around, right_edge, Fan::right, straight_on);
-    if (exact_cross(around.root, straight_on, apex) > 0) look_through(around, left_edge, straight_on, apex);
-}
-
-void Hearing::fan_out(const Glance& glance) {
-    const std::uint32_t left_edge = next_edge(glance.edge), right_edge = previous_edge(glance.edge);
-    const Vec2 apex = start_of(right_edge);
-    if (glance.fan == Fan::left) {
-        look_through(glance, right_edge, apex, start_of(glance.edge));
-        if (exact_cross(glance.root, glance.right, apex) < 0) fan_through(glance, left_edge, Fan::left, glance.right);
-    } else {
-        look_through(glance, left_edge, end_of(glance.edge), apex);
-        if (exact_cross(glance.root, glance.left, apex) > 0) fan_through(glance, right_edge, Fan::right, glance.left);
-    }
-}
-
-void Hearing::look_through(Glance glance, std::uint32_t edge, Vec2 left, Vec2 right) {
-    glance.fan = Fan::none;
-    glance.left = left;
-    glance.right = right;
-    const Vec2 a = start_of(edge), b = end_of(edge);
-    const Stretch seen{meeting(glance.root, left, a, b, a), meeting(glance.root, right, a, b, b)};
-    pass(glance, edge, nearest_point(seen, glance.root));
-}
-
-void Hearing::fan_through(Glance glance, std::uint32_t edge, Fan fan, Vec2 straight_on) {
-    glance.fan = fan;
-    glance.left = glance.right = straight_on;
-    pass(glance, edge, glance.root);
-}
-
-/// Through an edge of the tile into the next.
-void Hearing::pass(Glance glance, std::uint32_t edge, Vec2 nearest) {
-    const SoundWay way = way_over(glance, nearest);
-    if (way.length_m >= reach_m_) return;
-    const WallId id = tiling_.wall(edge);
-    if (!id) {
-        glance.edge = tiling_.across(edge);
-        return keep(glance, way.length_m);
-    }
-    const Wall& wall = map_[id];
-    const bool open = is_open(id, glance.passage);
-    // Behind a door that is shut its mover may sound.
-    if (wall.kind == WallKind::portal || open) touched_.push_back({wall.behind, way});
-    if (!open) return;
-    glance.edge = tiling_.edge_of(wall.exit);
-    if (wall.link != Wall::kNoLink) carry(glance, wall);
-    keep(glance, way.length_m);
-}
-
-void Hearing::carry(Glance& glance, const Wall& link) const {
-    const Wall& exit = map_[link.exit];
-    for (Vec2* point : {&glance.root, &glance.left, &glance.right})
-        *point = *point == link.a ? exit.b : *point == link.b ? exit.a : map_.carried(link, *point);
-    glance.passage = then(glance.passage, map_.passage(link));
-}
-
-void Hearing::keep(Glance glance, double least) {
-    const auto number = static_cast<std::uint32_t>(glances_.size());
-    Latest& latest = latest_[glance.edge / 3];
-    glance.earlier = latest.listening == listening_ ? latest.glance : kNone;
-    latest = {listening_, number};
-    glances_.push_back(glance);
-    waiting_.push_back({least, number});
-    std::push_heap(waiting_.begin(), waiting_.end(), kIsLater);
-}
-
-void Hearing::sort_out() {
-    std::stable_sort(touched_.begin(), touched_.end(), [](const Touched& s, const Touched& t) {
-        return s.sector != t.sector ? s.sector < t.sector : s.way.length_m < t.way.length_m;
+    Sought sought{source, map_[source.sector].min, map_[source.sector].max, kNone, kFarAway};
+    each_of_group(map_, source.sector, [&](SectorId member) {
+        sought.min = {std::min(sought.min.x, map_[member].min.x), std::min(sought.min.y, map_[member].min.y)};
+        sought.max = {std::max(sought.max.x, map_[member].max.x), std::max(sought.max.y, map_[member].max.y)};
     });
-    const auto again = std::unique(touched_.begin(), touched_.end(),
-                                   [](const Touched& s, const Touched& t) { return s.sector == t.sector; });
-    touched_.erase(again, touched_.end());
-    sectors_.assign(1, listener_.sector);
-    for (const Touched& touched : touched_)
-        if (touched.sector != listener_.sector) sectors_.push_back(touched.sector);
-    std::sort(sectors_.begin(), sectors_.end());
+    return sought;
 }
 
-bool Hearing::is_open(WallId wall, const Rigid& passage) const { return is_passable(map_, wall, passage, may_pass_); }
-
-/// Whether some wall stops there: only there a way can bend. At the ends of links space may have any angle.
-bool Hearing::is_corner(WallId corner, const Rigid& passage) const {
-    const auto is_nothing = [&](WallId wall) { return map_[wall].link == Wall::kNoLink && is_open(wall, passage); };
-    const auto walls = tiling_.around(corner);
-    return std::any_of(walls.begin(), walls.end(),
-                       [&](WallId wall) { return !is_nothing(wall) || !is_nothing(map_[wall].previous); });
+/// Whether what is sought may lie behind the edge, on a shorter way than is known; `least` is that of any way over it.
+bool Hearing::may_lead_to_sought(const Glance& glance, std::uint32_t edge, double least) const {
+    if (!map_.links.empty()) return true;
+    const Vec2 a = start_of(edge), b = end_of(edge);
+    const Vec2 low{std::min(a.x, b.x), std::min(a.y, b.y)}, high{std::max(a.x, b.x), std::max(a.y, b.y)};
+    return std::ranges::any_of(sought_, [&](const Sought& sought) {
+        const double most = std::min(sought.source.reach_m, sought.nearest) * (1 + kRounding);
+        return least + gap(low, high, sought.min, sought.max) <= most &&
+               glance.length + gap(glance.root, glance.root, sought.min, sought.max) <= most;
+    });
 }
 
-/// Whether a shorter way to its root was found since.
-bool Hearing::is_outdone(const Glance& glance) const {
-    return glance.corner && roots_[glance.corner.index].length < glance.length;
-}
-
-/// False where there is a shorter way to the corner, or it is out of reach.
-bool Hearing::take_corner(const Glance& bent) {
-    Root& root = roots_[bent.corner.index];
-    const bool is_known = root.listening == listening_;
-    if (bent.length >= reach_m_ || (is_known && root.length < bent.length)) return false;
-    root = {listening_, bent.length};
-    return true;
-}
-
-/// The look from the start of an edge of the tile, reached by the glance.
-Hearing::Glance Hearing::bent(const Glance& glance, std::uint32_t corner_edge) const {
-    Glance around = glance;
-    around.root = start_of(corner_edge);
-    around.length = glance.length + length_of(around.root - glance.root);
-    around.corner = tiling_.corner(corner_edge);
-    if (!glance.corner) around.first_bend = inverse(glance.passage).apply(around.root);
-    return around;
-}
-
-SoundWay Hearing::way_over(const Glance& glance, Vec2 point) const {
-    const Vec2 last = point - glance.root;
-    const Vec2 toward = glance.corner ? glance.first_bend - listener_.point : inverse(glance.passage).turn(last);
-    return {glance.length + length_of(last), unit(toward)};
-}
-
-/// To any point of the tile; around the edge's end where that hides the point. None where another glance shows it.
-std::optional<SoundWay> Hearing::way_into(const Glance& glance, Vec2 point) const {
-    if (glance.fan != Fan::none) return way_over(glance, point);
-    if (exact_cross(glance.root, glance.left, point) < 0) {
-        if (glance.left != end_of(glance.edge)) return {};
-        return way_over(bent(glance, next_edge(glance.edge)), point);
-    }
-    if (exact_cross(glance.root, point, glance.right) < 0) {
-        if (glance.right != start_of(glance.edge)) return {};
-        return way_over(bent(glance, glance.edge), point);
-    }
-    return way_over(glance, point);
+bool Hearing::is_all_found(double least) const {
+    return std::ranges::all_of(sought_, [&](const Sought& sought) { return sought.nearest * (1 + kRounding) < least; });
 }
 
 std::optional<SoundWay> Hearing::from(const Place& source) const {
     std::optional<SoundWay> best;
     const auto take = [&](const SoundWay& way) {
-        if (way.length_m < reach_m_ && (!best || way.length_m < best->length_m)) best = way;
+        if (way.length_m < heard_.reach_m && (!best || way.length_m < best->length_m)) best = way;
     };
     for (std::uint32_t tile = 0; (tile = tiling_.find(map_, source.sector, source.point, tile)) != Tiling::kNone;
          ++tile) {
-        const Vec2 straight = source.point - listener_.point;
-        if (tile == own_tile_) take({length_of(straight), unit(straight)});
-        if (latest_[tile].listening != listening_) continue;
-        for (std::uint32_t i = latest_[tile].glance; i != kNone; i = glances_[i].earlier)
-            if (const auto way = way_into(glances_[i], source.point)) take(*way);
+        if (tile == heard_.own_tile) take(straight_way(heard_.listener.point, source.point));
+        for (std::uint32_t i = heard_.number(heard_.latest[tile]); i != kNone; i = heard_.glances[i].earlier)
+            if (const auto way = way_into(heard_, heard_.glances[i], source.point)) take(*way);
     }
     return best;
 }
 
 std::optional<SoundWay> Hearing::from(SectorId sector) const {
-    if (own_tile_ != kNone && sector == listener_.sector) return SoundWay{};
-    const auto it = std::lower_bound(touched_.begin(), touched_.end(), sector,
-                                     [](const Touched& t, SectorId id) { return t.sector < id; });
-    if (it == touched_.end() || it->sector != sector) return {};
-    return it->way;
+    std::optional<SoundWay> shortest;
+    each_of_group(map_, sector, [&](SectorId member) {
+        const std::optional<SoundWay> way = from_part(member);
+        if (way && (!shortest || way->length_m < shortest->length_m)) shortest = way;
+    });
+    return shortest;
+}
+
+std::optional<SoundWay> Hearing::from_part(SectorId sector) const {
+    if (heard_.own_tile != kNone && sector == heard_.listener.sector) return SoundWay{};
+    const std::uint32_t number = heard_.number(heard_.touched[sector.index]);
+    if (number == kNone) return {};
+    return heard_.ways[number].way;
 }
 
 }  // namespace enfilade

@@ -17,6 +17,13 @@ struct SoundWay {
                 ///< source; length 1, or (0, 0) where it has no length
 };
 
+/// What a listener may hear.
+struct SoundSource {
+    SectorId sector;
+    std::optional<Vec2> point;  ///< none: all of the sector, and of those that move with it
+    double reach_m = 0;         ///< nobody hears it at the end of a longer way [m]
+};
+
 /// All ways to one listener. Listen once, then ask for any number of sources.
 ///
 /// A way is straight but for bends at corners of walls, and passes portals only. Everything is found from the listener
@@ -28,23 +35,33 @@ struct SoundWay {
 class Hearing {
 public:
     /// The map must outlive it. Cost: that of a Tiling.
-    explicit Hearing(const Map& map)
-        : map_(map), tiling_(map), roots_(map.walls.size()), latest_(tiling_.tile_count()) {}
+    explicit Hearing(const Map& map);
 
-    /// Forgets what was heard before and listens at a place.
+    /// Listens at a place.
     /// reach_m  : longest way that counts [m]
     /// may_pass : asked for portals within reach, linked or not; what it refuses is a wall. Empty: all are open
-    /// Cost: the triangles within reach, once for each way in which they are seen; at most kMostGlances.
-    void listen(const Place& listener, double reach_m, const MayPass& may_pass = {});
+    /// slice    : how many glances are followed now. A listening that is not at its end by then goes on in the next
+    ///            call, instead of that one's own; until it ends, what is told below is that of the one before
+    /// Cost: the triangles within reach, once for each way in which they are seen; at most kMostGlances, some 0.25 us
+    /// each.
+    void listen(const Place& listener, double reach_m, const MayPass& may_pass = {}, std::size_t slice = kMostGlances);
+
+    /// The same, but only for these sources: from() finds the same ways to them; those to others may be longer or
+    /// missing.
+    /// Cost: what lies within reach of both listener and source is searched, until the shortest ways to all are known,
+    /// and nothing for sources that are too far away in a straight line; in a map with links only the search ends
+    /// earlier.
+    void listen(const Place& listener, std::span<const SoundSource> sources, const MayPass& may_pass = {},
+                std::size_t slice = kMostGlances);
 
     /// The sectors that sound gets to, and those behind closed portals that it gets to, by number.
-    std::span<const SectorId> sectors() const { return sectors_; }
+    std::span<const SectorId> sectors() const { return heard_.sectors; }
 
     /// The shortest way from a place, or none: too far, or cut off. The point may also lie on a wall of the sector.
     std::optional<SoundWay> from(const Place& source) const;
 
-    /// The shortest way from a whole sector: from where it is nearest, even where that is a closed portal. None as
-    /// above.
+    /// The shortest way from a whole sector and all that move with it: from where they are nearest, even where that is
+    /// a closed portal. None as above.
     std::optional<SoundWay> from(SectorId sector) const;
 
     /// The nearest are found first, so what is missed beyond is the faintest. Less than 8 ms; a map may fold as much
@@ -79,16 +96,47 @@ private:
         SectorId sector;
         SoundWay way;
     };
-    /// The shortest way to a corner, or the latest glance into a tile; of an earlier listening where that is not the
-    /// present one.
+    /// The shortest way to a corner, of an earlier listening where that is not the present one.
     struct Root {
         std::uint32_t listening = 0;
         double length = 0;
     };
-    struct Latest {
-        std::uint32_t listening = 0, glance = kNone;
+    /// Of something as large as the map, that need not be cleared: a number in a list of the listening.
+    struct Entry {
+        std::uint32_t listening = 0, number = kNone;
+    };
+    /// What a listening found.
+    struct Field {
+        Place listener;
+        std::uint32_t listening = 0;
+        std::uint32_t own_tile = kNone;
+        double reach_m = 0;
+        std::vector<Entry> latest;   ///< by tile: of the glances into it
+        std::vector<Entry> touched;  ///< by sector: of its way
+        std::vector<Glance> glances;
+        std::vector<Touched> ways;
+        std::vector<SectorId> sectors;
+
+        /// kNone where the entry is an earlier listening's.
+        std::uint32_t number(const Entry& entry) const { return entry.listening == listening ? entry.number : kNone; }
+    };
+    /// A source that is listened for, and the shortest way found so far [m].
+    struct Sought {
+        SoundSource source;
+        Vec2 min, max;               ///< bounding box
+        std::uint32_t tile = kNone;  ///< of its point
+        double nearest = 0;
     };
 
+    void begin(const Place& listener, double reach_m, const MayPass& may_pass);
+    double seek(std::span<const SoundSource> sources, const Place& listener);
+    Sought sought_as(const SoundSource& source) const;
+    bool may_lead_to_sought(const Glance& glance, std::uint32_t edge, double least) const;
+    bool is_all_found(double least) const;
+    void follow(const MayPass& may_pass, std::size_t slice);
+    void end();
+
+    double follow_nearest();
     void look_around();
     void go_on(const Glance& glance);
     void fan_out(const Glance& glance);
@@ -97,33 +145,33 @@ private:
     void look_through(Glance glance, std::uint32_t edge, Vec2 left, Vec2 right);
     void fan_through(Glance glance, std::uint32_t edge, Fan fan, Vec2 straight_on);
     void pass(Glance glance, std::uint32_t edge, Vec2 nearest);
+    void touch(SectorId sector, const SoundWay& way);
     void carry(Glance& glance, const Wall& link) const;
     void keep(Glance glance, double least);
-    void sort_out();
 
     bool is_open(WallId wall, const Rigid& passage) const;
     bool is_corner(WallId corner, const Rigid& passage) const;
     bool is_outdone(const Glance& glance) const;
     bool take_corner(const Glance& bent);
     Glance bent(const Glance& glance, std::uint32_t corner_edge) const;
-    SoundWay way_over(const Glance& glance, Vec2 point) const;
-    std::optional<SoundWay> way_into(const Glance& glance, Vec2 point) const;
+    SoundWay way_over(const Field& field, const Glance& glance, Vec2 point) const;
+    std::optional<SoundWay> way_into(const Field& field, const Glance& glance, Vec2 point) const;
+    static SoundWay straight_way(Vec2 listener, Vec2 source);
+    std::optional<SoundWay> from_part(SectorId sector) const;
     Vec2 start_of(std::uint32_t edge) const { return map_[tiling_.corner(edge)].a; }
     Vec2 end_of(std::uint32_t edge) const { return start_of(next_edge(edge)); }
 
     const Map& map_;
     Tiling tiling_;
-    Place listener_;
-    std::uint32_t own_tile_ = kNone;
-    double reach_m_ = 0;
-    MayPass may_pass_;
-    std::uint32_t listening_ = 0;  ///< its number, so that nothing as large as the map need be cleared
-    std::vector<Root> roots_;      ///< by the wall that begins at the corner
-    std::vector<Latest> latest_;   ///< by tile
-    std::vector<Glance> glances_;
+    Field heard_;                   ///< of the listening that ended last
+    Field field_;                   ///< of the one under way
+    std::vector<Root> roots_;       ///< by the wall that begins at the corner
     std::vector<Waiting> waiting_;  ///< a heap
-    std::vector<Touched> touched_;  ///< by sector
-    std::vector<SectorId> sectors_;
+    MayPass may_pass_;
+    std::uint32_t listening_ = 0;  ///< how many have begun
+    bool is_under_way_ = false;
+    bool is_seeking_ = false;  ///< only what is in sought_
+    std::vector<Sought> sought_;
 };
 
 }  // namespace enfilade

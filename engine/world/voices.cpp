@@ -29,13 +29,16 @@ public:
         if (now.history) note_events(*now.history);
     }
 
-    std::vector<Voice> run(const Place& ear) {
-        const double reach_m = map_.sounding_things.empty() ? farthest_noted_m_ : map_.farthest_sound_m;
-        if (reach_m == 0) return {};
-        hearing_.listen(ear, reach_m, [this](WallId wall, const Rigid&) { return is_open(now_, wall); });
-        for (const SectorId sector : hearing_.sectors()) hear_things(sector);
+    std::vector<Voice> run(const Place& ear, std::size_t slice) {
+        const auto may_pass = [this](WallId wall, const Rigid&) { return is_open(now_, wall); };
+        if (!map_.sounding_things.empty()) {
+            hearing_.listen(ear, map_.farthest_sound_m, may_pass, slice);
+            for (const SectorId sector : hearing_.sectors()) hear_things(sector);
+        } else if (!noted_.empty()) {
+            hearing_.listen(ear, sources_noted(), may_pass, slice);
+        }
         for (const Noted& noted : noted_)
-            hear(noted.voice, noted.place ? hearing_.from(*noted.place) : from_group(noted.sector));
+            hear(noted.voice, noted.place ? hearing_.from(*noted.place) : hearing_.from(noted.sector));
         keep_loudest();
         return std::move(voices_);
     }
@@ -50,14 +53,13 @@ private:
 
     double length_of(SoundId sound) const { return lengths_s_[sound.index] * kTickRate; }
 
-    /// The shortest way from any sector of what moves as one.
-    std::optional<SoundWay> from_group(SectorId sector) {
-        std::optional<SoundWay> shortest;
-        each_of_group(map_, sector, [&](SectorId member) {
-            const std::optional<SoundWay> way = hearing_.from(member);
-            if (way && (!shortest || way->length_m < shortest->length_m)) shortest = way;
-        });
-        return shortest;
+    std::vector<SoundSource> sources_noted() const {
+        std::vector<SoundSource> sources;
+        for (const Noted& noted : noted_)
+            sources.push_back({noted.place ? noted.place->sector : noted.sector,
+                               noted.place ? std::optional(noted.place->point) : std::nullopt,
+                               map_[noted.voice.sound].reach_m});
+        return sources;
     }
 
     /// Adds the voice, as it comes over the way.
@@ -72,7 +74,6 @@ private:
 
     void note(const Voice& voice, SectorId sector, const std::optional<Place>& place = {}) {
         noted_.push_back({voice, sector, place});
-        farthest_noted_m_ = std::max(farthest_noted_m_, map_[voice.sound].reach_m);
     }
 
     /// The same, of one that plays once; not where it is over.
@@ -165,7 +166,6 @@ private:
     std::span<const double> lengths_s_;
     double longest_ = 0;  ///< [ticks]
     std::vector<Noted> noted_;
-    double farthest_noted_m_ = 0;
     std::vector<Voice> voices_;
 };
 
@@ -177,9 +177,9 @@ double loudness(double way_m, double reach_m) {
 }
 
 std::vector<Voice> voices_at(const Instant& now, Hearing& hearing, const Listener& listener,
-                             std::span<const double> lengths_s) {
+                             std::span<const double> lengths_s, std::size_t slice) {
     if (now.map.sounds.empty()) return {};
-    return Listening(now, hearing, listener.yaw, lengths_s).run(listener.place);
+    return Listening(now, hearing, listener.yaw, lengths_s).run(listener.place, slice);
 }
 
 }  // namespace enfilade

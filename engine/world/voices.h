@@ -45,11 +45,12 @@ double loudness(double way_m, double reach_m);
 ///
 /// hearing   : of the same map; it listens anew, if anything sounds anywhere
 /// lengths_s : of the sounds, by SoundId [s]: whatever plays once is heard for so long
+/// slice     : of a listening that takes long (Hearing::listen); until it ends, ways are those of the one before
 /// Cost: a look at each sector that ever moved and at what began in the last longest length; where something sounds,
-/// also the ways within its reach (Hearing::listen), or if things sound, within that of any sound. A map without sounds
+/// also the ways to it (Hearing::listen), or if things sound, those within the reach of any sound. A map without sounds
 /// costs nothing.
 std::vector<Voice> voices_at(const Instant& now, Hearing& hearing, const Listener& listener,
-                             std::span<const double> lengths_s);
+                             std::span<const double> lengths_s, std::size_t slice = Hearing::kMostGlances);
 
 /// More at once are a noise [voices].
 inline constexpr std::size_t kMostVoices = 32;

@@ -253,6 +253,88 @@ TEST_P(MosaicHearing, IsAsFarAsTheShortestWayOverAllCorners) {
     }
 }
 
+/// Places and whole sectors all over the map, some of them out of reach.
+std::vector<SoundSource> scattered_sources(const Map& map, Random& random) {
+    std::vector<SoundSource> sources;
+    for (int i = 0; i < 6; ++i) {
+        const SectorId sector(random.below(map.sectors.size()));
+        sources.push_back({sector, {}, random.uniform(1, 25)});
+        const Sector& other = map.sectors[random.below(map.sectors.size())];
+        const Vec2 p = snap_to_point_grid(
+            Vec2{random.uniform(other.min.x, other.max.x), random.uniform(other.min.y, other.max.y)});
+        if (const SectorId inside = locate(map, p)) sources.push_back({inside, p, random.uniform(1, 25)});
+    }
+    return sources;
+}
+
+/// What is heard of the source, a length of -1 where that is nothing.
+SoundWay heard_of(const Hearing& hearing, const SoundSource& source) {
+    const auto way = source.point ? hearing.from(Place{source.sector, *source.point}) : hearing.from(source.sector);
+    return way && way->length_m < source.reach_m ? *way : SoundWay{-1, {}};
+}
+
+/// Exactly: length and direction. How many of the sources are heard.
+int expect_same_ways(const Hearing& some, const Hearing& all, std::span<const SoundSource> sources) {
+    int heard_sources = 0;
+    for (const SoundSource& source : sources) {
+        const SoundWay found = heard_of(some, source), expected = heard_of(all, source);
+        EXPECT_EQ(found.length_m, expected.length_m);
+        EXPECT_EQ(found.from, expected.from);
+        heard_sources += expected.length_m >= 0;
+    }
+    return heard_sources;
+}
+
+/// The maps above, with some of the portals shut.
+TEST_P(MosaicHearing, ForSomeSourcesIsAsForAll) {
+    const auto seed = static_cast<std::uint64_t>(GetParam());
+    const Mosaic mosaic =
+        lay_mosaic({.columns = 6, .rows = 6, .jitter = seed % 2 == 0 ? 0 : 0.75, .labels = 9, .solid = 0.2}, seed);
+    const Map& map = mosaic.map;
+    const auto is_open = [&](WallId wall, const Rigid&) { return (wall.index + map[wall].exit.index) % 5 != 0; };
+    Random random(seed);
+    Hearing some(map), all(map);
+    int heard_sources = 0;
+    for (int i = 0; i < 20; ++i) {
+        const std::vector<SoundSource> sources = scattered_sources(map, random);
+        const Place ear{sources[1].sector, sources[1].point.value_or(map[sources[1].sector].min)};
+        some.listen(ear, sources, is_open);
+        all.listen(ear, kFar, is_open);
+        heard_sources += expect_same_ways(some, all, sources);
+    }
+    EXPECT_GT(heard_sources, 20);
+}
+
+TEST(Hearing, ForSomeSourcesBehindALinkIsAsForAll) {
+    const Map map = built(door_to_elsewhere());
+    const SectorId left = named(map, "left"), right = named(map, "right");
+    const std::vector<SoundSource> sources{{right, {}, 20}, {right, Vec2{105.5, 201}, 20}, {left, Vec2{1, 5}, 20}};
+    Hearing some(map), all(map);
+    all.listen({left, {7, 1}}, kFar);
+    for (const SoundSource& source : sources) {
+        some.listen({left, {7, 1}}, std::span(&source, 1));
+        EXPECT_EQ(expect_same_ways(some, all, std::span(&source, 1)), 1);
+    }
+}
+
+/// Piece by piece it comes to the same, and the one before counts until then.
+TEST_P(MosaicHearing, GoesOnWhereItWasCutOff) {
+    const auto seed = static_cast<std::uint64_t>(GetParam());
+    const Mosaic mosaic = lay_mosaic({.columns = 6, .rows = 6, .jitter = 0.75, .labels = 9, .solid = 0.2}, seed);
+    Random random(seed);
+    const std::vector<SoundSource> sources = scattered_sources(mosaic.map, random);
+    const Place first{sources[1].sector, sources[1].point.value_or(mosaic.map[sources[1].sector].min)};
+    const Place second{sources[0].sector, mosaic.map.walls[mosaic.map[sources[0].sector].first_wall].a};
+    Hearing whole(mosaic.map), pieces(mosaic.map);
+    pieces.listen(first, kFar);
+    pieces.listen(second, kFar, {}, 1);
+    whole.listen(first, kFar);
+    expect_same_ways(pieces, whole, sources);
+    for (std::size_t i = 0; i < Hearing::kMostGlances / 16; ++i) pieces.listen(second, kFar, {}, 16);
+    whole.listen(second, kFar);
+    EXPECT_GT(expect_same_ways(pieces, whole, sources), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, MosaicHearing, testing::Range(1, 25));
 
 }  // namespace
