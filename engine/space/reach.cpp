@@ -1,6 +1,7 @@
 #include "space/reach.h"
 
 #include <algorithm>
+#include <array>
 
 #include "math/predicates.h"
 #include "space/beside.h"
@@ -17,7 +18,8 @@ struct Room {
     Rigid passage;
     Vec2 centre;
     std::optional<Cone> window;
-    WallId entrance;  ///< wall of the sector that the window is in; none: the middle is inside
+    WallId entrance;            ///< wall of the sector that the window is in; none: the middle is inside
+    std::uint32_t earlier = 0;  ///< the room before with an entrance of the same row of Search::latest_; 0: none
 };
 
 /// The parts in which a wall is seen past the screens before it; more are as good, but take memory.
@@ -205,15 +207,22 @@ private:
 
     /// A look that has been taken shows nothing new. Without this a fan of rooms that each consist of many parts would
     /// be gone through by every part of every room before: portals behind other walls are passed, too.
-    void enter(const Room& room) {
-        const auto shows_as_much = [&](const Room& other) {
-            return other.entrance == room.entrance && other.passage == room.passage && other.centre == room.centre &&
-                   is_within(*room.window, *other.window, room.centre);
-        };
-        if (std::none_of(rooms_.begin() + 1, rooms_.end(), shows_as_much)) rooms_.push_back(room);
+    void enter(Room room) {
+        std::uint32_t& latest = latest_[room.entrance.index % kRows];
+        for (std::uint32_t i = latest; i != 0; i = rooms_[i].earlier)
+            if (shows_as_much(rooms_[i], room)) return;
+        room.earlier = latest;
+        latest = static_cast<std::uint32_t>(rooms_.size());
+        rooms_.push_back(room);
+    }
+
+    static bool shows_as_much(const Room& other, const Room& room) {
+        return other.entrance == room.entrance && other.passage == room.passage && other.centre == room.centre &&
+               is_within(*room.window, *other.window, room.centre);
     }
 
     bool pass_link(const Room& room, const Wall& wall, const Cone& cone) {
+        if (links_passed_ >= kMaxReachedLinks) return false;
         const Rigid link = map_.passage(wall);
         const Wall& exit = map_[wall.exit];
         const auto centre = put_on_side(exit, snap_to_point_grid(link.apply(room.centre)), -1);
@@ -221,6 +230,7 @@ private:
         const auto carried = [&](Vec2 v) {
             return v == wall.a ? exit.b : v == wall.b ? exit.a : snap_to_point_grid(link.apply(v));
         };
+        ++links_passed_;
         enter(
             {wall.behind, then(room.passage, link), *centre, Cone{carried(cone.left), carried(cone.right)}, wall.exit});
         return true;
@@ -230,7 +240,11 @@ private:
     Place place_;
     double radius_;
     const MayPass& may_pass_;
+    static constexpr std::size_t kRows = 64;
+
     ShortList<Room, 16> rooms_;
+    std::array<std::uint32_t, kRows> latest_{};  ///< of the rooms whose entrances share a row; 0: none
+    std::size_t links_passed_ = 0;
     ShortList<Corner, 16> corners_;
     Reach found_;
 };

@@ -43,12 +43,15 @@ struct Reach {
 /// may_pass : asked for each portal or way back the disc touches; empty: every portal may be passed, no way back
 /// Cost: the walls of the sectors overlapped, and their panels where some block, once for each look into one that shows
 /// more than those before; and once around each end of a portal that is touched, at most 256 rooms. Reach says how many
-/// walls that were. Takes no memory where they are few. Beyond kMaxReachedSectors looks, portals count as walls.
+/// walls that were. Takes no memory where they are few. Beyond kMaxReachedSectors looks, portals count as walls,
+/// and beyond kMaxReachedLinks through links, links do.
 Reach reach(const Map& map, const Place& place, double radius, const MayPass& may_pass = {});
 
-/// A disc as large as a body overlaps a dozen sectors on a fine stair. Around a point where links meet at a small
-/// angle it may overlap one sector many times.
+/// A disc as large as a body overlaps a dozen sectors on a fine stair, and 615 on the finest ramp there can be.
 inline constexpr std::size_t kMaxReachedSectors = 1024;
+
+/// Around a point where links meet at a small angle a disc overlaps one sector many times: at one of two degrees, 90.
+inline constexpr std::size_t kMaxReachedLinks = 128;
 
 /// The point of the stretch that is nearest to p, rounded.
 Vec2 nearest_point(const Stretch& stretch, Vec2 p);

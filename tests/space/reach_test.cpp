@@ -298,6 +298,26 @@ TEST(Reach, EndsInARoomThatIsLinkedToItself) {
     EXPECT_THAT(found.sectors, SizeIs(testing::AllOf(testing::Ge(21u), testing::Le(kMaxReachedSectors))));
 }
 
+TEST(Reach, EndsAroundATipWhereSpaceIsNarrow) {
+    // The two long sides are one: a body beside the tip sees it over and over.
+    MapFile file = map_of({room("wedge", {{0, 0}, {8, 0}, {8, 0.0078125}})});
+    link(file, "wedge", {0, 0}, {8, 0}, "wedge", {8, 0.0078125}, {0, 0});
+    const Reach found = reach(built(file), {kFirst, {1, 0.0009765625}}, 0.5);
+    EXPECT_THAT(found.sectors, SizeIs(kMaxReachedLinks + 1));
+}
+
+TEST(Reach, FindsEveryStepOfTheFinestRamp) {
+    constexpr double kStep = 0x1p-10, kRadius = 0.25;
+    std::vector<SectorRecord> steps;
+    for (int i = 0; i < 1024; ++i)
+        steps.push_back(box_room("step " + std::to_string(i), i * kStep, 0, (i + 1) * kStep, 4));
+    MapFile file = map_of(std::move(steps));
+    join_all(file);
+    const Reach found = reach(built(file), {SectorId(512u), {512.5 * kStep, 2}}, kRadius);
+    EXPECT_THAT(found.sectors, SizeIs(static_cast<std::size_t>(2 * kRadius / kStep) + 1));
+    EXPECT_THAT(found.walls, SizeIs(0));
+}
+
 TEST(Reach, LooksAcrossACornerItStandsOn) {
     MapFile file = map_of({box_room("nw", 0, 0, 2, 2), box_room("ne", 2, 0, 4, 2), box_room("sw", 0, 2, 2, 4),
                            box_room("se", 2, 2, 4, 4)});
