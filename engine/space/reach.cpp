@@ -1,7 +1,8 @@
 #include "space/reach.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
+#include <vector>
 
 #include "math/predicates.h"
 #include "space/beside.h"
@@ -207,13 +208,28 @@ private:
 
     /// A look that has been taken shows nothing new. Without this a fan of rooms that each consist of many parts would
     /// be gone through by every part of every room before: portals behind other walls are passed, too.
-    void enter(Room room) {
-        std::uint32_t& latest = latest_[room.entrance.index % kRows];
-        for (std::uint32_t i = latest; i != 0; i = rooms_[i].earlier)
-            if (shows_as_much(rooms_[i], room)) return;
-        room.earlier = latest;
-        latest = static_cast<std::uint32_t>(rooms_.size());
+    void enter(const Room& room) {
+        if (is_shown(room)) return;
         rooms_.push_back(room);
+        if (rooms_.size() > kFewRooms) note_entrances();
+    }
+
+    bool is_shown(const Room& room) const {
+        if (latest_.empty())
+            return std::any_of(rooms_.begin() + 1, rooms_.end(), [&](const Room& o) { return shows_as_much(o, room); });
+        std::uint32_t i = latest_[room.entrance.index % kRows];
+        while (i != 0 && !shows_as_much(rooms_[i], room)) i = rooms_[i].earlier;
+        return i != 0;
+    }
+
+    /// Of all rooms so far, the first time; from then on, of the last one.
+    void note_entrances() {
+        std::size_t i = latest_.empty() ? 1 : rooms_.size() - 1;
+        latest_.resize(kRows);
+        for (; i < rooms_.size(); ++i) {
+            std::uint32_t& latest = latest_[rooms_[i].entrance.index % kRows];
+            rooms_[i].earlier = std::exchange(latest, static_cast<std::uint32_t>(i));
+        }
     }
 
     static bool shows_as_much(const Room& other, const Room& room) {
@@ -240,10 +256,11 @@ private:
     Place place_;
     double radius_;
     const MayPass& may_pass_;
-    static constexpr std::size_t kRows = 64;
+    /// So many are looked through one by one; what more there are is found by their entrances.
+    static constexpr std::size_t kFewRooms = 16, kRows = 64;
 
     ShortList<Room, 16> rooms_;
-    std::array<std::uint32_t, kRows> latest_{};  ///< of the rooms whose entrances share a row; 0: none
+    std::vector<std::uint32_t> latest_;  ///< of the rooms whose entrances share a row, 0: none; empty: few rooms
     std::size_t links_passed_ = 0;
     ShortList<Corner, 16> corners_;
     Reach found_;
