@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "formats/map_file.h"
-#include "wadconv/doom_records.h"
+#include "wadconv/map_lumps.h"
 #include "wadconv/pictures.h"
 #include "wadconv/report.h"
 #include "wadconv/sounds.h"

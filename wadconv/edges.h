@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "wadconv/doom_records.h"
+#include "wadconv/map_lumps.h"
 #include "wadconv/report.h"
 
 namespace enfilade::wadconv {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "wadconv/doom_records.h"
+#include "wadconv/map_lumps.h"
 
 namespace enfilade::wadconv {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/check.h"
-#include "formats/number_text.h"
+#include "formats/table_text.h"
 
 namespace enfilade::wadconv {
 namespace {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/result.h"
-#include "wadconv/patch.h"
 #include "wadconv/picture.h"
 #include "wadconv/wad.h"
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "base/bytes.h"
-#include "wadconv/patch.h"
+#include "wadconv/picture.h"
 
 namespace enfilade::wadconv {
 namespace {

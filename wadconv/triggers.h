@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "formats/map_file.h"
-#include "wadconv/doom_records.h"
 #include "wadconv/line_actions.h"
+#include "wadconv/map_lumps.h"
 #include "wadconv/neighbours.h"
 #include "wadconv/parts.h"
 #include "wadconv/pictures.h"

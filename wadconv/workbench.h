@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "formats/map_file.h"
-#include "wadconv/doom_records.h"
+#include "wadconv/map_lumps.h"
 #include "wadconv/neighbours.h"
 #include "wadconv/parts.h"
 #include "wadconv/pictures.h"

@@ -10,11 +10,11 @@
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
-#include "app/usage_faults.h"
+#include "app/options.h"
 #include "base/output_file.h"
 #include "base/terminal.h"
-#include "formats/number_text.h"
 #include "formats/quoted.h"
+#include "formats/table_text.h"
 #include "render/view.h"
 
 namespace enfilade {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/terminal.h"
-#include "formats/number_text.h"
+#include "formats/table_text.h"
 
 namespace enfilade {
 

@@ -1,12 +1,14 @@
 #include "app/effect_prices.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 
 #include "app/progress.h"
 #include "app/viewing.h"
 #include "base/check.h"
+#include "formats/table_text.h"
 #include "map/build.h"
-#include "map/inside.h"
+#include "map/sector_finder.h"
 #include "math/grid.h"
 #include "platform/clock.h"
 #include "render/column/column_renderer.h"
@@ -14,6 +16,7 @@
 #include "world/snapshot.h"
 
 namespace enfilade {
+
 namespace {
 
 constexpr std::size_t kPlaces = 4, kAround = 8;  ///< places apart from the start, and looks from each
@@ -194,6 +197,44 @@ Prices effect_prices(const MapFile& file, const TextureSet& textures, const Pric
     for (EffectPrice& effect : prices.effects)
         if (can_be_taken_out(effect)) measure(effect, file, measuring, prices, progress);
     return prices;
+}
+
+// Prices of effects as tables.
+
+namespace {
+
+std::string ms_text(const std::optional<double>& ms) { return ms ? fmt::format("{:+.3f} ms", *ms) : "-"; }
+
+/// What is counted, as it follows the number.
+std::string noun_for(const EffectUse& use) { return std::string(use.effect->counted) + (use.count == 1 ? "" : "s"); }
+
+std::string footnote(const Prices& prices) {
+    return fmt::format(
+        "a frame with everything: {:.3f} ms of processor time (column, {}x{}, one thread, mean of {} looks)\n",
+        prices.frame_ms, prices.width, prices.height, prices.looks);
+}
+
+}  // namespace
+
+std::string to_text(const Prices& prices) {
+    if (prices.effects.empty()) return "  nothing beyond plain rooms\n";
+    std::string text = fmt::format("  {:<17}{:>16}{:>14}{:>14}\n", "", "", "where seen", "elsewhere");
+    for (const auto& [use, price] : prices.effects)
+        text += fmt::format("  {:<17}{:>6} {:<9}{:>14}{:>14}  {}\n", use.effect->name, use.count, noun_for(use),
+                            ms_text(price ? price->seen : std::nullopt), ms_text(price ? price->unseen : std::nullopt),
+                            use.effect->cost);
+    if (prices.frame_ms > 0) text += "  " + footnote(prices);
+    return text;
+}
+
+std::string to_markdown(const Prices& prices) {
+    std::string text = "| effect | in the map | where it is seen | elsewhere | what is paid |\n|---|---|---|---|---|\n";
+    for (const auto& [use, price] : prices.effects)
+        text += fmt::format("| {} | {} | {} | {} | {} |\n", use.effect->name, counted(use.count, use.effect->counted),
+                            ms_text(price ? price->seen : std::nullopt), ms_text(price ? price->unseen : std::nullopt),
+                            use.effect->cost);
+    if (prices.frame_ms > 0) text += "\n" + footnote(prices);
+    return text;
 }
 
 }  // namespace enfilade

@@ -1,12 +1,13 @@
 #include "app/file_kind.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 #include <optional>
 
+#include "app/child_program.h"
 #include "base/files.h"
 #include "formats/map_toml.h"
 #include "formats/quoted.h"
@@ -14,6 +15,7 @@
 #include "formats/tape.h"
 
 namespace enfilade {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,6 +143,17 @@ std::vector<std::string> maps_in_folders(const std::vector<std::string>& paths) 
         if (maps.size() == before) maps.push_back(path);
     }
     return maps;
+}
+
+namespace fs = std::filesystem;
+
+std::string shipped_map(const std::string& name) {
+    std::error_code unknown;
+    const fs::path program = this_program();
+    const std::array<fs::path, 2> folders{program.parent_path() / "../share/enfilade/maps", ENFILADE_MAPS_DIR};
+    for (const fs::path& folder : folders)
+        if (fs::exists(folder / name, unknown)) return (folder / name).lexically_normal().string();
+    return "maps/" + name;
 }
 
 }  // namespace enfilade

@@ -26,4 +26,10 @@ std::string about_file(const std::string& path);
 /// scripts. A folder without maps stays.
 std::vector<std::string> maps_in_folders(const std::vector<std::string>& paths);
 
+// The maps that come with Enfilade.
+
+/// The path of one of them, e.g. "effects.toml": beside the program's share folder where it is installed, else in the
+/// source tree it was built from.
+std::string shipped_map(const std::string& name);
+
 }  // namespace enfilade

@@ -15,7 +15,7 @@
 #include "app/recorded_flight.h"
 #include "base/output_file.h"
 #include "base/terminal.h"
-#include "formats/number_text.h"
+#include "formats/table_text.h"
 #include "platform/gl_context.h"
 
 namespace enfilade {

@@ -1,15 +1,128 @@
 #include "app/mismatch_report.h"
 
 #include <fmt/format.h>
-
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <regex>
 
 #include "app/pictures.h"
 #include "base/files.h"
 #include "flight/contact_sheet.h"
+#include "formats/png.h"
 
 namespace enfilade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "tour.sheet.png" of "tour.toml".
+std::string sheet_path(const std::string& script_path) {
+    return fs::path(script_path).replace_extension(".sheet.png").string();
+}
+
+/// "tour.frames".
+std::string full_size_folder(const std::string& script_path) {
+    return fs::path(script_path).replace_extension(".frames").string();
+}
+
+/// Numbers of the pictures in the folder, sorted.
+std::vector<int> kept_numbers(const std::string& folder) {
+    std::vector<int> numbers;
+    for (const std::string& name : list_folder(folder)) {
+        int number = -1;
+        const bool is_numbered = std::sscanf(name.c_str(), "%d", &number) == 1 && number >= 0;
+        if (is_numbered && fs::path(folder) / name == numbered_picture(folder, std::size_t(number)))
+            numbers.push_back(number);
+    }
+    std::ranges::sort(numbers);
+    return numbers;
+}
+
+/// Which frames of 0..last to keep in full size, sorted.
+std::vector<int> choose_full_size(const std::vector<int>& before, int last, const PictureKeeping& keeping) {
+    std::vector<int> chosen;
+    if (keeping.no_pictures) return chosen;
+    for (int number = 0; keeping.full_size_every > 0 && number <= last; number += keeping.full_size_every)
+        chosen.push_back(number);
+    if (keeping.full_size_every <= 0)
+        std::ranges::copy_if(before, std::back_inserter(chosen), [last](int number) { return number <= last; });
+    return chosen;
+}
+
+Result<Frame> read_picture(const std::string& path) {
+    const auto bytes = read_file(path);
+    if (!bytes.ok()) return bytes.error();
+    auto image = read_png(bytes.value());
+    if (!image.ok()) return Error{path, image.error().what};
+    return Frame{int(image.value().width), int(image.value().height), std::move(image.value().pixels)};
+}
+
+/// Reads the recording's sheet. The sentence that says why there is none; empty: it was read.
+std::string read_sheet(const std::string& path, const std::optional<std::uint64_t>& recorded, ContactSheet& sheet) {
+    if (!recorded) return "The recording has no small pictures of its frames.";
+    auto image = read_picture(path);
+    if (!image.ok()) return "The recording's small pictures cannot be read: " + image.error().text() + ".";
+    if (hash_of(image.value()) != *recorded || !sheet.take(std::move(image).value()))
+        return "The small pictures in " + path + " are of another recording.";
+    return {};
+}
+
+}  // namespace
+
+PictureKeeper::PictureKeeper(const std::string& script_path, const DrawPlan& plan, const PictureKeeping& keeping)
+    : sheet_(sheet_path(script_path)),
+      folder_(full_size_folder(script_path)),
+      keeping_(keeping),
+      before_(kept_numbers(folder_)),
+      full_size_(choose_full_size(before_, plan.last, keeping)),
+      contact_sheet_(plan.last + 1, plan.width, plan.height) {}
+
+Status PictureKeeper::start() const {
+    std::error_code unremovable;
+    for (const int number : before_)
+        if (!std::ranges::binary_search(full_size_, number))
+            fs::remove(numbered_picture(folder_, std::size_t(number)), unremovable);
+    if (full_size_.empty() && !before_.empty()) fs::remove(folder_, unremovable);  // where nothing else is in it
+    if (full_size_.empty()) return {};
+    return make_folder(folder_);
+}
+
+Status PictureKeeper::take(int number, const Frame& frame) {
+    if (!keeping_.no_pictures) contact_sheet_.put(number, frame);
+    if (!std::ranges::binary_search(full_size_, number)) return {};
+    return write_picture(numbered_picture(folder_, std::size_t(number)), image_of(frame));
+}
+
+Result<std::optional<std::uint64_t>> PictureKeeper::finish() const {
+    std::error_code unremovable;
+    if (keeping_.no_pictures) {
+        fs::remove(sheet_, unremovable);
+        if (unremovable) return Error{sheet_, "cannot remove it: " + unremovable.message()};
+        return std::optional<std::uint64_t>();
+    }
+    const Image image = image_of(contact_sheet_.image());
+    if (Status failed = write_file(sheet_, write_png(image, PngEffort::smallest))) return *failed;
+    return std::optional(hash_of(contact_sheet_.image()));
+}
+
+KeptPictures::KeptPictures(const std::string& script_path, const FrameRecording& recording, const DrawPlan& plan)
+    : folder_(full_size_folder(script_path)),
+      reduction_(reduction_of(plan.width, plan.height)),
+      sheet_(static_cast<int>(recording.frames.size()), plan.width, plan.height) {
+    missing_ = read_sheet(sheet_path(script_path), recording.sheet, sheet_);
+}
+
+std::optional<KeptPicture> KeptPictures::of(const FrameHash& recorded) const {
+    auto full_size = read_picture(numbered_picture(folder_, recorded.frame));
+    if (full_size.ok() && hash_of(full_size.value()) == recorded.hash)
+        return KeptPicture{std::move(full_size).value(), 1};
+    auto small = missing_.empty() ? sheet_.picture_of(static_cast<int>(recorded.frame)) : std::nullopt;
+    if (!small) return {};
+    return KeptPicture{std::move(*small), reduction_};
+}
+
 namespace {
 
 /// Writes one picture into the folder; gives its name there.

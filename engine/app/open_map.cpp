@@ -1,17 +1,100 @@
 #include "app/open_map.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 #include "app/exit_codes.h"
 #include "app/file_kind.h"
-#include "app/map_cache.h"
 #include "base/files.h"
+#include "base/hash.h"
 #include "base/terminal.h"
 
 namespace enfilade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kEnding = ".map";
+
+std::optional<fs::path> cache_folder() {
+    const char* const wish = std::getenv("ENFILADE_MAP_CACHE");
+    if (wish && std::string_view(wish) == "off") return {};
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) return fs::path(cache) / "enfilade";
+    if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache/enfilade";
+    return {};
+}
+
+/// A number for this very program, which changes whenever it is built or installed anew.
+std::uint64_t edition_of_program() {
+    std::error_code unknown;
+    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+    Hash hash;
+    hash.add(ENFILADE_VERSION);
+    hash.add(program.string());
+    hash.add(static_cast<std::uint64_t>(fs::file_size(program, unknown)));
+    hash.add(static_cast<std::int64_t>(fs::last_write_time(program, unknown).time_since_epoch().count()));
+    return hash.value();
+}
+
+/// A map on another skill, or for another program, is another file.
+fs::path file_for(const fs::path& folder, const std::string& map_path, std::uint64_t edition) {
+    std::error_code unknown;
+    const fs::path map = fs::weakly_canonical(map_path, unknown);
+    Hash hash;
+    hash.add(map.string());
+    hash.add(edition);
+    return folder / fmt::format("{}-{:016x}{}", map.stem().string(), hash.value(), kEnding);
+}
+
+/// Removes the oldest files but `kept` until the others fit beside it.
+void prune(const fs::path& folder, const fs::path& kept) {
+    struct Old {
+        fs::file_time_type written;
+        fs::path path;
+        std::uint64_t bytes;
+    };
+    std::vector<Old> files;
+    std::error_code gone;  // another process may remove them, too
+    std::uint64_t bytes = 0;
+    for (const std::string& name : list_folder(folder.string())) {
+        const fs::path path = folder / name;
+        if (path.extension() != kEnding) continue;
+        const std::uint64_t size = fs::file_size(path, gone);
+        if (gone) continue;
+        bytes += size;
+        if (path != kept) files.push_back({fs::last_write_time(path, gone), path, size});
+    }
+    std::ranges::sort(files, {}, &Old::written);
+    for (auto file = files.begin(); file != files.end() && bytes > kMostCacheBytes; ++file) {
+        fs::remove(file->path, gone);
+        bytes -= file->bytes;
+    }
+}
+
+}  // namespace
+
+MapStore cache_of(const std::string& map_path) {
+    const std::optional<fs::path> folder = cache_folder();
+    if (!folder) return {0, [] { return Result<Bytes>(Error{"", "nothing is kept"}); }, {}};
+    const std::uint64_t edition = edition_of_program();
+    const fs::path file = file_for(*folder, map_path, edition);
+    const auto find = [file] { return read_file(file.string()); };
+    const auto keep = [folder = *folder, file](const Bytes& bytes) {
+        std::error_code failed;
+        fs::create_directories(folder, failed);
+        if (failed || bytes.size() > kMaxFileBytes) return;
+        if (Status unwritten = write_file(file.string(), bytes)) return;
+        prune(folder, file);
+    };
+    return {edition, find, keep};
+}
+
 namespace {
 
 bool is_warning(const Finding& finding) { return finding.severity == Severity::warning; }

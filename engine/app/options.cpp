@@ -1,15 +1,16 @@
 #include "app/options.h"
 
 #include <fmt/format.h>
-
 #include <charconv>
 #include <optional>
 #include <string_view>
 
+#include "app/file_kind.h"
 #include "formats/quoted.h"
 #include "render/view.h"
 
 namespace enfilade {
+
 namespace {
 
 /// The whole text as a whole number, or none.
@@ -53,6 +54,16 @@ Result<FrameRange> parse_frames(const std::string& text) {
     if (first && last && *first >= 0 && *first <= *last) return FrameRange{*first, *last};
     return Error{"--frames",
                  fmt::format("expected FIRST..LAST, counted from 0, for example 0..59; found {}", quoted(text))};
+}
+
+std::string unknown_command(const std::string& word, std::span<const std::string_view> commands) {
+    if (is_file(word)) return "expected a command, " + about_file(word);
+    return "expected a command, found " + quoted(word) + suggestion(word, commands);
+}
+
+std::string unknown_option(const std::string& word, std::span<const std::string_view> options) {
+    const std::string name = word.substr(0, word.find('='));
+    return "there is no option " + quoted(name) + " here" + nearest_suggestion(name, options);
 }
 
 }  // namespace enfilade

@@ -1,7 +1,9 @@
 // Arguments that several commands share, from text to values. Each parser takes an argument as it was typed and says
 // what was expected where it is something else.
 #pragma once
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
 
@@ -36,5 +38,13 @@ struct FrameRange {
 
 /// "A..B" or "A", A <= B.
 Result<FrameRange> parse_frames(const std::string& text);
+
+// What is said about words of a command line that nobody knows.
+
+/// "expected a command, found 'chekc'; did you mean 'check'?", or which command takes the file of that name.
+std::string unknown_command(const std::string& word, std::span<const std::string_view> commands);
+
+/// "there is no option '--siez' here; did you mean '--size'?" word : starts with '-'
+std::string unknown_option(const std::string& word, std::span<const std::string_view> options);
 
 }  // namespace enfilade

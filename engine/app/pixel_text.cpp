@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "formats/number_text.h"
 #include "formats/quoted.h"
-#include "render/picture_now.h"
+#include "formats/table_text.h"
 #include "render/reference/reference_renderer.h"
 #include "render/shade.h"
+#include "render/sprite.h"
 
 namespace enfilade {
 namespace {

@@ -6,13 +6,12 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/kept_pictures.h"
 #include "app/mismatch_report.h"
 #include "app/progress.h"
 #include "base/files.h"
 #include "base/terminal.h"
 #include "formats/frame_hashes.h"
-#include "formats/number_text.h"
+#include "formats/table_text.h"
 
 namespace enfilade {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "app/kept_pictures.h"
+#include "app/mismatch_report.h"
 #include "base/result.h"
 #include "flight/draw_frames.h"
 

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "formats/number_text.h"
 #include "formats/quoted.h"
-#include "platform/wav.h"
+#include "formats/table_text.h"
+#include "platform/audio.h"
 
 namespace enfilade {
 namespace {

@@ -7,8 +7,8 @@
 #include "app/exit_codes.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "formats/number_text.h"
 #include "formats/quoted.h"
+#include "formats/table_text.h"
 #include "math/grid.h"
 #include "space/locate.h"
 

@@ -1,18 +1,19 @@
 #include "base/files.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <filesystem>
 #include <system_error>
 
-#include "base/large_pages.h"
 #include "base/output_file.h"
 
 namespace enfilade {
+
 namespace {
 
 Error system_error(const std::string& path, const char* doing) {
@@ -102,6 +103,15 @@ Status write_one_of_many(const std::string& path, std::span<const std::byte> byt
 
 Status write_file(const std::string& path, std::string_view text) {
     return write_file(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+void prefer_large_pages(const void* memory, std::size_t bytes) noexcept {
+    if (bytes < kLeastForLargePages) return;
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+    const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
+    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
+    // It may be refused: then the pages are small.
+    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 }
 
 }  // namespace enfilade

@@ -6,7 +6,6 @@
 
 #include "base/finding.h"
 #include "flight/camera_path.h"
-#include "flight/tape_path.h"
 #include "formats/script.h"
 #include "map/map.h"
 #include "render/view.h"

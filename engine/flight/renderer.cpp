@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "formats/quoted.h"
-#include "render/column/plain_kernels.h"
-#include "render/column/strips.h"
+#include "render/column/column_renderer.h"
+#include "render/column/kernels.h"
 #include "render/reference/reference_renderer.h"
 #include "render/stencil/stencil_renderer.h"
 

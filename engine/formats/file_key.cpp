@@ -1,8 +1,45 @@
 #include "formats/file_key.h"
 
-#include "formats/file_name.h"
+#include <algorithm>
+
+#include "base/terminal.h"
+#include "formats/quoted.h"
 
 namespace enfilade {
+
+namespace {
+
+Status expected(std::string_view what, std::string_view found, std::string_view reason) {
+    return Error{"", "expected " + std::string(what) + ", found " + quoted(found) + std::string(reason)};
+}
+
+/// What is wrong with one part of a name; empty if nothing is.
+std::string_view fault_of_part(std::string_view part) {
+    if (part.empty()) return "; parts of a name have one '/' between them, and none at either end";
+    if (part == ".") return "; leave '.' out of it";
+    if (part == "..") return "; it must not lead out of its folder by '..'";
+    return "";
+}
+
+}  // namespace
+
+Status refuse_as_file_name(std::string_view text) {
+    constexpr std::string_view kWhat = "a file's name";
+    if (!is_printable_line(text)) return expected(kWhat, text, " with characters that are not printed");
+    if (text.starts_with('/')) return expected(kWhat, text, "; it must not start with '/', but below its folder");
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find('/', start), text.size());
+        const std::string_view fault = fault_of_part(text.substr(start, end - start));
+        if (!fault.empty()) return expected(kWhat, text, fault);
+        start = end + 1;
+    }
+    return {};
+}
+
+Status refuse_as_path(std::string_view text) {
+    if (is_printable_line(text)) return {};
+    return expected("a path", text, " with characters that are not printed");
+}
 
 bool expect_file_name(Reading& reading, const NamedValue& value, Files files) {
     const std::string_view name = value.node.text();

@@ -1,13 +1,26 @@
 // Keys for names of files. A key that names a file is one of these, and a test asks so of every key with a string.
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "formats/key.h"
 
 namespace enfilade {
 
-/// Whether a string's value may name a file, by the rules of formats/file_name.h; if not, bad-file-name is noted at it.
+// Which texts of a hostile file may become names of other files.
+
+/// Nothing where the text names a file below a folder: parts with a single '/' between them, none of them "." or "..",
+/// and no character that a terminal would obey (base/terminal.h). So a file has one name only, apart from upper and
+/// lower case, and no name leads elsewhere. Otherwise what was expected, without a place.
+Status refuse_as_file_name(std::string_view text);
+
+/// Nothing where the text is a path that may lead anywhere: no character that a terminal would obey. For what people
+/// set up by hand, as the folder of their pictures.
+Status refuse_as_path(std::string_view text);
+
+/// Whether a string's value may name a file, by the rules of formats/file_key.h; if not, bad-file-name is noted at it.
 /// files : below_folder or anywhere
 bool expect_file_name(Reading& reading, const NamedValue& value, Files files);
 

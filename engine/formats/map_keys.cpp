@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "formats/number_text.h"
+#include "formats/table_text.h"
 
 namespace enfilade {
 namespace {

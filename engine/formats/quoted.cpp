@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "base/printable.h"
+#include "base/terminal.h"
 
 namespace enfilade {
 namespace {

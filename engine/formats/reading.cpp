@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "formats/number_text.h"
 #include "formats/quoted.h"
+#include "formats/table_text.h"
 #include "formats/texture_spec.h"
 
 namespace enfilade {

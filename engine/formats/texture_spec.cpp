@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "formats/file_name.h"
-#include "formats/number_text.h"
+#include "formats/file_key.h"
 #include "formats/quoted.h"
+#include "formats/table_text.h"
 
 namespace enfilade {
 namespace {

@@ -4,7 +4,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "base/printable.h"
+#include "base/terminal.h"
 #include "base/utf8.h"
 #include "formats/toml_tree.h"
 #include "formats/toml_words.h"

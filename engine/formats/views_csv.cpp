@@ -5,7 +5,7 @@
 #include "base/utf8.h"
 #include "formats/lines.h"
 #include "formats/map_keys.h"
-#include "formats/number_text.h"
+#include "formats/table_text.h"
 
 namespace enfilade {
 namespace {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "formats/quoted.h"
-#include "map/crossing_point.h"
 #include "map/draft.h"
 #include "map/edge_sweep.h"
 #include "map/say.h"

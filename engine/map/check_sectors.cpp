@@ -2,12 +2,13 @@
 #include <string>
 #include <vector>
 
-#include "formats/number_text.h"
 #include "formats/quoted.h"
+#include "formats/table_text.h"
 #include "map/draft.h"
 #include "map/names.h"
 
 namespace enfilade {
+
 namespace {
 
 void check_heights(Draft& draft, const SectorRecord& sector) {
@@ -55,6 +56,72 @@ void check_sectors(Draft& draft) {
     for (const SectorDraft& sector : draft.sectors) check_heights(draft, *sector.record);
     check_sector_names(draft);
     check_wall_names(draft);
+}
+
+// Walls, steps and flats that can be seen but have no texture, and textures that cannot be seen.
+
+namespace {
+
+constexpr const char* kMeant = " (say texture = \"-\" if that is what you want)";
+
+/// The first picture of a wall that only a portal would show, or null.
+const TextureSpec* first_for_portals(const WallRecord& wall) {
+    for (const auto* spec : {&wall.upper, &wall.lower, &wall.middle})
+        if (*spec) return &**spec;
+    return nullptr;
+}
+
+void check_solid(Draft& draft, WallId id) {
+    const WallDraft& written = draft.walls[id.index];
+    const std::string sector = quoted(draft.map[draft.map[id].sector].name);
+    if (!written.record->texture)
+        draft.warning(known(written.record->place, written.place), "no-texture",
+                      "this solid wall of sector " + sector + " has no texture; a placeholder is drawn" + kMeant);
+    if (const TextureSpec* unused = first_for_portals(*written.record))
+        draft.warning(unused->place, "unused-texture",
+                      "only portals have steps and a middle, but this wall of sector " + sector +
+                          " has no next; upper, lower and middle are not drawn");
+}
+
+/// A step that is there while nothing moves, and of which nothing is said.
+void check_steps(Draft& draft, WallId id) {
+    const Wall& wall = draft.map[id];
+    const WallDraft& written = draft.walls[id.index];
+    if (written.record->texture) return;  // serves both steps
+    const Sector &here = draft.map[wall.sector], &there = draft.map[wall.behind];
+    const double rise = draft.map.passage(wall).rise;
+    const TextPlace head = known(written.record->place, written.place);
+    const std::string way = quoted(here.name) + " to " + quoted(there.name);
+    if (!written.record->lower && there.floor.z - rise > here.floor.z)
+        draft.warning(head, "no-step-texture",
+                      "the step up from " + way + " has no texture, so nothing is drawn there; give it lower");
+    if (!written.record->upper && there.ceiling.z - rise < here.ceiling.z && !(here.ceiling.sky && there.ceiling.sky))
+        draft.warning(
+            head, "no-step-texture",
+            "the step down from the ceiling of " + way + " has no texture, so nothing is drawn there; give it upper");
+}
+
+void check_flat(Draft& draft, const SectorRecord& sector, const FlatRecord& flat, const char* which) {
+    if (flat.texture) return;
+    draft.warning(known(flat.place, sector.place), "no-texture",
+                  std::string("the ") + which + " of sector " + quoted(sector.name) +
+                      " has no texture; a placeholder is drawn" + kMeant);
+}
+
+}  // namespace
+
+void check_textures(Draft& draft) {
+    for (std::size_t i = 0; i < draft.map.walls.size(); ++i) {
+        const Wall& wall = draft.map.walls[i];
+        if (wall.kind == WallKind::portal) check_steps(draft, WallId(i));
+        // A portal whose next is wrong has been reported as that.
+        const bool is_shown_whole = wall.kind == WallKind::solid || wall.kind == WallKind::way_back;
+        if (is_shown_whole && draft.walls[i].record->next.empty()) check_solid(draft, WallId(i));
+    }
+    for (const SectorDraft& sector : draft.sectors) {
+        check_flat(draft, *sector.record, sector.record->floor, "floor");
+        check_flat(draft, *sector.record, sector.record->ceiling, "ceiling");
+    }
 }
 
 }  // namespace enfilade

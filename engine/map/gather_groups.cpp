@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <string>
 
-#include "formats/number_text.h"
 #include "formats/quoted.h"
+#include "formats/table_text.h"
 #include "map/draft.h"
 
 namespace enfilade {

@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "formats/number_text.h"
 #include "formats/quoted.h"
+#include "formats/table_text.h"
 #include "map/draft.h"
-#include "map/inside.h"
 #include "map/names.h"
 #include "map/say.h"
 #include "map/sector_finder.h"

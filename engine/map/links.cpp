@@ -2,8 +2,8 @@
 #include <cmath>
 #include <utility>
 
-#include "formats/number_text.h"
 #include "formats/quoted.h"
+#include "formats/table_text.h"
 #include "map/draft.h"
 #include "math/predicates.h"
 

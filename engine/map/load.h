@@ -27,7 +27,7 @@ struct LoadedMap {
 /// The skill of a game where nobody chooses one: Doom's "Hurt me plenty".
 inline constexpr int kUsualSkill = 3;
 
-/// Where a map that takes long to read is kept, compiled, for the next time (app/map_cache.h).
+/// Where a map that takes long to read is kept, compiled, for the next time (app/open_map.h).
 struct MapStore {
     std::uint64_t edition = 0;  ///< of the program: what another one kept is not taken
     std::function<Result<Bytes>()> find;

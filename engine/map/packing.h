@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "base/files.h"
-#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "map/map_fields.h"
 

@@ -6,12 +6,12 @@
 #include <tuple>
 #include <vector>
 
-#include "formats/number_text.h"
 #include "formats/quoted.h"
+#include "formats/table_text.h"
 #include "map/draft.h"
 #include "map/edge_sweep.h"
-#include "map/inside.h"
 #include "map/say.h"
+#include "map/sector_finder.h"
 #include "math/grid.h"
 #include "math/predicates.h"
 

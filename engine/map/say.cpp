@@ -1,6 +1,6 @@
 #include "map/say.h"
 
-#include "formats/number_text.h"
+#include "formats/table_text.h"
 
 namespace enfilade {
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "map/inside.h"
+#include "math/predicates.h"
 
 namespace enfilade {
+
 namespace {
 
 constexpr std::uint32_t kLeafSize = 8;  ///< fewer sectors than this are looked at one by one
@@ -55,6 +56,32 @@ void SectorFinder::search(std::uint32_t node, Vec2 p, SectorId& best) const {
     }
     for (std::uint32_t i = n.begin; i < n.end; ++i)
         if (sectors_[i] < best.index && is_inside(map_, SectorId(sectors_[i]), p)) best = SectorId(sectors_[i]);
+}
+
+namespace {
+
+/// 1 where the half line from p along +x, moved by the tie rule, crosses an a -> b that runs towards +y, -1 where it
+/// crosses one that runs towards -y, 0 where it misses. p counts as p + (e, e^2): a vertex at p's height lies above
+/// it on the drawing.
+int winding_step(const Wall& w, Vec2 p) {
+    const bool a_beyond = w.a.y > p.y, b_beyond = w.b.y > p.y;
+    if (a_beyond == b_beyond) return 0;
+    if (b_beyond) return side_of_line(w.a, w.b, p) > 0 ? 1 : 0;
+    return side_of_line(w.a, w.b, p) < 0 ? -1 : 0;
+}
+
+}  // namespace
+
+bool is_inside(std::span<const Wall> walls, Vec2 p) {
+    int winding = 0;
+    for (const Wall& w : walls) winding += winding_step(w, p);
+    return winding != 0;
+}
+
+bool is_inside(const Map& map, SectorId sector, Vec2 p) {
+    const Sector& s = map[sector];
+    if (p.x < s.min.x || p.x > s.max.x || p.y < s.min.y || p.y > s.max.y) return false;
+    return is_inside(std::span(map.walls).subspan(s.first_wall, s.wall_count), p);
 }
 
 }  // namespace enfilade

@@ -1,6 +1,7 @@
 // Which sector is around a point, when there are many sectors and many points.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "map/map.h"
@@ -14,7 +15,7 @@ public:
     /// Only the given sectors are looked at.
     SectorFinder(const Map& map, std::vector<std::uint32_t> sectors);
 
-    /// The sector with the lowest number that contains p (map/inside.h), or none.
+    /// The sector with the lowest number that contains p (map/sector_finder.h), or none.
     /// Cost: log of the number of sectors, and the walls of those whose boxes p is in.
     SectorId around(Vec2 p) const;
 
@@ -32,5 +33,14 @@ private:
     std::vector<std::uint32_t> sectors_;
     std::vector<Node> nodes_;
 };
+
+// Is a point inside these walls? The one definition of "inside" that all of the engine uses.
+
+/// True where the loops of `walls` wind around the moving point p. Exact, under the tie rule (math/predicates.h): of
+/// sectors that share an edge exactly one contains each point. Cost: the walls.
+bool is_inside(std::span<const Wall> walls, Vec2 p);
+
+/// The same for a sector of a map, looking at its bounding box first.
+bool is_inside(const Map& map, SectorId sector, Vec2 p);
 
 }  // namespace enfilade

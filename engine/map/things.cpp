@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "formats/number_text.h"
 #include "formats/quoted.h"
+#include "formats/table_text.h"
 #include "map/say.h"
 #include "math/grid.h"
 

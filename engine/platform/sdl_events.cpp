@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace enfilade {
+
 namespace {
 
 Key key_of(SDL_Scancode code) {
@@ -140,6 +141,21 @@ std::optional<InputEvent> translate(const SDL_Event& event, const Placement& pla
             return GamepadAxisMotion{axis_of(event.caxis.axis), std::max(event.caxis.value / 32767.0, -1.0)};
         default: return {};
     }
+}
+
+bool Gamepads::note(const SDL_Event& event) {
+    if (event.type == SDL_CONTROLLERDEVICEADDED) open(event.cdevice.which);
+    return event.type == SDL_CONTROLLERDEVICEREMOVED && close(event.cdevice.which);
+}
+
+void Gamepads::open(int device) {
+    if (SDL_GameController* gamepad = SDL_GameControllerOpen(device)) open_.emplace_back(gamepad);
+}
+
+bool Gamepads::close(SDL_JoystickID instance) {
+    return std::erase_if(open_, [&](const auto& gamepad) {
+               return SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(gamepad.get())) == instance;
+           }) > 0;
 }
 
 }  // namespace enfilade

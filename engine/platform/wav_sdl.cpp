@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "platform/wav.h"
+#include "platform/audio.h"
 
 namespace enfilade {
 namespace {

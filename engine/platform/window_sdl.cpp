@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "platform/sdl_events.h"
-#include "platform/sdl_gamepads.h"
 #include "platform/window.h"
 
 namespace enfilade {

@@ -5,7 +5,6 @@
 
 #include "base/check.h"
 #include "math/predicates.h"
-#include "render/edge_function.h"
 #include "render/segment.h"
 
 namespace enfilade {

@@ -1,7 +1,7 @@
 // The wall that stands in for one that rounding lost: shared by the renderers that draw walls as a whole.
 #pragma once
 #include "map/map.h"
-#include "render/pose.h"
+#include "render/view.h"
 
 namespace enfilade {
 

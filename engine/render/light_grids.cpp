@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/sunlight.h"
+#include "render/lighting.h"
 
 namespace enfilade {
 bool LightGrids::start(const Map& map) {

@@ -1,10 +1,12 @@
 #include "render/segment.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "math/predicates.h"
 
 namespace enfilade {
+
 namespace {
 
 /// Both ends of `segment` relative to the line of `line`: the smaller and the larger side.
@@ -43,6 +45,63 @@ bool are_on_one_line(const Segment& a, const Segment& b) {
 
 bool is_panel_beyond(const Segment& panel, const Segment& entry) {
     return are_on_one_line(panel, entry) || is_beyond(panel, entry);
+}
+
+namespace {
+
+/// The tie rule for an eye that stands on a vertex: the eye counts as (e, e^2) farther, so the vertex lies in the
+/// direction -(1, e). The slope 2^-40 is flatter than any wall of the vertex grid (2^-26), and the length 2^-64 [m] is
+/// nothing beside any wall.
+constexpr Vec2 kVertexAtEye{-0x1p-64, -0x1p-104};
+
+/// Whether the ray of a column runs to the right of a vertex. For a vertex exactly on it the tie rule decides: the eye
+/// at eye + (e, e^2) adds -(n.x e + n.y e^2), n = slope * forward - right, to the edge functions of all vertices alike.
+/// Any rule of the vertex's own would lose the ray of an eye that stands on a doorway's line and looks along it.
+bool runs_right_of(Vec2 vertex_v, double slope, const Pose& pose) {
+    const double e = edge(vertex_v, slope);
+    if (e != 0) return e > 0;
+    const Vec2 normal = pose.forward * slope - pose.right;
+    return normal.x != 0 ? normal.x < 0 : normal.y < 0;
+}
+
+/// The first column of those to the right of the vertex's own ray (for a vertex behind the eye: of the ray's other
+/// half, where the edge function turns negative). The division only guesses; the edge function decides.
+int split_column(Vec2 v, const Pose& pose, const ColumnRays& rays) {
+    const int width = static_cast<int>(rays.slopes.size());
+    const auto is_right = [&](int x) {
+        return runs_right_of(v, rays.slopes[static_cast<std::size_t>(x)], pose) == (v.y >= 0);
+    };
+    const double guess = std::ceil((v.x / v.y) * rays.per_slope + 0.5 * (width - 1));
+    int x = !(guess > 0) ? 0 : guess >= width ? width : static_cast<int>(guess);
+    while (x > 0 && is_right(x - 1)) --x;
+    while (x < width && !is_right(x)) ++x;
+    return x;
+}
+
+}  // namespace
+
+Vec2 to_view(Vec2 vertex, const Pose& pose) {
+    Vec2 d = vertex - pose.eye;
+    if (d == Vec2{}) d = kVertexAtEye;
+    return {dot(pose.right, d), dot(pose.forward, d)};
+}
+
+CoveredColumns covered_columns(Vec2 left_v, Vec2 right_v, const Pose& pose, const ColumnRays& rays) {
+    const int width = static_cast<int>(rays.slopes.size());
+    const int left = split_column(left_v, pose, rays), right = split_column(right_v, pose, rays);
+    const bool left_ahead = left_v.y >= 0, right_ahead = right_v.y >= 0;
+    return {std::max(left_ahead ? left : 0, right_ahead ? 0 : right),
+            std::min(left_ahead ? width : left, right_ahead ? right : width)};
+}
+
+int first_column_from(double x_v, double depth, const ColumnRays& rays) {
+    const int width = static_cast<int>(rays.slopes.size());
+    const auto is_from = [&](int x) { return rays.slopes[static_cast<std::size_t>(x)] * depth >= x_v; };
+    const double guess = std::ceil(x_v / depth * rays.per_slope + 0.5 * (width - 1));
+    int x = !(guess > 0) ? 0 : guess >= width ? width : static_cast<int>(guess);
+    while (x > 0 && is_from(x - 1)) --x;
+    while (x < width && !is_from(x)) ++x;
+    return x;
 }
 
 }  // namespace enfilade

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/dimming.h"
+#include "render/lighting.h"
 
 namespace enfilade {
 namespace {

@@ -1,6 +1,6 @@
 #include "space/locate.h"
 
-#include "map/inside.h"
+#include "map/sector_finder.h"
 
 namespace enfilade {
 

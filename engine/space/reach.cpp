@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "math/predicates.h"
-#include "space/beside.h"
+#include "space/leg.h"
 
 namespace enfilade {
 namespace {

@@ -19,7 +19,7 @@
 #include <span>
 
 #include "base/check.h"
-#include "map/sweep_line.h"
+#include "map/edge_sweep.h"
 #include "math/predicates.h"
 
 namespace enfilade {

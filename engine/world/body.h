@@ -45,7 +45,7 @@ bool can_pass(const Instant& now, const Body& body, WallId portal, const Rigid& 
 MayCross bodies_may_cross(const Map& map);
 
 /// Whether the body, where it is, touches no wall or panel and has headroom on the highest floor it stands on. Things
-/// beside it are for the walk to see to (world/obstacle.h).
+/// beside it are for the walk to see to (world/contact.h).
 bool fits(const Instant& now, const Body& body, const Reach& around);
 
 /// The body where it is, made as wide, and at most as high, as there is room: a body that was put closer to a wall

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "world/around.h"
 #include "world/input.h"
+#include "world/instant.h"
 
 namespace enfilade {
 namespace {

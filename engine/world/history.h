@@ -20,7 +20,7 @@ struct Change {
     SectorId sector;  ///< that leads its group
     Channel channel = Channel::floor;
     Course course;
-    TriggerId cause;               ///< none: somebody was in the way of a bob (world/bob.h)
+    TriggerId cause;               ///< none: somebody was in the way of a bob (world/instant.h)
     std::uint64_t lag = 0;         ///< of a bob that was held up: how far it then is behind the clock [ticks]
     std::uint32_t before = kNone;  ///< index of the change of the same value that this one ends, or kNone
     /// The newest before it whose cause gives a floor a picture, or heals on it; so that nobody need ask all of them.

@@ -1,6 +1,7 @@
 // The map at one moment: what the functions of this module ask about. Floors, ceilings and feet of things come from
 // here and from nowhere else.
 #pragma once
+#include "formats/effect_records.h"
 #include "map/map.h"
 #include "world/history.h"
 
@@ -60,5 +61,34 @@ int damage_of(const Instant& now, SectorId sector);
 /// The picture that the change which a floor now follows, or one before it, gave it; none: that of the map.
 /// floor: may be null.
 TextureId changed_floor_picture(const Instant& now, const Change* floor);
+
+// Heights and lights of the sectors around one: where floors and ceilings go that are told "as the neighbour".
+
+/// The height a level stands for, in the space of the sector [m]. Where no sector around answers, `here`.
+/// Around a group are the sectors behind the portals of all its sectors, but for its own.
+/// Cost: the walls of the sector and its group.
+double height_of(const Instant& now, SectorId sector, Level level, double here);
+
+/// The brightest or darkest of the sector and those around it, without their effects, 0..1.
+double light_of(const Instant& now, SectorId sector, LightLevel level);
+
+/// The effect that a sector's light has now, of the map, or null: it is steady.
+/// light: the change that it now follows, or null.
+const LightEffectRecord* effect_of(const Instant& now, SectorId sector, const Change* light);
+
+/// The light of a sector without its effect, 0..1.
+double plain_light_of(const Instant& now, SectorId sector);
+
+/// The same where the change that the light now follows has been found; null: there is none.
+double plain_light_of(const Instant& now, SectorId sector, const Change* light);
+
+// Up and down for ever: a function of time.
+
+/// How far it is above its rest at a time, negative below it: within its amplitude [m]. time_s: any finite number. The
+/// same bits on every machine. Cost: one sine.
+double offset_at(const BobRecord& bob, double time_s);
+
+/// The heights of a sector of which nothing but bobs moves. The floor carries a ceiling that it meets.
+Heights bobbing_heights(const Sector& sector, double time_s);
 
 }  // namespace enfilade

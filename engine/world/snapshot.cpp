@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "world/around.h"
 #include "world/input.h"
+#include "world/instant.h"
 #include "world/light.h"
 
 namespace enfilade {

@@ -4,7 +4,6 @@
 
 #include "map/map.h"
 #include "space/presence.h"
-#include "world/bob.h"
 #include "world/instant.h"
 
 namespace enfilade {

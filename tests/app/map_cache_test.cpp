@@ -1,5 +1,5 @@
 // Compiled maps on disk: kept in the user's folder, found again, and not without end.
-#include "app/map_cache.h"
+#include "app/open_map.h"
 
 #include <gmock/gmock.h>
 

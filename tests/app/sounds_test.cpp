@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "platform/wav.h"
+#include "platform/audio.h"
 #include "support/map_builder.h"
 #include "support/wav.h"
 

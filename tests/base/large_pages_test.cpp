@@ -1,5 +1,5 @@
 // Asking for large pages: what is in the memory stays there.
-#include "base/large_pages.h"
+#include "base/files.h"
 
 #include <gtest/gtest.h>
 

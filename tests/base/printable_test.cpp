@@ -1,5 +1,5 @@
 // What may reach a terminal.
-#include "base/printable.h"
+#include "base/terminal.h"
 
 #include <gtest/gtest.h>
 

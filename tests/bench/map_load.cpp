@@ -1,5 +1,5 @@
 // How long a map takes to load: `map_load MAP`: "seconds processor_seconds peak_MiB sectors walls". Once it was loaded,
-// the next time it comes from the user's cache (app/map_cache.h).
+// the next time it comes from the user's cache (app/open_map.h).
 #include <sys/resource.h>
 
 #include <chrono>

@@ -7,7 +7,7 @@
 #include "base/random.h"
 #include "formats/map_toml.h"
 #include "math/grid.h"
-#include "render/column/plain_kernels.h"
+#include "render/column/kernels.h"
 #include "space/locate.h"
 #include "space/trace.h"
 #include "support/generate_map.h"

@@ -1,12 +1,12 @@
 // Recorded walks, played again.
-#include "flight/tape_path.h"
+#include "flight/camera_path.h"
 
 #include <gtest/gtest.h>
 
 #include "flight/scenes.h"
-#include "world/camera.h"
 #include "world/input.h"
 #include "world/step.h"
+#include "world/world.h"
 
 namespace enfilade {
 namespace {

@@ -1,5 +1,5 @@
 // Names of files in maps and scripts: one rule, which no key forgets.
-#include "formats/file_name.h"
+#include "formats/file_key.h"
 
 #include <gmock/gmock.h>
 

@@ -8,7 +8,6 @@
 #include "base/random.h"
 #include "base/utf8.h"
 #include "formats/lines.h"
-#include "formats/number_text.h"
 #include "formats/quoted.h"
 #include "formats/table_text.h"
 

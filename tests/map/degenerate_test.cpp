@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "map/crossing_point.h"
-#include "map/inside.h"
+#include "map/edge_sweep.h"
+#include "map/sector_finder.h"
 #include "math/angle.h"
 #include "support/map_builder.h"
 

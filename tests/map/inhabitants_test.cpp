@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include "base/random.h"
-#include "map/inside.h"
 #include "map/sector_finder.h"
 #include "support/generate_map.h"
 

@@ -1,5 +1,5 @@
 // WAV files, and what pretends to be one.
-#include "platform/wav.h"
+#include "platform/audio.h"
 
 #include <gtest/gtest.h>
 

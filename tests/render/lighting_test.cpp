@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "render/light_grids.h"
-#include "render/sunlight.h"
 #include "support/map_builder.h"
 
 namespace enfilade {

@@ -8,7 +8,7 @@
 
 #include "base/random.h"
 #include "render/light_grid.h"
-#include "render/picture_now.h"
+#include "render/sprite.h"
 
 namespace enfilade {
 namespace {

@@ -15,7 +15,7 @@
 
 #include "base/bytes.h"
 #include "base/files.h"
-#include "wadconv/doom_records.h"
+#include "wadconv/map_lumps.h"
 #include "wadconv/wad.h"
 
 namespace enfilade::wadconv::test {

@@ -1,5 +1,5 @@
 // Floors and ceilings that go up and down by themselves: where they are, whom they carry, and who holds them up.
-#include "world/bob.h"
+#include "world/instant.h"
 
 #include <gtest/gtest.h>
 

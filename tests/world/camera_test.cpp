@@ -1,5 +1,5 @@
 // The eye between two ticks, on plain floors and through portals and links.
-#include "world/camera.h"
+#include "world/world.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
-#include "world/around.h"
 #include "world/deed.h"
 #include "world/hall_passage_room.h"
 #include "world/happen.h"
+#include "world/instant.h"
 #include "world/snapshot.h"
 
 namespace enfilade {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <set>
 
-#include "world/around.h"
 #include "world/deed.h"
 #include "world/hall_passage_room.h"
+#include "world/instant.h"
 #include "world/snapshot.h"
 
 namespace enfilade {

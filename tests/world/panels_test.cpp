@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "math/predicates.h"
-#include "world/around.h"
 #include "world/door_and_link.h"
 #include "world/game.h"
 #include "world/happen.h"
+#include "world/instant.h"
 #include "world/soak.h"
 #include "world/walk.h"
 

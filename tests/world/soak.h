@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "world/camera.h"
 #include "world/random_walks.h"
+#include "world/world.h"
 
 namespace enfilade::test {
 

@@ -5,8 +5,8 @@
 
 #include "base/random.h"
 #include "math/predicates.h"
+#include "world/contact.h"
 #include "world/game.h"
-#include "world/obstacle.h"
 
 namespace enfilade {
 namespace {

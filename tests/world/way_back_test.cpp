@@ -4,11 +4,11 @@
 #include <array>
 #include <utility>
 
-#include "world/camera.h"
 #include "world/one_way_maps.h"
 #include "world/snapshot.h"
 #include "world/timeline.h"
 #include "world/voices.h"
+#include "world/world.h"
 
 namespace enfilade {
 namespace {

@@ -1,13 +1,21 @@
 // Lines, boxes and text over a finished frame: what the player sees on top of the world, with every renderer.
 #pragma once
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/draw/font.h"
 #include "math/vec.h"
 #include "render/frame.h"
 
 namespace enfilade {
+
+// Text that is too long for its line.
+
+/// The text cut into lines of at most so many bytes, between words where there are any. most > 2: later lines are
+/// indented by two.
+std::vector<std::string> wrapped(std::string_view text, std::size_t most);
 
 /// 0xAABBGGRR; alpha 255 covers, 0 leaves what is there.
 using Color = std::uint32_t;

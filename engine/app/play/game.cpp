@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "app/file_kind.h"
-#include "app/map_cache.h"
-#include "app/play/eye_view.h"
+#include "app/open_map.h"
+#include "app/play/player_input.h"
 #include "base/hash.h"
 #include "map/load.h"
 #include "math/grid.h"
 #include "space/locate.h"
-#include "world/camera.h"
+#include "world/world.h"
 
 namespace enfilade {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/play/automap.h"
 #include "app/play/map_watch.h"
 #include "app/play/player_input.h"
-#include "app/play/tape_recorder.h"
+#include "app/play/saved_game.h"
 #include "base/result.h"
 #include "formats/tape.h"
 #include "render/view.h"

@@ -3,12 +3,12 @@
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
+#include "app/file_kind.h"
 #include "app/play/play_loop.h"
 #include "app/play/saved_game.h"
-#include "app/shipped_maps.h"
 #include "app/viewing.h"
 #include "base/parallel.h"
-#include "base/printable.h"
+#include "base/terminal.h"
 #include "platform/gl_context.h"
 
 namespace enfilade {

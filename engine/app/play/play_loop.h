@@ -4,15 +4,12 @@
 #include <string>
 
 #include "app/options.h"
-#include "app/play/free_camera.h"
 #include "app/play/game.h"
 #include "app/play/menu.h"
-#include "app/play/notices.h"
 #include "app/play/outside_view.h"
 #include "app/play/readout.h"
 #include "app/play/settings.h"
 #include "app/play/soundscape.h"
-#include "app/play/status.h"
 #include "flight/renderer.h"
 #include "platform/window.h"
 

@@ -3,8 +3,8 @@
 
 #include "app/cut_short.h"
 #include "app/pixel_text.h"
-#include "app/play/eye_view.h"
 #include "app/play/play_loop.h"
+#include "app/play/player_input.h"
 #include "app/play/screenshot.h"
 #include "base/attempt.h"
 #include "base/parallel.h"

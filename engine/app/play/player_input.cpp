@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace enfilade {
+
 namespace {
 
 constexpr double kStepsPerDegree = 4294967296.0 / 360;
@@ -110,6 +111,32 @@ TickInput PlayerInput::take_tick(std::int32_t pitch_steps) {
 LookSteps PlayerInput::ahead(double part) const {
     return {std::llround(mouse_yaw_ + static_cast<double>(mouse_tick_.yaw) * (1 - part)),
             std::llround(mouse_pitch_ + static_cast<double>(mouse_tick_.pitch) * (1 - part))};
+}
+
+namespace {
+
+/// The angle of pitch_steps, within ±kMaxPitchSteps.
+Angle pitch_of(std::int64_t steps) {
+    const std::int64_t within = std::clamp<std::int64_t>(steps, -kMaxPitchSteps, kMaxPitchSteps);
+    return Angle{static_cast<std::uint32_t>(within)};
+}
+
+}  // namespace
+
+View view_of(const Eye& eye, const LookSteps& ahead, double fov_degrees, double stretch, bool true_pitch) {
+    View view;
+    view.sector = eye.place.sector;
+    view.eye = eye.place.point;
+    view.eye_z = eye.z;
+    view.forward = direction(eye.yaw + Angle{static_cast<std::uint32_t>(ahead.yaw)});
+    const Angle pitch = pitch_of(eye.pitch_steps + ahead.pitch);
+    if (true_pitch)
+        view.tilt = Tilt{direction(pitch), {1, 0}};
+    else
+        view.pitch_tangent = tangent(pitch);
+    view.fov_degrees = fov_degrees;
+    view.stretch = stretch;
+    return view;
 }
 
 }  // namespace enfilade

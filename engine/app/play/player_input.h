@@ -4,7 +4,9 @@
 #include <cstdint>
 
 #include "platform/input_event.h"
+#include "render/view.h"
 #include "world/input.h"
+#include "world/world.h"
 
 namespace enfilade {
 
@@ -63,5 +65,11 @@ private:
     bool center_ = false;                     ///< Home was pressed
     bool control_zooms_ = false;              ///< the wheel has turned since Control was pressed
 };
+
+// From an eye and what the mouse adds to its look, to the view that renderers draw.
+
+/// The eye's view, the head turned further by `ahead`, up and down within kMaxPitchSteps.
+/// true_pitch: for a renderer that turns its picture instead of shifting the horizon.
+View view_of(const Eye& eye, const LookSteps& ahead, double fov_degrees, double stretch, bool true_pitch);
 
 }  // namespace enfilade

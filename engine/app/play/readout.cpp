@@ -1,15 +1,66 @@
 #include "app/play/readout.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 
-#include "app/draw/wrapped.h"
+#include "app/draw/overlay.h"
+#include "world/input.h"
 
 namespace enfilade {
+
 namespace {
 
-constexpr Color kInk = 0xFFFFFFFF;
+constexpr Color kInk = 0xFFFFFFFF, kAlarm = 0xFF4040FF;
+constexpr int kLowHealth = 25;  ///< from here on the health is shown in red [points]
+
+void draw_centred(Overlay& overlay, std::string_view text, Color color) {
+    overlay.rimmed_text((overlay.width() - overlay.text_width(text)) / 2, overlay.height() / 3, text, color);
+}
+
+std::string keys_text(const Map& map, const World& world) {
+    std::string text;
+    for (std::size_t i = 0; i < map.keys.size(); ++i)
+        if (world.keys >> i & 1) text += (text.empty() ? "Keys: " : ", ") + map.keys[i];
+    return text;
+}
+
+}  // namespace
+
+std::string news_text(const Map& map, const News& news) {
+    switch (news.kind) {
+        case NewsKind::needs_key: return fmt::format("You need the {} key.", map.keys[news.number]);
+        case NewsKind::got_key: return fmt::format("You have the {} key.", map.keys[news.number]);
+        case NewsKind::healed: return "You feel better.";
+        case NewsKind::secret: return "You found a secret place.";
+        case NewsKind::hurt:
+        case NewsKind::died: return "";
+    }
+    return "";
+}
+
+void draw_status(Overlay& overlay, const Map& map, const World& world) {
+    const int margin = overlay.line_height() / 2;
+    int y = overlay.height() - margin;
+    const auto line = [&](const std::string& text, Color color) {
+        y -= overlay.line_height();
+        overlay.rimmed_text(margin, y, text, color);
+    };
+    if (world.health < kFullHealth)
+        line(fmt::format("Health {}", world.health), world.health <= kLowHealth ? kAlarm : kInk);
+    if (world.keys != 0) line(keys_text(map, world), kInk);
+}
+
+void draw_flight(Overlay& overlay, const std::string& text) {
+    overlay.rimmed_text((overlay.width() - overlay.text_width(text)) / 2, overlay.height() / 6, text, kInk);
+}
+
+void draw_death(Overlay& overlay) { draw_centred(overlay, "You died. Press E to start again.", kAlarm); }
+
+void draw_rewind(Overlay& overlay, std::size_t ticks_back) {
+    draw_centred(overlay, fmt::format("<< {:.1f} s", static_cast<double>(ticks_back) / kTickRate), kInk);
+}
+
+namespace {
 
 /// Outlines by how many portals are looked through; deeper ones begin again.
 constexpr std::array<Color, 6> kByDepth{0xFFFFFFFF, 0xFF40FFFF, 0xFF40FF40, 0xFFFFB040, 0xFF4060FF, 0xFFFF60FF};
@@ -84,6 +135,41 @@ void draw_pointed(Overlay& overlay, int x, int y, const std::string& text) {
         overlay.rimmed_text((overlay.width() - overlay.text_width(line)) / 2, row, line, kInk);
         row += overlay.line_height();
     }
+}
+
+namespace {
+
+constexpr Color kPanel = 0xD0101060;
+
+}  // namespace
+
+void Notices::say(std::string text, double now_s, double seconds) {
+    notices_.push_back({std::move(text), now_s + seconds, {}});
+}
+
+void Notices::update(std::string_view about, std::string text, double now_s, double seconds) {
+    std::erase_if(notices_, [&](const Notice& notice) { return notice.about == about; });
+    notices_.push_back({std::move(text), now_s + seconds, std::string(about)});
+}
+
+void Notices::draw(Overlay& overlay, double now_s) {
+    std::erase_if(notices_, [&](const Notice& notice) { return notice.until_s <= now_s; });
+    const int margin = overlay.line_height() / 2;
+    const auto most = std::size_t(std::max(8, (overlay.width() - 4 * margin) / (Font::kWidth * overlay.scale())));
+    int y = margin;
+    for (const Notice& notice : notices_)
+        for (const std::string& piece : wrapped(notice.text, most)) {
+            overlay.rimmed_text(margin, y, piece, kInk);
+            y += overlay.line_height();
+        }
+    if (pinned_.empty()) return;
+    std::vector<std::string> lines;
+    for (const std::string& line : pinned_)
+        for (std::string& piece : wrapped(line, most)) lines.push_back(std::move(piece));
+    const Box panel{margin, y, overlay.width() - 2 * margin, int(lines.size()) * overlay.line_height() + margin};
+    overlay.fill(panel, kPanel);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        overlay.text(2 * margin, y + margin / 2 + int(i) * overlay.line_height(), lines[i], kInk);
 }
 
 }  // namespace enfilade

@@ -3,12 +3,30 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/draw/overlay.h"
 #include "flight/renderer.h"
+#include "map/map.h"
+#include "world/world.h"
 
 namespace enfilade {
+
+// What the player is told while playing: news, health, keys.
+
+/// The news as a sentence; empty where it is shown otherwise.
+std::string news_text(const Map& map, const News& news);
+
+/// In the lower left corner: health, once it is less than full, and the keys one has. Nothing in a map without either.
+void draw_status(Overlay& overlay, const Map& map, const World& world);
+
+/// Above the middle: where one flies.
+void draw_flight(Overlay& overlay, const std::string& text);
+
+/// Across the middle: that one is dead, or how far back one has gone [ticks].
+void draw_death(Overlay& overlay);
+void draw_rewind(Overlay& overlay, std::size_t ticks_back);
 
 /// The last second or so of frame times.
 class FrameTimes {
@@ -39,5 +57,30 @@ void draw_readout(Overlay& overlay, const FrameTimes& times, const ReadoutFacts&
 
 /// A small cross around a pixel, and at the foot of the picture what is there, wrapped.
 void draw_pointed(Overlay& overlay, int x, int y, const std::string& text);
+
+// Short messages on the screen: "saved enfilade-0003.png", or what is wrong with a map that was just saved.
+
+class Notices {
+public:
+    /// Shown at the top until `seconds` after now [s].
+    void say(std::string text, double now_s, double seconds = 3);
+
+    /// The same, instead of the one before about the same: of something that changes step by step.
+    void update(std::string_view about, std::string text, double now_s, double seconds = 3);
+
+    /// A panel that stays until it is replaced; empty lines take it away.
+    void pin(std::vector<std::string> lines) { pinned_ = std::move(lines); }
+
+    void draw(Overlay& overlay, double now_s);
+
+private:
+    struct Notice {
+        std::string text;
+        double until_s;
+        std::string about{};  ///< may be empty
+    };
+    std::vector<Notice> notices_;
+    std::vector<std::string> pinned_;
+};
 
 }  // namespace enfilade

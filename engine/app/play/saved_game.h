@@ -2,7 +2,32 @@
 #pragma once
 #include <string>
 
+#include "base/output_file.h"
+#include "formats/tape.h"
+
 namespace enfilade {
+
+// A tape that is written while it is played.
+
+/// Each tick is in the file as soon as it is played, so that a game that is stopped, by whatever, leaves the tape of
+/// all that led there. An error leaves the tape as far as it was written; the recorder is of no use then.
+class TapeRecorder {
+public:
+    /// Begins the tape at `path`, in place of what was there. Of `tape`, its ticks and its end are not looked at.
+    static Result<TapeRecorder> begin(const std::string& path, const Tape& tape);
+
+    Status add(const InputRecord& tick);
+    /// Forgets all but the first so many ticks.
+    Status cut_to(std::size_t ticks);
+    Status finish(std::uint64_t final_hash);
+
+private:
+    TapeRecorder(OutputFile file, std::size_t beginning_bytes)
+        : file_(std::move(file)), beginning_bytes_(beginning_bytes) {}
+
+    OutputFile file_;
+    std::size_t beginning_bytes_;
+};
 
 /// The file for a map's saved game: in the user's folder for data (XDG base directories), named after the map and the
 /// folder it lies in; in the working folder where there is no home.

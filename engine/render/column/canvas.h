@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/column/plain_kernels.h"
+#include "render/column/kernels.h"
 #include "render/frame.h"
 
 namespace enfilade::column {

@@ -1,5 +1,7 @@
 #include "render/column/column_renderer.h"
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -109,6 +111,68 @@ std::vector<ViewportOutline> ColumnRenderer::viewports() const {
         outlines.push_back(std::move(outline));
     }
     return outlines;
+}
+
+namespace {
+
+/// Strips for each of several threads: views differ so much from left to right that two halves take 1 : 1.2 and worse,
+/// while four strips each leave a thread idle for a twentieth of the frame; more cost more walls met twice.
+constexpr std::size_t kStripsPerThread = 4;
+
+/// A strip's canvas, drawn and then copied, stays in a core's second-level cache, of which it takes half at most: most
+/// have 1 MiB or more. A picture in one piece would go through memory twice.
+constexpr std::size_t kCanvasBytes = std::size_t{512} << 10;
+
+std::size_t most_strips(const Frame& frame, std::size_t threads) {
+    const std::size_t bytes =
+        static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height) * sizeof(std::uint32_t);
+    const std::size_t for_cache = (bytes + kCanvasBytes - 1) / kCanvasBytes;
+    return std::max(for_cache, threads == 1 ? 1 : kStripsPerThread * threads);
+}
+
+/// Columns before the first end of a cache line in the picture's uppermost row. The same in every row, where the width
+/// is a multiple of kLinePixels; otherwise no cut spares all rows.
+int first_line_of(const Frame& frame) {
+    constexpr std::uintptr_t kLineBytes = kLinePixels * sizeof(std::uint32_t);
+    const auto address = reinterpret_cast<std::uintptr_t>(frame.pixels.data());
+    return static_cast<int>((kLineBytes - address % kLineBytes) % kLineBytes / sizeof(std::uint32_t));
+}
+
+}  // namespace
+
+void cut_into_strips(int width, int first_line, std::size_t most, std::vector<ColumnRange>& strips) {
+    ENFILADE_CHECK(width >= 1 && most >= 1 && 0 <= first_line && first_line < kLinePixels);
+    const int lines = (width + kLinePixels - 1) / kLinePixels;
+    const int count = static_cast<int>(std::min(most, static_cast<std::size_t>(lines)));
+    const int step = (lines + count - 1) / count * kLinePixels;
+    strips.clear();
+    for (int begin = 0; begin < width;) {
+        const int end = begin == 0 && count > 1 ? first_line + step : begin + step;
+        strips.push_back({begin, std::min(end, width)});
+        begin = end;
+    }
+}
+
+ColumnStrips::ColumnStrips(std::size_t threads)
+    : threads_(threads), lights_(std::make_unique<LightGrids>()), canvases_(threads), pool_(threads) {}
+
+void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
+                          const Snapshot& snapshot, const View& view) {
+    cut_into_strips(frame.width, first_line_of(frame), most_strips(frame, threads_), strips_);
+    while (renderers_.size() < strips_.size()) renderers_.emplace_back(*lights_);
+    const auto draw = [&](std::size_t i, std::size_t worker) {
+        renderers_[i].render_columns(frame, facts, map, textures, snapshot, view, strips_[i], canvases_[worker]);
+    };
+    pool_.run(strips_.size(), std::cref(draw));  // a task that is copied would take memory in every frame
+    frame.is_cut_short =
+        std::any_of(renderers_.begin(), renderers_.begin() + static_cast<std::ptrdiff_t>(strips_.size()),
+                    [](const ColumnRenderer& strip) { return strip.counts().is_cut_short; });
+}
+
+std::vector<std::vector<ViewportOutline>> ColumnStrips::viewports() const {
+    std::vector<std::vector<ViewportOutline>> all;
+    for (std::size_t i = 0; i < strips_.size(); ++i) all.push_back(renderers_[i].viewports());
+    return all;
 }
 
 }  // namespace enfilade

@@ -3,7 +3,7 @@
 #include "render/column/eight_wide.h"
 
 #if defined(__x86_64__)
-#include "render/column/texel_numbers.h"
+#include "render/column/kernels.h"
 
 namespace enfilade::column {
 namespace {

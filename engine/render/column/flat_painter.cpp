@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "render/column/fog.h"
 #include "render/column/kernels.h"
-#include "render/picture_now.h"
+#include "render/column/scene.h"
+#include "render/sprite.h"
 
 namespace enfilade::column {
 namespace {

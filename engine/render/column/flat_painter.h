@@ -5,8 +5,8 @@
 #include "render/column/scene.h"
 #include "render/column/wall_looks.h"
 #include "render/lighting.h"
-#include "render/picture_now.h"
-#include "render/pose.h"
+#include "render/sprite.h"
+#include "render/view.h"
 
 namespace enfilade::column {
 

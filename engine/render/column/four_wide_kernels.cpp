@@ -1,11 +1,9 @@
 // Four pixels at a time, in the registers that every x86-64 has. A run's last four pixels may overlap the four before
 // them: a pixel is a function of its place, so that drawing it twice does no harm. Shorter runs are drawn one by one.
-#include "render/column/plain_kernels.h"
+#include "render/column/kernels.h"
 
 #if defined(__x86_64__)
 #include <emmintrin.h>
-
-#include "render/column/texel_numbers.h"
 
 namespace enfilade::column {
 namespace {

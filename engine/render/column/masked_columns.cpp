@@ -1,5 +1,10 @@
 #include "render/column/masked_columns.h"
 
+#include <algorithm>
+
+#include "render/built_in.h"
+#include "render/sprite.h"
+
 namespace enfilade::column {
 
 void MaskedColumns::clear() {
@@ -16,6 +21,173 @@ void MaskedColumns::draw(const Scene& scene) const {
     for (auto column = columns_.rbegin(); column != columns_.rend(); ++column)
         painters_[static_cast<std::size_t>(column->painter)].lay_over(scene, column->x, column->rows.top,
                                                                       column->rows.bottom, column->hit);
+}
+
+bool PanelColumns::gather(const RoomView& view, MaskedColumns& masked) {
+    boards_.clear();
+    row_.clear();
+    next_ = 0;
+    const Sector& sector = view.scene.map[view.viewport.sector];
+    for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i)
+        add(view, PanelId(i), masked);
+    std::sort(boards_.begin(), boards_.end(), [](const Board& a, const Board& b) {
+        return a.place.begin != b.place.begin ? a.place.begin < b.place.begin : a.painter < b.painter;
+    });
+    return !boards_.empty();
+}
+
+void PanelColumns::add(const RoomView& view, PanelId id, MaskedColumns& masked) {
+    const Scene& scene = view.scene;
+    const Panel& panel = scene.map[id];
+    if (!panel.surface.texture) return;
+    const Segment seen = facing(panel, view.pose.eye);
+    if (panel.one_sided && seen.a != panel.a) return;
+    Board board{seen, project(seen, view.pose, scene.screen), {}, 0};
+    if (board.place.begin >= view.viewport.end || board.place.end <= view.viewport.begin) return;
+    if (board.place.begin >= board.place.end) return;
+    if (view.viewport.entry && !is_panel_beyond(seen, scene.map[view.viewport.entry])) return;
+    if (seen.a != panel.a) board.place.swapped = !board.place.swapped;
+    const double top = panel.top - view.pose.eye_z;
+    board.rows = within(view.here, panel.bottom - view.pose.eye_z, top);
+    WallPainter painter;
+    painter.start_panel(scene, panel, top, light_now(scene.snapshot, panel.sector), panel_id(scene.map, id));
+    painter.light_up(scene.light_on(id), panel.length, view.pose.eye_z);
+    board.painter = masked.add(painter);
+    boards_.push_back(board);
+}
+
+/// Of panels on one line the first in the map is the nearer.
+bool PanelColumns::is_before(int a, int b) const {
+    const Board& one = boards_[static_cast<std::size_t>(a)];
+    const Board& other = boards_[static_cast<std::size_t>(b)];
+    const bool is_first = one.painter < other.painter;
+    const bool nearer = is_nearer(one.facing, other.facing);
+    return nearer && (is_first || !is_nearer(other.facing, one.facing));
+}
+
+void PanelColumns::move_to(int x) {
+    std::erase_if(row_, [&](int board) { return boards_[static_cast<std::size_t>(board)].place.end <= x; });
+    for (; next_ < boards_.size() && boards_[next_].place.begin <= x; ++next_) {
+        if (boards_[next_].place.end <= x) continue;
+        const int board = static_cast<int>(next_);
+        const auto nearer_than_it = [&](int other) { return is_before(other, board); };
+        row_.insert(std::find_if_not(row_.begin(), row_.end(), nearer_than_it), board);
+    }
+}
+
+bool PanelColumns::is_before_wall(const RoomView& view, const Board& board, int x) const {
+    const Wall& wall = view.scene.map[view.nearest.wall(view.nearest.at(x)).wall];
+    const double to_wall = view.nearest.inverse_depth_at(view.scene.screen, x);
+    const double to_panel = inverse_depth(board.place, view.scene.screen.slopes[x]);
+    return are_telling(to_panel, to_wall) ? to_panel > to_wall : is_nearer(board.facing, wall);
+}
+
+std::span<const PanelColumns::Look> PanelColumns::at(const RoomView& view, int x) {
+    move_to(x);
+    looks_.clear();
+    double depth = 0;
+    for (const int index : row_) {
+        const Board& board = boards_[static_cast<std::size_t>(index)];
+        if (!is_before_wall(view, board, x)) break;  // so are those behind it
+        Look look{index, hit(board.place, view.scene.screen.slopes[x])};
+        depth = look.hit.depth = std::max(depth, look.hit.depth);  // in order whatever rounding did
+        looks_.push_back(look);
+    }
+    return looks_;
+}
+
+void PanelColumns::note(const RoomView& view, const Look& look, int x, MaskedColumns& masked) const {
+    const Board& board = boards_[static_cast<std::size_t>(look.panel)];
+    const RowSplit rows = split_rows(view.scene.screen, view.viewport.rows_at(x), look.hit.depth, board.rows, nullptr);
+    masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, look.hit);
+}
+
+bool ThingColumns::is_nearer(const Board& a, const Board& b) {
+    const std::int64_t a_steps = depth_steps(a.depth), b_steps = depth_steps(b.depth);
+    return a_steps != b_steps ? a_steps < b_steps : a.painter < b.painter;
+}
+
+bool ThingColumns::gather(const RoomView& view, MaskedColumns& masked) {
+    boards_.clear();
+    for (const Presence& presence : view.scene.snapshot.things.in(view.viewport.sector)) add(view, presence, masked);
+    std::sort(boards_.begin(), boards_.end(), is_nearer);  // of equals the first is the nearer one
+    return !boards_.empty();
+}
+
+void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedColumns& masked) {
+    const Scene& scene = view.scene;
+    const Vec2 to_it = presence.position - view.pose.eye;
+    Board board;
+    board.depth = dot(view.pose.forward, to_it);
+    if (board.depth < kNearestSprite) return;
+    const SpritePicture picture = picture_of(scene.map, scene.textures, scene.snapshot, presence, view.pose.eye);
+    if (!picture.texture) return;
+    board.width = picture.size_m.x;
+    board.mirrored = (view.pose.flip < 0) != picture.is_mirrored;
+    const double left_of_it = board.mirrored ? board.width - picture.origin_m.x : picture.origin_m.x;
+    board.left_v = dot(view.pose.right, to_it) - left_of_it;
+    const ColumnRays rays{scene.screen.slopes, scene.screen.column_scale};
+    board.begin = std::max(view.viewport.begin, first_column_from(board.left_v, board.depth, rays));
+    board.end = std::min(view.viewport.end, first_column_from(board.left_v + board.width, board.depth, rays));
+    if (board.begin >= board.end) return;
+    const double top = picture.foot_z - view.pose.eye_z + picture.origin_m.y;
+    const bool is_whole = thing_edges(scene.map.render, false) == ThingEdges::whole;
+    board.rows = {top - picture.size_m.y, top};
+    if (!is_whole) board.rows = within(view.here, board.rows.floor, board.rows.ceiling);
+    board.place = presence.position;
+    WallPainter painter;
+    painter.start_picture(scene, scene.textures[picture.texture], top, picture.size_m.y, picture.lighting,
+                          thing_id(scene.map, presence.thing));
+    painter.light_up(scene.light_on(presence.thing), 0, 0);  // the same everywhere
+    board.painter = masked.add(painter);
+    boards_.push_back(board);
+}
+
+bool ThingColumns::is_met(const RoomView& view, const Board& board, int x) {
+    const Scene& scene = view.scene;
+    const double entry = 1 / view.viewport.boundary_at(x),
+                 exit = 1 / view.nearest.inverse_depth_at(view.scene.screen, x);
+    if (thing_edges(scene.map.render, false) == ThingEdges::cut) return is_met_between(board.depth, entry, exit);
+    const WallId wall = view.nearest.wall(view.nearest.at(x)).wall;
+    return is_seen_in(scene.map, scene.snapshot, {view.pose.eye, view.pose.forward, board.place, board.depth},
+                      {view.viewport.entry, wall, entry, exit});
+}
+
+void ThingColumns::note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked) const {
+    const Board& board = boards_[i];
+    const OpenRows open = view.viewport.rows_at(x);
+    if (x < board.begin || x >= board.end || open.is_closed()) return;
+    if (!is_met(view, board, x)) return;
+    const double from_left = (view.scene.screen.slopes[x] * board.depth - board.left_v) / board.width;
+    const WallHit hit{board.depth, std::clamp(board.mirrored ? 1 - from_left : from_left, 0.0, kLastPlace)};
+    const RowSplit rows = split_rows(view.scene.screen, open, board.depth, board.rows, nullptr);
+    masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, hit);
+}
+
+void ThingColumns::note_all(const RoomView& view, MaskedColumns& masked) const {
+    for (std::size_t i = 0; i < boards_.size(); ++i)
+        for (int x = boards_[i].begin; x < boards_[i].end; ++x) note(view, i, x, masked);
+}
+
+void RoomColumns::note(const RoomView& view, MaskedColumns& masked) {
+    const bool has_things = built_in::kThings && things_.gather(view, masked);
+    if (!built_in::kPanels || !panels_.gather(view, masked)) {
+        if (has_things) things_.note_all(view, masked);
+        return;
+    }
+    // A panel may be before a thing in one column and behind it in the next.
+    for (int x = view.viewport.begin; x < view.viewport.end; ++x)
+        if (!view.viewport.rows_at(x).is_closed()) note_column(view, x, masked);
+}
+
+void RoomColumns::note_column(const RoomView& view, int x, MaskedColumns& masked) {
+    std::size_t thing = 0;
+    for (const PanelColumns::Look& panel : panels_.at(view, x)) {
+        for (; thing < things_.count() && depth_steps(things_.depth(thing)) <= depth_steps(panel.hit.depth); ++thing)
+            things_.note(view, thing, x, masked);
+        panels_.note(view, panel, x, masked);
+    }
+    for (; thing < things_.count(); ++thing) things_.note(view, thing, x, masked);
 }
 
 }  // namespace enfilade::column

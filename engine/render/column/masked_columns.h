@@ -1,12 +1,33 @@
 // What cannot be drawn in order: fences and things are noted while the viewports are drawn, together with the rows that
 // were open, and laid over the finished picture back to front. A frame without such pictures keeps nothing here.
 #pragma once
+#include <cstddef>
+#include <span>
 #include <vector>
 
+#include "render/column/nearest_walls.h"
+#include "render/column/scene.h"
 #include "render/column/viewport.h"
 #include "render/column/wall_painter.h"
+#include "render/sprite.h"
+#include "render/view.h"
 
 namespace enfilade::column {
+
+// A viewport while what stands in its room is looked for.
+
+struct RoomView {
+    const Scene& scene;
+    const Viewport& viewport;
+    const Pose& pose;
+    const RelativeHeights& here;
+    const NearestWalls& nearest;
+};
+
+/// The part of a picture that is between the room's floor and ceiling.
+inline RelativeHeights within(const RelativeHeights& room, double bottom, double top) {
+    return {bottom > room.floor ? bottom : room.floor, top < room.ceiling ? top : room.ceiling};
+}
 
 class MaskedColumns {
 public:
@@ -34,6 +55,106 @@ private:
 
     std::vector<WallPainter> painters_;
     std::vector<Column> columns_;
+};
+
+// Which columns and rows of a viewport show panels, and in which order.
+
+/// The panels of one viewport, column by column from left to right. Panels cross nothing, so of two that share a column
+/// the same one is the nearer in all of them: a row of those that cover the present column is kept in order, and a
+/// panel is put in where it begins and taken out where it ends.
+class PanelColumns {
+public:
+    /// Finds the panels that are somewhere on the screen. False: there are none.
+    bool gather(const RoomView& view, MaskedColumns& masked);
+
+    /// What column x shows of a panel.
+    struct Look {
+        int panel;  ///< number of this search
+        WallHit hit;
+    };
+
+    /// Those in column x that are met between the entry to the room and the wall behind, the nearest first; their
+    /// depths never fall. Valid until the next call. x grows from call to call after gather().
+    std::span<const Look> at(const RoomView& view, int x);
+
+    /// Notes what column x shows of the panel.
+    void note(const RoomView& view, const Look& look, int x, MaskedColumns& masked) const;
+
+private:
+    /// A panel that is somewhere on the screen.
+    struct Board {
+        Segment facing;       ///< turned so that it faces the eye
+        ProjectedWall place;  ///< `swapped` says whether its left end is the panel's b
+        RelativeHeights rows;
+        int painter;  ///< in MaskedColumns
+    };
+
+    void add(const RoomView& view, PanelId id, MaskedColumns& masked);
+    bool is_before(int a, int b) const;
+    void move_to(int x);
+    bool is_before_wall(const RoomView& view, const Board& board, int x) const;
+
+    std::vector<Board> boards_;  ///< by where they begin, from left to right
+    std::size_t next_ = 0;       ///< the first that begins to the right of the present column
+    std::vector<int> row_;       ///< those that cover the present column, the nearest first
+    std::vector<Look> looks_;
+};
+
+// Which columns and rows of a viewport show things, and in which order.
+
+/// The things of one viewport at a time.
+class ThingColumns {
+public:
+    /// Finds the things that are somewhere on the screen and puts them in order, the nearest first. False: there are
+    /// none.
+    bool gather(const RoomView& view, MaskedColumns& masked);
+
+    std::size_t count() const { return boards_.size(); }
+
+    /// Of the i-th of them. All of a picture has one depth, so the order is the same in all columns [m].
+    double depth(std::size_t i) const { return boards_[i].depth; }
+
+    /// Notes what column x shows of the i-th of them, if it does.
+    void note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked) const;
+
+    /// Notes every column of all of them.
+    void note_all(const RoomView& view, MaskedColumns& masked) const;
+
+private:
+    /// A picture that is somewhere on the screen.
+    struct Board {
+        int begin, end;  ///< columns, within the viewport
+        double depth;    ///< [m]
+        double left_v;   ///< its left edge in view space [m]
+        double width;    ///< [m]
+        bool mirrored;   ///< its left edge is the picture's right one
+        RelativeHeights rows;
+        Vec2 place;   ///< of the thing
+        int painter;  ///< in MaskedColumns
+    };
+
+    static bool is_nearer(const Board& a, const Board& b);
+    void add(const RoomView& view, const Presence& presence, MaskedColumns& masked);
+    static bool is_met(const RoomView& view, const Board& board, int x);
+
+    std::vector<Board> boards_;
+};
+
+// What stands in a room: its things and panels, in one order in every column.
+
+/// Notes the things and panels of one viewport at a time. A viewport without them costs a look at two empty lists.
+class RoomColumns {
+public:
+    /// Notes every column of every picture, of each column the nearest first; of a thing and a panel at one depth, in
+    /// steps (render/sprite.h), the thing. To be called before the viewport's masked walls are noted: they stand at the
+    /// end of the room, behind all that is in it.
+    void note(const RoomView& view, MaskedColumns& masked);
+
+private:
+    void note_column(const RoomView& view, int x, MaskedColumns& masked);
+
+    ThingColumns things_;
+    PanelColumns panels_;
 };
 
 }  // namespace enfilade::column

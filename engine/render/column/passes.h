@@ -3,7 +3,7 @@
 //
 // The scalar passes say what is drawn; those for AVX2 draw the same bits, eight pixels at a time.
 #pragma once
-#include "render/column/plain_kernels.h"
+#include "render/column/kernels.h"
 #include "render/light_grid.h"
 
 namespace enfilade::column {

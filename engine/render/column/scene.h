@@ -6,21 +6,30 @@
 
 #include "map/map.h"
 #include "map/textures.h"
+#include "render/built_in.h"
 #include "render/column/canvas.h"
 #include "render/column/passes.h"
-#include "render/column/screen.h"
+#include "render/column/sector_projection.h"
 #include "render/frame.h"
 #include "render/light_grids.h"
-#include "render/pose.h"
+#include "render/view.h"
 #include "world/snapshot.h"
 
 namespace enfilade::column {
 
-/// Fog before a surface (render/column/fog.h).
+/// Fog before a surface: decided once for each surface, so that a map without fog has none in its loops.
 struct Fog {
     double reach = 0;         ///< depth at which it hides half; 0: no fog [m]
     std::uint32_t color = 0;  ///< as a pixel
 };
+
+/// The fog of a map; none where this build knows none.
+inline Fog fog_of(const Map& map) {
+    if (!built_in::kFog || map.render.fog_reach == 0) return {};
+    return {map.render.fog_reach, pixel_of(map.render.fog_color)};
+}
+
+inline bool is_there(const Fog& fog) { return built_in::kFog && fog.reach > 0; }
 
 /// Which way columns look, in parts of a full turn: worked out once for each, for often several viewports show a sky.
 class ColumnTurns {

@@ -1,12 +1,32 @@
 #include "render/column/sector_projection.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "math/predicates.h"
 #include "render/built_in.h"
 #include "render/least_missed.h"
 
 namespace enfilade::column {
+
+void Screen::set(const Projection& projection) {
+    width = projection.width();
+    height = projection.height();
+    focal_y = projection.focal_y();
+    horizon = projection.horizon();
+    slopes.resize(static_cast<std::size_t>(width));
+    row_rises.resize(static_cast<std::size_t>(height));
+    tied_rises.resize(static_cast<std::size_t>(height));
+    row_depths.resize(static_cast<std::size_t>(height));
+    for (int x = 0; x < width; ++x) slopes[x] = projection.slope(x);
+    for (int y = 0; y < height; ++y) {
+        row_rises[y] = projection.row_from_horizon(y);
+        tied_rises[y] = row_rises[y] + kTieClimb * focal_y;
+        row_depths[y] = focal_y / row_rises[y];
+    }
+    column_scale = width / (2 * projection.half_fov_tangent());
+}
+
 namespace {
 
 void set_columns(ProjectedWall& w, const Pose& pose, const Screen& screen) {
@@ -69,6 +89,55 @@ ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, co
     best.begin = column;
     best.end = column + 1;
     return best;
+}
+
+namespace {
+
+/// What is kept of one frame: 120 MB of walls, and as many sectors as the largest views look into a hundred times.
+constexpr std::size_t kMostWalls = std::size_t{1} << 20, kMostProjections = std::size_t{1} << 16;
+
+}  // namespace
+
+void ProjectionCache::start_frame() {
+    used_ = 0;
+    walls_ = 0;
+    if (++frame_ == 0) {  // after 2^32 frames old marks would look new
+        slots_.assign(slots_.size(), {});
+        frame_ = 1;
+    }
+}
+
+const std::vector<ProjectedWall>& ProjectionCache::get(const Map& map, SectorId sector, int pose_index,
+                                                       const Pose& pose, const Screen& screen) {
+    const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(pose_index)} << 32 | sector.index;
+    Slot* slot = &find(key);
+    if (slot->frame == frame_) return projections_[slot->projection];
+    if (walls_ > kMostWalls || used_ > kMostProjections) {
+        start_frame();
+        slot = &find(key);
+    }
+    if (2 * (used_ + 1) > slots_.size()) {
+        grow();
+        slot = &find(key);
+    }
+    if (used_ == projections_.size()) projections_.emplace_back();
+    *slot = {key, frame_, used_};
+    project(map, sector, pose, screen, projections_[used_]);
+    walls_ += projections_[used_].size();
+    return projections_[used_++];
+}
+
+ProjectionCache::Slot& ProjectionCache::find(std::uint64_t key) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t i = (key * 0x9E3779B97F4A7C15u) >> 32;  // Fibonacci hashing: the golden ratio spreads close keys
+    while (slots_[i & mask].frame == frame_ && slots_[i & mask].key != key) ++i;
+    return slots_[i & mask];
+}
+
+void ProjectionCache::grow() {
+    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(slots_.size() * 2));
+    for (const Slot& slot : old)
+        if (slot.frame == frame_) find(slot.key) = slot;
 }
 
 }  // namespace enfilade::column

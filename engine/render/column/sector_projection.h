@@ -1,16 +1,34 @@
 // Where the walls of one sector stand on the screen, seen from one pose.
 #pragma once
+#include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "map/map.h"
-#include "render/column/screen.h"
-#include "render/edge_function.h"
 #include "render/segment.h"
+#include "render/view.h"
 
 namespace enfilade::column {
 
+// The numbers of one picture size and look, worked out once a frame for every column and row.
+
+/// Rays by index: what Projection computes, kept in tables.
+struct Screen {
+    int width = 0;
+    int height = 0;
+    double focal_y = 1;              ///< [px]
+    double horizon = 0;              ///< [px]
+    double column_scale = 1;         ///< columns per unit of slope
+    std::vector<double> slopes;      ///< [width] tangent right of the middle
+    std::vector<double> row_rises;   ///< [height] rows above the horizon [px]
+    std::vector<double> tied_rises;  ///< [height] the same by the tie rule: of these is asked what a row passes
+    std::vector<double> row_depths;  ///< [height] depth at which a ray has climbed 1 m; infinite on the horizon [m/m]
+
+    void set(const Projection& projection);
+};
+
 /// A wall that faces the eye, as columns see it: covers those between its left end L and its right end R
-/// (render/edge_function.h).
+/// (render/segment.h).
 struct ProjectedWall {
     WallId wall;             ///< none: a panel
     int begin = 0, end = 0;  ///< columns covered, within the screen
@@ -53,5 +71,36 @@ ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, co
 
 /// A single edge, which faces the eye: without its number. Covers no column (begin >= end) where it is not seen.
 ProjectedWall project(const Segment& facing, const Pose& pose, const Screen& screen);
+
+// One sector may be seen in one frame through many doorways and many transforms: its walls are projected once for
+// each pose, not once for each viewport.
+
+/// Projections of one frame by (sector, pose). Keeps its memory from frame to frame.
+class ProjectionCache {
+public:
+    void start_frame();
+
+    /// Where the sector's walls stand; projected now if nobody asked before, or what was known had to make room. Valid
+    /// until the next call.
+    const std::vector<ProjectedWall>& get(const Map& map, SectorId sector, int pose_index, const Pose& pose,
+                                          const Screen& screen);
+
+private:
+    /// A place in an open-addressed table; empty where frame is not the present one.
+    struct Slot {
+        std::uint64_t key = 0;
+        std::uint32_t frame = 0;
+        std::uint32_t projection = 0;
+    };
+
+    Slot& find(std::uint64_t key);
+    void grow();
+
+    std::vector<Slot> slots_{std::vector<Slot>(256)};  ///< a power of two, at most half full
+    std::deque<std::vector<ProjectedWall>> projections_;
+    std::uint32_t used_ = 0;
+    std::size_t walls_ = 0;  ///< of all that are used
+    std::uint32_t frame_ = 1;
+};
 
 }  // namespace enfilade::column

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/id.h"
+#include "render/column/sector_projection.h"
 
 namespace enfilade::column {
 
@@ -57,5 +58,72 @@ private:
 /// Viewports that are still to be drawn. Which comes first does not change the picture, for no two of them have an
 /// open pixel in common; last in, first out keeps the stack as short as the chains are.
 using ViewportStack = std::vector<Viewport*>;
+
+// Which rows of a column show ceiling, wall, opening and floor.
+
+/// Heights of a room above the eye [m].
+struct RelativeHeights {
+    double floor = 0;
+    double ceiling = 0;
+};
+
+/// Rows of one column, top to bottom:
+///   [top, wall_top) ceiling   [wall_top, opening_top) step down   [opening_top, opening_bottom) what lies behind
+///   [opening_bottom, wall_bottom) step up   [wall_bottom, bottom) floor
+/// A solid wall has no opening: its rows are [wall_top, wall_bottom).
+struct RowSplit {
+    int wall_top = 0, opening_top = 0, opening_bottom = 0, wall_bottom = 0;
+};
+
+/// A wall that passes through the eye is met an instant after the start: nearer than any height matters, but not so
+/// near that an eye at the very height of a ceiling would find all rows above it [m].
+inline constexpr double kAnInstant = 0x1p-1000;
+
+/// The rows of one column at a depth.
+class RowsAt {
+public:
+    RowsAt(const Screen& screen, double depth)
+        : rises_(screen.tied_rises.data()),
+          focal_y_(screen.focal_y),
+          guess_at_eye_(screen.horizon + 0.5),
+          met_(depth > kAnInstant ? depth : kAnInstant),
+          nearness_(1 / met_) {}
+
+    /// The first of the rows [top, bottom) in which a surface is lower than `height` above the eye; bottom if none is.
+    /// Row y is not lower where tied_rises[y] * depth >= height * focal_y: a product; the reciprocal only guesses.
+    /// Depth 0 (the eye in the wall's plane) is an instant more than nothing, so that an eye exactly at `height` has
+    /// the rows under its horizon below it.
+    int first_below(double height, int top, int bottom) const {
+        const double height_px = height * focal_y_;
+        const double guess = guess_at_eye_ - height_px * nearness_;
+        int y = !(guess > top) ? top : guess >= bottom ? bottom : static_cast<int>(guess);
+        while (y > top && rises_[y - 1] * met_ < height_px) --y;
+        while (y < bottom && !(rises_[y] * met_ < height_px)) ++y;
+        return y;
+    }
+
+private:
+    const double* rises_;
+    double focal_y_, guess_at_eye_, met_, nearness_;
+};
+
+/// Splits the open rows at a wall `depth` away. behind: null for a solid wall.
+inline RowSplit split_rows(const Screen& screen, OpenRows open, double depth, const RelativeHeights& here,
+                           const RelativeHeights* behind) {
+    const RowsAt rows_at(screen, depth);
+    RowSplit rows;
+    rows.wall_top = rows_at.first_below(here.ceiling, open.top, open.bottom);
+    rows.wall_bottom = rows_at.first_below(here.floor, rows.wall_top, open.bottom);
+    rows.opening_top = rows.opening_bottom = rows.wall_bottom;
+    if (behind == nullptr) return rows;
+    // A height beyond that of the room here cuts nothing off.
+    rows.opening_top = behind->ceiling < here.ceiling
+                           ? rows_at.first_below(behind->ceiling, rows.wall_top, rows.wall_bottom)
+                           : rows.wall_top;
+    rows.opening_bottom = behind->floor > here.floor
+                              ? rows_at.first_below(behind->floor, rows.opening_top, rows.wall_bottom)
+                              : rows.wall_bottom;
+    return rows;
+}
 
 }  // namespace enfilade::column

@@ -6,7 +6,7 @@
 #include "render/column/kernels.h"
 #include "render/look_budget.h"
 #include "render/open_steps.h"
-#include "render/picture_now.h"
+#include "render/sprite.h"
 
 namespace enfilade::column {
 namespace {

@@ -1,8 +1,8 @@
 // What neighbouring columns see of one wall: where it stands, and which rows show what. Worked out for many columns at
 // once, so that compilers do it for two or four of them at a time.
 #pragma once
-#include "render/column/row_split.h"
 #include "render/column/sector_projection.h"
+#include "render/column/viewport.h"
 
 namespace enfilade::column {
 

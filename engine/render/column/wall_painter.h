@@ -3,7 +3,7 @@
 #include "render/column/scene.h"
 #include "render/column/wall_looks.h"
 #include "render/lighting.h"
-#include "render/pose.h"
+#include "render/view.h"
 
 namespace enfilade::column {
 

@@ -4,7 +4,6 @@
 
 #include "math/grid.h"
 #include "render/open_steps.h"
-#include "render/picture_now.h"
 #include "render/sprite.h"
 
 namespace enfilade {

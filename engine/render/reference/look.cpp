@@ -8,10 +8,9 @@
 
 #include "render/look_budget.h"
 #include "render/open_steps.h"
-#include "render/picture_now.h"
-#include "render/reference/pane.h"
 #include "render/reference/room_panes.h"
 #include "render/shade.h"
+#include "render/sprite.h"
 
 namespace enfilade {
 namespace {

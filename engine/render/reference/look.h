@@ -6,7 +6,6 @@
 #include "render/frame.h"
 #include "render/light_grids.h"
 #include "render/reference/ray_path.h"
-#include "render/reference/tilted_ray.h"
 #include "world/snapshot.h"
 
 namespace enfilade {

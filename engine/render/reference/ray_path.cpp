@@ -5,9 +5,51 @@
 #include <limits>
 
 #include "base/check.h"
+#include "math/predicates.h"
 #include "render/look_budget.h"
 
 namespace enfilade {
+
+int side_of_edge(const Edge& line, const Edge& e) {
+    const int a = corner(line.a, line.b, e.a), b = corner(line.a, line.b, e.b);
+    if (a * b < 0) return 0;
+    return (a + b > 0) - (a + b < 0);
+}
+
+bool are_on_one_line(const Edge& e, const Edge& f) { return corner(e.a, e.b, f.a) == 0 && corner(e.a, e.b, f.b) == 0; }
+
+bool is_in_front(const Edge& e, const Edge& f) {
+    const int side = side_of_edge(e, f);
+    return side != 0 ? side < 0 : side_of_edge(f, e) > 0;
+}
+
+namespace {
+
+/// A slope that a path can have (ray_path.h) and that every ray of a picture that is not tilted has: the tangent of
+/// half of kMaxFov.
+constexpr double kMostSlope = 115;
+
+/// Straight down is down and this much ahead: a hair on any floor [1].
+constexpr double kLean = 0x1p-40;
+
+}  // namespace
+
+RayCourse ray_course(const Ray& ray) {
+    const double aheads[] = {ray.ahead, ray.right, -ray.ahead, -ray.right};
+    const double rights[] = {ray.right, -ray.ahead, -ray.right, ray.ahead};
+    int best = 0;
+    if (!(ray.ahead > 0 && std::fabs(ray.right) <= kMostSlope * ray.ahead))
+        best = static_cast<int>(std::max_element(aheads, aheads + 4) - aheads);
+    const double ahead = std::max(aheads[best], kLean);
+    return {best, rights[best] / ahead, ray.up / ahead, 1 / ahead};
+}
+
+View turned(const View& view, int quarters) {
+    View turned = view;
+    for (; quarters > 0; --quarters) turned.forward = right_of(turned.forward) * view.flip;
+    return turned;
+}
+
 namespace {
 
 /// Steps of the ray's normal per unit: with slopes up to tan(89.5 degrees) it fits 62 bits.

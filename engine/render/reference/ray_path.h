@@ -5,10 +5,46 @@
 
 #include "map/map.h"
 #include "math/predicates.h"
-#include "render/reference/edge.h"
 #include "render/view.h"
 
 namespace enfilade {
+
+// Walls and panels as edges in the plane, and which of two a ray meets first.
+
+/// A directed edge.
+struct Edge {
+    Vec2 a, b;  ///< on the vertex grid
+
+    Edge(Vec2 start, Vec2 end) : a(start), b(end) {}
+    Edge(const Wall& wall) : a(wall.a), b(wall.b) {}  // NOLINT(google-explicit-constructor): a wall is one
+};
+
+/// Where e lies as seen from the line of another: 1 on its right, -1 on its left (touching allowed), 0 on both sides or
+/// all on the line. Edges of a sector and its panels never cross: where this is 0 one way round, it is not the other,
+/// unless both are on one line.
+int side_of_edge(const Edge& line, const Edge& e);
+
+bool are_on_one_line(const Edge& e, const Edge& f);
+
+/// Both face the eye and cover the ray: is e met before f? Not if both are on one line.
+bool is_in_front(const Edge& e, const Edge& f);
+
+// How a ray of a tilted picture is followed: in the plane of its own, like a ray of a picture that is not tilted and
+// looks where the ray goes.
+
+/// A ray in the way it is followed: from a view that is turned by whole quarters, so that the ray goes ahead.
+struct RayCourse {
+    int quarters = 0;        ///< to the right, 0..3; 0 where the picture is not tilted
+    double slope = 0;        ///< to the right, per metre ahead
+    double climb = 0;        ///< up, per metre ahead; finite
+    double depth_scale = 1;  ///< depth along the line of sight, per metre ahead
+};
+
+/// The course of a ray. A ray straight up or down leans ahead by a hair. Rays that are not tilted keep their bits.
+RayCourse ray_course(const Ray& ray);
+
+/// The view from which the ray is followed.
+View turned(const View& view, int quarters);
 
 /// The eye and its look, carried through every link passed so far into the space where the ray now is.
 struct EyeSpace {

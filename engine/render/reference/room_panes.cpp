@@ -1,13 +1,33 @@
 #include "render/reference/room_panes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
-#include "render/reference/panels_met.h"
-#include "render/reference/things_met.h"
 #include "render/sprite.h"
 
 namespace enfilade {
+
+namespace {
+
+/// What a texel does to what is behind it: hides it, shows it, or mixes with it, each colour in its own way.
+std::uint32_t effect_of(const Texture& texture, double u, double v) {
+    const std::uint32_t color = texel(texture, place_on_tile(u), place_on_tile(v)).color;
+    const std::uint32_t alpha = color & 0xFF000000u;
+    return alpha == 0 || alpha == 0xFF000000u ? alpha : color;
+}
+
+}  // namespace
+
+bool is_at_rim_of_hole(const Texture& texture, TexelPosition at, Vec2 size_m) {
+    constexpr double kFloatError = 0x1p-24;  // of the position [tiles]
+    const double u = static_cast<double>(at.u), du = kAmbiguous / size_m.x + kFloatError;
+    const double v = static_cast<double>(at.v), dv = kAmbiguous / size_m.y + kFloatError;
+    const std::uint32_t effect = effect_of(texture, u - du, v - dv);
+    return effect_of(texture, u + du, v - dv) != effect || effect_of(texture, u - du, v + dv) != effect ||
+           effect_of(texture, u + du, v + dv) != effect;
+}
+
 namespace {
 
 bool is_nearer(const MetPane& a, const MetPane& b) { return depth_steps(a.depth) < depth_steps(b.depth); }
@@ -29,6 +49,201 @@ bool add_room_panes(const Scene& scene, const RoomRay& ray, std::vector<Pane>& p
         ambiguous |= met[i].pane.ambiguous || (i > 0 && is_order_close(met[i - 1], met[i]));
         panes.push_back(met[i].pane);
     }
+    return ambiguous;
+}
+
+namespace {
+
+/// Is the ray at `height` above the eye, or higher, where it meets the panel? A panel through the eye is met an instant
+/// after the start, as a wall is.
+bool reaches(const RoomRay& ray, const PanelHit& at, double height) {
+    if (at.depth == 0 && height == 0) return ray.course.climb >= 0;
+    return (ray.course.climb + kTieClimb) * at.depth >= height;
+}
+
+/// A level ray, or a panel through the eye, is compared with a height without any rounding.
+bool is_close_to(const RoomRay& ray, const PanelHit& at, double height) {
+    if (ray.course.climb == 0 || at.depth == 0) return false;
+    return std::fabs(ray.course.climb * at.depth - height) < kAmbiguous;
+}
+
+Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
+    const Panel& panel = scene.map[at.panel];
+    const Surface surface = picture_now(scene.snapshot, panel);
+    const Texture& texture = scene.textures[surface.texture];
+    const double top = panel.top - ray.hit.space.eye_z;
+    const double u = at.along * panel.length / surface.tile_m.x - surface.offset_tiles.x;
+    const double v = (top - ray.course.climb * at.depth) / surface.tile_m.y - surface.offset_tiles.y;
+    const Texel shown = texel(texture, place_on_tile(u), place_on_tile(v));
+    const Lighting lighting =
+        lighting_in(scene.map, panel.sector, light_at(scene.snapshot, panel.sector), panel.contrast);
+    const double depth = at.depth * ray.course.depth_scale;
+    Pane pane;
+    pane.seen.id = panel_id(scene.map, at.panel);
+    pane.seen.depth = depth;
+    pane.seen.texel = {static_cast<float>(fraction(u)), static_cast<float>(fraction(v))};
+    pane.alpha = shown.color >> 24;
+    const LightGrid* grid = scene.lights ? scene.lights->on_panel(scene.map, scene.snapshot, at.panel) : nullptr;
+    const double z = ray.hit.space.eye_z + ray.course.climb * at.depth;
+    pane.seen.color = lit(scene, shown, lighting, depth, glow_on(grid, at.along * panel.length, z));
+    pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, surface.tile_m);
+    return pane;
+}
+
+}  // namespace
+
+bool find_panels_met(const Scene& scene, const RoomRay& ray, std::vector<MetPane>& met) {
+    bool ambiguous = false;
+    const Heights room = heights_at(scene.snapshot, ray.hit.sector);
+    const double eye_z = ray.hit.space.eye_z;
+    for (const PanelHit& at : ray.hit.panels) {
+        const Panel& panel = scene.map[at.panel];
+        const double top = std::min(panel.top, room.ceiling_z) - eye_z;
+        const double bottom = std::max(panel.bottom, room.floor_z) - eye_z;
+        ambiguous |= is_close_to(ray, at, top) || is_close_to(ray, at, bottom);
+        if (reaches(ray, at, bottom) && !reaches(ray, at, top)) met.push_back({at.depth, pane_of(scene, ray, at)});
+    }
+    return ambiguous;
+}
+
+namespace {
+
+/// Whether all of several conditions hold, and whether they could do otherwise.
+struct Verdict {
+    bool holds = true;
+    bool possible = true;  ///< all hold, or are so close that they might
+    bool certain = true;   ///< all hold, and none is close
+
+    void require(bool condition, bool is_close) {
+        holds &= condition;
+        possible &= condition || is_close;
+        certain &= condition && !is_close;
+    }
+    bool is_ambiguous() const { return possible && !certain; }
+};
+
+bool are_close(double a, double b) { return std::fabs(a - b) < kAmbiguous; }
+
+/// Where the view looks in the space where the ray now is: its course may go another way, by quarters.
+Vec2 sight_of(const RoomRay& ray) {
+    Vec2 sight = ray.hit.space.forward;
+    for (int quarters = ray.course.quarters; quarters > 0; --quarters) sight = -right_of(sight) * ray.hit.space.flip;
+    return sight;
+}
+
+/// How far along `sight` the ray comes per metre of its course; exactly 1 where it goes that way.
+double sight_per_course(const RayCourse& course) {
+    const double parts[] = {1, -course.slope, -1, course.slope};
+    return parts[course.quarters];
+}
+
+bool is_whole(const Scene& scene) { return thing_edges(scene.map.render, scene.is_tilted) == ThingEdges::whole; }
+
+/// That a picture `away` along the sight and `depth` along the course is in the room, and not too near.
+void require_in_room(Verdict& verdict, const RoomRay& ray, double away, double depth) {
+    const double entry = ray.entry_depth, exit = ray.hit.depth, d = kAmbiguous;
+    const auto is_met = [](double at, double from, double to) { return at > 0 && is_between(at, from, to); };
+    const bool is_in_room = is_met(depth, entry, exit);
+    verdict.require(is_in_room, is_met(depth + d, entry - d, exit - d) != is_in_room ||
+                                    is_met(depth - d, entry + d, exit + d) != is_in_room);
+    verdict.require(std::fabs(away) >= kNearestSprite, are_close(std::fabs(away), kNearestSprite));
+}
+
+/// The same for a picture that is not cut: its middle is.
+void require_middle_in_room(Verdict& verdict, const Scene& scene, const RoomRay& ray, Vec2 place, double away) {
+    const Middle middle{ray.hit.space.eye, ray.hit.space.forward, place, away};
+    verdict.require(away >= kNearestSprite, are_close(away, kNearestSprite));
+    const auto is_seen = [&](double shift) {
+        const RoomCrossing room{ray.entry, ray.hit.wall, ray.entry_depth + shift, ray.hit.depth + shift};
+        return is_seen_in(scene.map, scene.snapshot, middle, room);
+    };
+    verdict.require(is_seen(0), is_seen(kAmbiguous) != is_seen(-kAmbiguous));
+}
+
+/// A picture where a ray meets its plane.
+struct Meeting {
+    ThingId thing;
+    double depth;  ///< along the ray's course [m]
+    Vec2 place_m;  ///< from the picture's upper left corner, as it was painted, right and down [m]
+    Pane pane;
+};
+
+/// That the ray goes through the picture, if that is cut between floor and ceiling. height: of the ray above the eye
+/// [m].
+void require_on_picture(Verdict& verdict, const Scene& scene, const RoomRay& ray, const SpritePicture& picture,
+                        const Meeting& at, double height) {
+    const Heights room = heights_at(scene.snapshot, ray.hit.sector);
+    const double eye_z = ray.hit.space.eye_z, top = picture.foot_z - eye_z + picture.origin_m.y;
+    const double bottom = top - picture.size_m.y;
+    verdict.require(at.place_m.x >= 0, are_close(at.place_m.x, 0));
+    verdict.require(at.place_m.x < picture.size_m.x, are_close(at.place_m.x, picture.size_m.x));
+    const double passed = height + kTieClimb * at.depth;
+    const bool is_level = ray.course.climb == 0;  // compared with heights without any rounding
+    const auto require_between = [&](double lower, double upper) {
+        verdict.require(passed < upper, !is_level && are_close(height, upper));
+        verdict.require(passed >= lower, !is_level && are_close(height, lower));
+    };
+    require_between(bottom, top);
+    if (!is_whole(scene)) require_between(room.floor_z - eye_z, room.ceiling_z - eye_z);
+}
+
+/// What the ray sees of the picture, if it goes through it.
+Pane pane_of(const Scene& scene, const RoomRay& ray, const SpritePicture& picture, const Meeting& at) {
+    const Texture& texture = scene.textures[picture.texture];
+    const double u = at.place_m.x / picture.size_m.x, v = std::clamp(at.place_m.y / picture.size_m.y, 0.0, 1.0);
+    const Texel shown = texel(texture, place_on_picture(std::clamp(u, 0.0, 1.0)), place_on_picture(v));
+    const double depth = at.depth * ray.course.depth_scale;
+    Pane pane;
+    pane.seen.id = thing_id(scene.map, at.thing);
+    pane.seen.depth = depth;
+    pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
+    pane.alpha = shown.color >> 24;
+    const LightGrid* grid = scene.lights ? scene.lights->on_thing(scene.map, scene.snapshot, at.thing) : nullptr;
+    pane.seen.color = lit(scene, shown, picture.lighting, depth, glow_on(grid, 0, 0));
+    pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, picture.size_m);
+    return pane;
+}
+
+/// Adds the meeting if the ray goes through the picture. True where it almost does, or almost does not.
+bool meet(const Scene& scene, const RoomRay& ray, const Presence& presence, std::vector<Meeting>& met) {
+    const EyeSpace& space = ray.hit.space;
+    const Vec2 to_it = presence.position - space.eye;
+    const Vec2 sight = sight_of(ray);
+    const double away = dot(sight, to_it);
+    Meeting at{presence.thing, away / sight_per_course(ray.course), {}, {}};
+    Verdict verdict;
+    if (is_whole(scene))
+        require_middle_in_room(verdict, scene, ray, presence.position, away);
+    else
+        require_in_room(verdict, ray, away, at.depth);
+    if (!verdict.possible) return false;
+    const SpritePicture picture = picture_of(scene.map, scene.textures, scene.snapshot, presence, space.eye);
+    if (!picture.texture) return false;
+    const Vec2 from_it = space.direction(ray.course.slope) * at.depth - to_it;
+    const double height = ray.course.climb * at.depth;
+    const double aside = dot(right_of(sight), from_it);
+    at.place_m = {picture.origin_m.x + (picture.is_mirrored ? -aside : aside),
+                  picture.origin_m.y + (picture.foot_z - space.eye_z) - height};
+    require_on_picture(verdict, scene, ray, picture, at, height);
+    if (verdict.holds) {
+        at.pane = pane_of(scene, ray, picture, at);
+        met.push_back(at);
+    }
+    return verdict.is_ambiguous();
+}
+
+/// Of pictures at the same depth the one of the thing with the lower number is the nearer.
+bool is_met_sooner(const Meeting& a, const Meeting& b) { return depth_steps(a.depth) < depth_steps(b.depth); }
+
+}  // namespace
+
+bool find_things_met(const Scene& scene, const RoomRay& ray, std::vector<MetPane>& met) {
+    bool ambiguous = false;
+    std::vector<Meeting> meetings;
+    for (const Presence& presence : scene.snapshot.things.in(ray.hit.sector))
+        ambiguous |= meet(scene, ray, presence, meetings);
+    std::stable_sort(meetings.begin(), meetings.end(), is_met_sooner);
+    for (const Meeting& meeting : meetings) met.push_back({meeting.depth, meeting.pane});
     return ambiguous;
 }
 

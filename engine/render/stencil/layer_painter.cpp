@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "render/shade.h"
-#include "render/stencil/wall_outline.h"
+#include "render/stencil/outline.h"
 
 namespace enfilade::stencil {
 namespace {

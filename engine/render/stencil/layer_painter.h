@@ -9,7 +9,7 @@
 #pragma once
 #include <array>
 
-#include "render/stencil/layer_mesh.h"
+#include "render/stencil/mesh.h"
 #include "render/stencil/shaders.h"
 #include "render/stencil/target.h"
 

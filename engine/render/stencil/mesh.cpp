@@ -1,6 +1,9 @@
 #include "render/stencil/mesh.h"
 
 #include <algorithm>
+#include <limits>
+
+#include "render/sprite.h"
 
 namespace enfilade::stencil {
 
@@ -56,6 +59,132 @@ KindRange Mesh::with_holes(const Range& range) {
     for (std::size_t i = range.begin; i < range.end; i += 3) kind |= kind_of(vertices_[indices_[i]].look);
     if (!range.is_empty()) has_[kind] = true;
     return {kind, range};
+}
+
+namespace {
+
+constexpr double kEverything = std::numeric_limits<double>::infinity();
+
+class LayerBuilder {
+public:
+    LayerBuilder(Mesh& mesh, const Scene& scene, const Layer& layer, LayerRanges& out)
+        : mesh_(mesh), scene_(scene), layer_(layer), out_(out) {}
+
+    void build() {
+        const std::size_t begin = mesh_.index_count();
+        walls_ = layer_.walls;
+        if (scene_.rays.is_tilted) gather_walls();
+        for (const WallOnScreen& place : walls_) add_wall(place);
+        for (const Exit& exit : layer_.exits)
+            if (exit.layer == Exit::kCut) add_opening(exit.wall, true);
+        out_.surfaces = mesh_.sort_by_kind(begin);
+        for (const Exit& exit : layer_.exits) out_.exits.push_back(added([&] { add_opening(exit.wall, false); }));
+        out_.panes = mesh_.with_holes(added([&] {
+            for (auto pane = layer_.panes.rbegin(); pane != layer_.panes.rend(); ++pane)
+                std::visit([&](const auto& it) { add_pane(it); }, *pane);
+        }));
+    }
+
+private:
+    template <class Add>
+    Range added(Add add) {
+        const std::size_t begin = mesh_.index_count();
+        add();
+        return {begin, mesh_.index_count()};
+    }
+
+    /// All walls of a tilted picture that may be in sight: their depth decides.
+    void gather_walls() {
+        for (const SectorId seen : layer_.sectors) {
+            const Sector& sector = scene_.map()[seen];
+            for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i)
+                if (const auto place = place_in_layer(WallId(i))) walls_.push_back(*place);
+        }
+    }
+
+    /// none: the wall does not face the eye, or is before the doorway one looks in through.
+    std::optional<WallOnScreen> place_in_layer(WallId id) const {
+        const Map& map = scene_.map();
+        if (layer_.entry && (layer_.entry == id || !is_beyond(map[id], map[layer_.entry]))) return {};
+        auto place = in_view(map, id, layer_.pose);
+        if (place && layer_.entry) extend_beyond(*place, layer_.opened);
+        return place;
+    }
+
+    void add_strip(const WallOnScreen& place, const Heights& heights, const Look& look) {
+        mesh_.add_strip(scene_.rays, place, heights, look);
+    }
+
+    SeenWall seen(const WallOnScreen& place) const {
+        return {layer_.pose, place, parts_of(scene_.map(), scene_.world.snapshot, place.wall, layer_.pose.eye_z)};
+    }
+
+    using Ask = const LightGrid* (LightGrids::*)(const Map&, const Snapshot&, SectorId);
+    const LightGrid* glow_on(Ask flat, SectorId sector) const {
+        return scene_.lights ? (scene_.lights->*flat)(scene_.map(), scene_.world.snapshot, sector) : nullptr;
+    }
+
+    void add_wall(const WallOnScreen& place) {
+        const Wall& wall = scene_.map()[place.wall];
+        const SeenWall seen_wall = seen(place);
+        const Heights room = seen_wall.parts.room;
+        add_strip(place, {room.ceiling, kEverything},
+                  flat_look(scene_, seen_wall, ceiling_now(scene_.map(), scene_.world.snapshot, wall.sector),
+                            room.ceiling, glow_on(&LightGrids::on_ceiling, wall.sector), ceiling_id(wall.sector)));
+        add_strip(place, {-kEverything, room.floor},
+                  flat_look(scene_, seen_wall, floor_now(scene_.map(), scene_.world.snapshot, wall.sector), room.floor,
+                            glow_on(&LightGrids::on_floor, wall.sector), floor_id(wall.sector)));
+        if (kind_now(scene_.map(), scene_.world.snapshot, place.wall) == WallKind::solid)
+            return add_strip(place, room, wall_look(scene_, seen_wall, wall.texture, WallPart::middle));
+        add_steps(seen_wall, wall);
+    }
+
+    void add_steps(const SeenWall& wall, const Wall& portal) {
+        const Heights room = wall.parts.room, opening = wall.parts.opening;
+        if (wall.parts.upper)
+            add_strip(wall.place, {opening.ceiling, room.ceiling},
+                      wall_look(scene_, wall, portal.upper, WallPart::upper));
+        if (wall.parts.lower)
+            add_strip(wall.place, {room.floor, opening.floor}, wall_look(scene_, wall, portal.lower, WallPart::lower));
+    }
+
+    /// What one sees through a portal: as a mask, or filled where its chain ends.
+    void add_opening(WallId portal, bool filled) {
+        for (const WallOnScreen& place : walls_) {
+            if (place.wall != portal) continue;
+            const SeenWall wall = seen(place);
+            add_strip(place, wall.parts.opening, filled ? end_look(scene_, wall) : plain_look(scene_, place));
+        }
+    }
+
+    void add_pane(const ThingOnScreen& thing) { add_strip(thing.place, thing.shown, thing_look(scene_, thing)); }
+
+    void add_pane(const PanelOnScreen& panel) {
+        add_strip(panel.place, panel.shown, panel_look(scene_, panel, layer_.pose));
+    }
+
+    void add_pane(const Hanging& hanging) {
+        const SeenWall wall = seen(hanging.place);
+        const Heights picture = picture_in(wall.parts, scene_.map()[scene_.map()[hanging.place.wall].middle]);
+        const Heights opening = wall.parts.opening;
+        add_strip(hanging.place, {std::max(picture.floor, opening.floor), std::min(picture.ceiling, opening.ceiling)},
+                  hanging_look(scene_, wall, picture.ceiling));
+    }
+
+    Mesh& mesh_;
+    const Scene& scene_;
+    const Layer& layer_;
+    LayerRanges& out_;
+    std::vector<WallOnScreen> walls_;
+};
+
+}  // namespace
+
+std::vector<LayerRanges> build_mesh(Mesh& mesh, const Scene& scene, const Plan& plan) {
+    std::vector<LayerRanges> ranges(plan.layers.size());
+    if (plan.deepest > kDeepestLevel) mesh.add_sheet();
+    for (std::size_t i = 0; i < plan.layers.size(); ++i) LayerBuilder(mesh, scene, plan.layers[i], ranges[i]).build();
+    return ranges;
 }
 
 }  // namespace enfilade::stencil

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "render/stencil/look.h"
-#include "render/stencil/wall_outline.h"
+#include "render/stencil/outline.h"
+#include "render/stencil/surfaces.h"
 
 namespace enfilade::stencil {
 
@@ -61,5 +62,17 @@ private:
     std::array<std::vector<std::uint32_t>, kKinds> sorted_;  ///< while they are put in order
     Outline outline_;
 };
+
+// The polygons of one frame, layer by layer.
+
+/// Where one layer's polygons are in the mesh.
+struct LayerRanges {
+    std::vector<KindRange> surfaces;  ///< what hides everything behind it
+    std::vector<Range> exits;         ///< by Layer::exits: the portal's opening
+    KindRange panes;                  ///< farthest first
+};
+
+/// Adds the polygons of all layers to the mesh. Cost: the walls of the layers' sectors.
+std::vector<LayerRanges> build_mesh(Mesh& mesh, const Scene& scene, const Plan& plan);
 
 }  // namespace enfilade::stencil

@@ -1,5 +1,7 @@
 #include "render/stencil/outline.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace enfilade::stencil {
@@ -21,6 +23,56 @@ void Outline::keep(const Even& where) {
         cut_.push_back({a.x + (b.x - a.x) * part, a.y + (b.y - a.y) * part});
     }
     std::swap(corners_, cut_);
+}
+
+namespace {
+
+/// A wall that passes through the eye is met an instant after the start, so that an eye at the very height of a ceiling
+/// still sees only its upper half covered [m^2].
+constexpr double kAnInstant = 0x1p-500;
+
+/// The same half plane, its edge moved outwards by so many pixels.
+Even widened(const Even& edge, double px) {
+    return {edge.at_0 + px * std::hypot(edge.per_x, edge.per_y), edge.per_x, edge.per_y};
+}
+
+}  // namespace
+
+Even below(const RayField& rays, const WallOnScreen& wall, double height) {
+    const Even line = span(rays, wall) * height - rays.up * std::max(depth_factor(wall), kAnInstant);
+    return {line.at_0 - line.per_y * kTieShift, line.per_x, line.per_y};
+}
+
+void set_between_ends(Outline& outline, const RayField& rays, const WallOnScreen& wall) {
+    const double top = -kMargin, bottom = rays.height + kMargin;
+    if (!rays.is_tilted) return outline.set(wall.begin, wall.end, top, bottom);
+    outline.set(-kMargin, rays.width + kMargin, top, bottom);
+    outline.keep(widened(edge(rays, wall.shown_left_v), kMargin));
+    outline.keep(widened(edge(rays, wall.shown_right_v) * -1, kMargin));
+}
+
+void keep_between(Outline& outline, const RayField& rays, const WallOnScreen& wall, const Heights& heights) {
+    if (!std::isinf(heights.ceiling)) outline.keep(below(rays, wall, heights.ceiling));
+    if (!std::isinf(heights.floor)) outline.keep(below(rays, wall, heights.floor) * -1);
+}
+
+Box box_around(const RayField& rays, const WallOnScreen& wall, const Heights& heights) {
+    Outline outline;
+    set_between_ends(outline, rays, wall);
+    keep_between(outline, rays, wall, heights);
+    if (outline.is_empty()) return {};
+    const auto by_x = [](const Corner& a, const Corner& b) { return a.x < b.x; };
+    const auto by_y = [](const Corner& a, const Corner& b) { return a.y < b.y; };
+    const auto [left, right] = std::minmax_element(outline.corners().begin(), outline.corners().end(), by_x);
+    const auto [top, bottom] = std::minmax_element(outline.corners().begin(), outline.corners().end(), by_y);
+    const auto whole = [](double px, int most) { return static_cast<int>(std::clamp(px, 0.0, double(most))); };
+    return {whole(std::floor(left->x), rays.width), whole(std::ceil(right->x), rays.width),
+            whole(std::floor(top->y), rays.height), whole(std::ceil(bottom->y), rays.height)};
+}
+
+Box common(const Box& a, const Box& b) {
+    return {std::max(a.begin_x, b.begin_x), std::min(a.end_x, b.end_x), std::max(a.begin_y, b.begin_y),
+            std::min(a.end_y, b.end_y)};
 }
 
 }  // namespace enfilade::stencil

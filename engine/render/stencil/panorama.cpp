@@ -3,9 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/stencil/wall_outline.h"
+#include "render/stencil/outline.h"
 
 namespace enfilade::stencil {
+
+RayField::RayField(const View& view, const Projection& projection)
+    : width(projection.width()), height(projection.height()), is_tilted(view.tilt.has_value()) {
+    const double tangent = projection.half_fov_tangent(), focal_y = projection.focal_y();
+    const Ray corner = projection.tilted({1, -tangent, projection.horizon() / focal_y});
+    const Ray per_x = projection.tilted({0, 2 * tangent / width, 0});
+    const Ray per_y = projection.tilted({0, 0, -1 / focal_y});
+    ahead = {corner.ahead, per_x.ahead, per_y.ahead};
+    right = {corner.right, per_x.right, per_y.right};
+    up = {corner.up, per_x.up, per_y.up};
+}
+
 namespace {
 
 constexpr int kColumns = 128;  ///< of a face: what is narrower than 0.7 degrees cannot hide anything

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "render/look_budget.h"
+#include "render/stencil/outline.h"
 #include "render/stencil/panorama.h"
 #include "render/stencil/room_look.h"
 #include "render/stencil/room_panes.h"
 #include "render/stencil/tilted_panes.h"
-#include "render/stencil/wall_outline.h"
 
 namespace enfilade::stencil {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "map/textures.h"
 #include "render/stencil/pane.h"
-#include "render/stencil/ray_field.h"
-#include "render/stencil/window.h"
+#include "render/stencil/panorama.h"
+#include "render/stencil/room_look.h"
 #include "world/snapshot.h"
 
 namespace enfilade::stencil {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "render/lighting.h"
-#include "render/picture_now.h"
 #include "render/shade.h"
-#include "render/stencil/wall_outline.h"
+#include "render/sprite.h"
+#include "render/stencil/outline.h"
 
 namespace enfilade::stencil {
 namespace {

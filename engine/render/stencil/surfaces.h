@@ -2,10 +2,9 @@
 #pragma once
 #include "map/textures.h"
 #include "render/light_grids.h"
-#include "render/picture_now.h"
+#include "render/sprite.h"
 #include "render/stencil/look.h"
 #include "render/stencil/plan.h"
-#include "render/stencil/records.h"
 #include "render/stencil/texel_store.h"
 
 namespace enfilade::stencil {

@@ -1,13 +1,53 @@
 // All pictures of a map in one texture of the graphics card, one after another, so that a whole layer is one draw.
 #pragma once
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
+#include <span>
 #include <vector>
 
 #include "base/result.h"
+#include "map/map.h"
 #include "map/textures.h"
-#include "render/stencil/list_texture.h"
+#include "render/light_grid.h"
+#include "render/sprite.h"
+#include "render/stencil/gl_object.h"
+#include "world/snapshot.h"
 
 namespace enfilade::stencil {
+
+// A long list of whole numbers as a texture, which shaders read exactly: entry n is at (n mod kRow, n / kRow).
+
+class ListTexture {
+public:
+    static constexpr std::uint32_t kRow = 2048;  ///< entries; OpenGL ES 3.0 promises textures this wide
+
+    /// How many entries this graphics card has room for.
+    static std::size_t most() {
+        GLint rows = 0;
+        glGetIntegerv(GL_MAX_TEXTURE_SIZE, &rows);
+        return static_cast<std::size_t>(rows) * kRow;
+    }
+
+    /// Holds the list from now on, made up to whole rows; at most most() entries. stored, format, type: as
+    /// glTexImage2D calls what an Entry is.
+    template <class Entry>
+    void hold(std::vector<Entry>& list, GLint stored, GLenum format, GLenum type) {
+        const std::size_t rows = (list.size() + kRow - 1) / kRow;
+        list.resize(rows * kRow);
+        texture_.create();
+        glBindTexture(GL_TEXTURE_2D, texture_.id());
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glTexImage2D(GL_TEXTURE_2D, 0, stored, GLsizei(kRow), static_cast<GLsizei>(rows), 0, format, type, list.data());
+    }
+
+    GLuint id() const { return texture_.id(); }
+
+private:
+    GlTexture texture_;
+};
 
 /// Width and height of a picture, each less than 2^16, as one number.
 inline std::uint32_t size_of(const Texture& picture) { return picture.width | picture.height << 16; }
@@ -34,6 +74,38 @@ private:
     ListTexture texture_, color_numbers_, color_table_;
     std::vector<std::uint32_t> places_;  ///< by TextureId; the placeholder comes last
     std::uint64_t held_ = 0;             ///< what hold() loaded last
+};
+
+// What few surfaces need beyond their look, in one texture of the graphics card: pairs of numbers, found by their
+// place.
+
+/// The records of one frame. The first pair is not used, so that 0 is no record.
+class Records {
+public:
+    using Pair = std::array<std::uint32_t, 2>;
+    /// Forgets all of the frame before.
+    void clear();
+
+    /// Where the pairs are. They keep their order.
+    std::uint32_t add(std::span<const Pair> pairs);
+
+    /// The layers over a sky, how many first; 0: it has none. The same sky has the same record.
+    std::uint32_t sky(const Map& map, const Snapshot& snapshot, const TextureSet& textures, const TexelStore& store,
+                      const FlatNow& sky);
+
+    /// Point lights on a surface: their grid, and how its points are counted: scale * what the shader knows + start.
+    std::uint32_t glow(const LightGrid& grid, Vec2 scale, Vec2 start);
+
+    /// For the graphics card. Costs nothing where there are none. An error where they do not fit.
+    Status upload();
+
+    GLuint texture() const { return texture_.id(); }
+
+private:
+    ListTexture texture_;
+    std::vector<Pair> pairs_;
+    std::map<const LightGrid*, std::uint32_t> grids_;  ///< where their points are
+    std::vector<std::uint32_t> skies_;                 ///< by first layer; 0: not yet asked for
 };
 
 }  // namespace enfilade::stencil

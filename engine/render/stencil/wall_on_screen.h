@@ -1,14 +1,40 @@
 // Where one wall stands on the screen: in which columns, how far away, and where its heights are drawn.
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "map/map.h"
-#include "render/edge_function.h"
-#include "render/pose.h"
 #include "render/segment.h"
-#include "render/stencil/screen.h"
+#include "render/view.h"
+#include "world/snapshot.h"
 
 namespace enfilade::stencil {
+
+// The columns and rows that a picture is planned in.
+
+/// From slopes and heights to columns and rows, as real numbers: column x reaches from x to x + 1.
+struct Screen {
+    int width = 0, height = 0;
+    std::vector<double> slopes;  ///< [width] of the columns' middles
+    double slope_per_px = 1;
+    double focal_y = 1;  ///< [px]
+    double horizon = 0;  ///< [px] from the top
+    /// False: these are the picture's own columns and rows, each one with a ray in its middle. True: each stands for
+    /// all rays that are in it (panorama.h), and what may be seen by any of them is planned.
+    bool has_ranges = false;
+
+    Screen() = default;
+    explicit Screen(const Projection& projection);
+
+    double per_slope() const { return 1 / slope_per_px; }
+    double px_of(double slope) const { return slope / slope_per_px + width * 0.5; }
+    double slope_at(double px) const { return (px - width * 0.5) * slope_per_px; }
+};
+
+/// Graphics cards put vertices on a grid of 1/256 px or finer. Edges between rows are drawn this much lower [px], so
+/// that what goes exactly through a pixel's centre, as often happens where maps and players are lined up, falls on the
+/// side that the other renderers' rule says. Between columns nothing is left to the card.
+inline constexpr double kTieShift = 1.0 / 256;
 
 /// How far beyond the picture's edges shapes are kept [px].
 inline constexpr double kMargin = 1;
@@ -20,7 +46,7 @@ struct Missed {
     bool operator==(const Missed&) const = default;
 };
 
-/// An upright edge that faces the eye: a wall, a panel or a thing's picture (render/edge_function.h).
+/// An upright edge that faces the eye: a wall, a panel or a thing's picture (render/segment.h).
 struct WallOnScreen {
     WallId wall;                       ///< none: a panel or a thing
     Vec2 left_v, right_v;              ///< L and R, its ends in view space
@@ -71,5 +97,33 @@ CoveredColumns surely_covered(const WallOnScreen& wall, const Screen& screen);
 
 /// Row of a height above the eye on the wall [px], real; may lie far outside of the picture, but is always finite.
 double row_of(const Screen& screen, const WallOnScreen& wall, double height, double px);
+
+// The parts of a wall by height: what of it is drawn, and what one sees through.
+
+/// Heights of a room, or of a part of a wall, above the eye [m].
+struct Heights {
+    double floor = 0;
+    double ceiling = 0;
+
+    bool is_empty() const { return floor >= ceiling; }
+};
+
+/// How high the parts of a wall are.
+struct WallParts {
+    Heights room;
+    Heights behind;                     ///< of the room behind a portal; of a solid wall or a mirror, its own
+    Heights opening;                    ///< what one sees through: empty for a solid wall or a closed portal
+    bool lower = false, upper = false;  ///< the steps that are drawn
+};
+WallParts parts_of(const Map& map, const Snapshot& snapshot, WallId wall, double eye_z);
+
+/// A room's heights above the eye.
+Heights heights_of(const Snapshot& snapshot, SectorId room, double eye_z);
+
+/// Height above the eye that a surface hangs from [m].
+double peg_height(const WallParts& parts, Peg peg);
+
+/// How high the picture in a portal hangs or stands, which is shown once from top to bottom.
+Heights picture_in(const WallParts& parts, const Surface& middle);
 
 }  // namespace enfilade::stencil

@@ -1,5 +1,5 @@
 // An eye that flies.
-#include "app/play/free_camera.h"
+#include "app/play/outside_view.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // Messages on the screen.
-#include "app/play/notices.h"
+#include "app/play/readout.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 
 #include "math/grid.h"
 #include "render/column/column_renderer.h"
-#include "render/column/strips.h"
 #include "render/reference/reference_renderer.h"
 #include "space/locate.h"
 #include "support/count_allocations.h"

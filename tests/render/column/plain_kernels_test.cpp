@@ -1,5 +1,5 @@
 // The inner loops for one, four and eight pixels at a time: the same bits, for all lengths, places and pictures.
-#include "render/column/plain_kernels.h"
+#include "render/column/kernels.h"
 
 #include <gtest/gtest.h>
 

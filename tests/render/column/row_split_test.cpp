@@ -1,5 +1,5 @@
 // Rows at a wall: where ceiling, steps, opening and floor begin.
-#include "render/column/row_split.h"
+#include "render/column/viewport.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,6 @@
 
 #include "base/random.h"
 #include "math/predicates.h"
-#include "render/column/projection_cache.h"
 #include "support/count_allocations.h"
 
 namespace enfilade::column {

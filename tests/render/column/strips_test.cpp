@@ -1,5 +1,5 @@
 // Pictures in strips: how they are cut, and that nobody can tell from the picture.
-#include "render/column/strips.h"
+#include "render/column/column_renderer.h"
 
 #include <gmock/gmock.h>
 

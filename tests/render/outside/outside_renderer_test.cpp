@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "render/outside/marks.h"
 #include "support/map_builder.h"
 
 namespace enfilade {

@@ -1,5 +1,5 @@
 // Pictures made smaller.
-#include "render/outside/texture_pyramid.h"
+#include "render/outside/facet_painter.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "render/column/column_renderer.h"
-#include "render/column/strips.h"
 #include "render/reference/reference_renderer.h"
 #include "render/stencil/agreement.h"
 #include "support/looks.h"

@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "wadconv/doom_records.h"
 #include "wadconv/freedoom/doom_specials.h"
+#include "wadconv/map_lumps.h"
 
 namespace enfilade::test {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/obstacle.h"
+#include "world/contact.h"
 #include "world/walk.h"
 
 namespace enfilade::test {
