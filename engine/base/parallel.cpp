@@ -1,5 +1,7 @@
 #include "base/parallel.h"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -48,6 +50,25 @@ private:
 
 }  // namespace
 
+/// The cores that a thread may use.
+class Cores {
+public:
+    Cores() : are_known_(sched_getaffinity(0, sizeof all_, &all_) == 0 && CPU_COUNT(&all_) > 1) {}
+
+    /// Leaves a core to whoever works there. Systems like to wake a thread beside the one that woke it, and some leave
+    /// both there for several milliseconds, while another core does nothing.
+    void leave(int core) const {
+        if (!are_known_ || core < 0 || core >= CPU_SETSIZE || sched_getcpu() != core) return;
+        cpu_set_t others = all_;
+        CPU_CLR(core, &others);
+        sched_setaffinity(0, sizeof others, &others);  // it may be refused: then both share the core
+    }
+
+private:
+    cpu_set_t all_;
+    bool are_known_;
+};
+
 /// The helpers of a pool, and the work that they share with its owner.
 class ThreadPool::Crew {
 public:
@@ -76,6 +97,7 @@ public:
             const std::lock_guard held(mutex_);
             work_ = &work;
             ++number_;
+            owner_core_ = sched_getcpu();
         }
         begins_.notify_all();
         work.help(0);
@@ -87,6 +109,7 @@ public:
 private:
     /// What one helper does as long as the pool lives.
     void serve(std::size_t worker) {
+        const Cores cores;
         std::uint64_t last = 0;
         std::unique_lock held(mutex_);
         for (;;) {
@@ -95,7 +118,9 @@ private:
             last = number_;
             Work& work = *work_;
             ++busy_;
+            const int owner_core = owner_core_;
             held.unlock();
+            cores.leave(owner_core);
             work.help(worker);
             held.lock();
             if (--busy_ == 0) ends_.notify_one();
@@ -107,6 +132,7 @@ private:
     Work* work_ = nullptr;      ///< in which helpers may join
     std::uint64_t number_ = 0;  ///< of the work, so that nobody joins twice
     std::size_t busy_ = 0;      ///< helpers at work
+    int owner_core_ = -1;       ///< that the work was begun on
     bool is_over_ = false;
     std::vector<std::jthread> helpers_;  ///< the last member: they end before what they use
 };

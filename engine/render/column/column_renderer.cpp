@@ -160,10 +160,18 @@ void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Map& map, const
                           const Snapshot& snapshot, const View& view) {
     cut_into_strips(frame.width, first_line_of(frame), most_strips(frame, threads_), strips_);
     while (renderers_.size() < strips_.size()) renderers_.emplace_back(*lights_);
+    const std::size_t strips = strips_.size();
+    if (is_taken_.size() < strips) is_taken_ = std::vector<std::atomic_flag>(strips);
+    for (std::atomic_flag& is_taken : is_taken_) is_taken.clear();
     const auto draw = [&](std::size_t i, std::size_t worker) {
+        if (is_taken_[i].test_and_set()) return;
         renderers_[i].render_columns(frame, facts, map, textures, snapshot, view, strips_[i], canvases_[worker]);
     };
-    pool_.run(strips_.size(), std::cref(draw));  // a task that is copied would take memory in every frame
+    const auto draw_some = [&](std::size_t, std::size_t worker) {
+        for (std::size_t i = strips * worker / threads_; i < strips * (worker + 1) / threads_; ++i) draw(i, worker);
+        for (std::size_t i = strips; i > 0; --i) draw(i - 1, worker);
+    };
+    pool_.run(std::min(threads_, strips), std::cref(draw_some));  // a copied task would take memory in every frame
     frame.is_cut_short =
         std::any_of(renderers_.begin(), renderers_.begin() + static_cast<std::ptrdiff_t>(strips_.size()),
                     [](const ColumnRenderer& strip) { return strip.counts().is_cut_short; });

@@ -7,6 +7,7 @@
 // wall_looks.h and row_split.h (which rows are what?), room_columns.h (where are things and panels?), wall_painter.h
 // and flat_painter.h (which texel?), plain_kernels.h and kernels.h (the inner loops).
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -101,10 +102,11 @@ void cut_into_strips(int width, int first_line, std::size_t most, std::vector<Co
 /// Pixels of a cache line of 64 bytes, as all x86-64 and most others have.
 inline constexpr int kLinePixels = 16;
 
-/// Column renderers and threads that share a picture. There are more strips than threads, taken in turn: one that meets
-/// simple rooms draws more of them. A large picture is cut for one thread, too, so that what is drawn stays in cache.
-/// The picture is the same, bit for bit, for any number of threads, because every pixel is computed from its own column
-/// and row.
+/// Column renderers and threads that share a picture. There are more strips than threads. Each thread draws its own,
+/// the same ones frame after frame, whose memory is in its core's cache, and then what others have not begun yet: one
+/// that meets simple rooms draws more of them. A large picture is cut for one thread, too, so that what is drawn stays
+/// in cache. The picture is the same, bit for bit, for any number of threads, because every pixel is computed from its
+/// own column and row.
 class ColumnStrips {
 public:
     /// threads >= 1. They end with this.
@@ -120,9 +122,10 @@ public:
 private:
     std::size_t threads_;
     std::unique_ptr<LightGrids> lights_;
-    std::vector<ColumnRenderer> renderers_;  ///< by strip: each remembers its viewports
-    std::vector<ColumnRange> strips_;        ///< of the last frame
-    std::vector<column::Canvas> canvases_;   ///< by thread: it draws strip after strip into memory that stays in cache
+    std::vector<ColumnRenderer> renderers_;   ///< by strip: each remembers its viewports
+    std::vector<ColumnRange> strips_;         ///< of the last frame
+    std::vector<std::atomic_flag> is_taken_;  ///< by strip: some thread draws it, or has
+    std::vector<column::Canvas> canvases_;    ///< by thread: it draws strip after strip into memory that stays in cache
     ThreadPool pool_;
 };
 
