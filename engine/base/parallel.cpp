@@ -116,11 +116,14 @@ private:
             begins_.wait(held, [&] { return is_over_ || (work_ && number_ != last); });
             if (is_over_) return;
             last = number_;
-            Work& work = *work_;
-            ++busy_;
             const int owner_core = owner_core_;
             held.unlock();
             cores.leave(owner_core);
+            held.lock();
+            if (!work_ || number_ != last) continue;  // it was little, and is done
+            Work& work = *work_;
+            ++busy_;
+            held.unlock();
             work.help(worker);
             held.lock();
             if (--busy_ == 0) ends_.notify_one();
