@@ -188,7 +188,9 @@ void read_field(Reading& reading, const NamedValue& value, Range range, Field& f
     } else if constexpr (is_optional<Field>) {
         read_field(reading, value, range, field.emplace());
     } else if constexpr (is_vector<Field>) {
-        if (!expect(reading, value, TomlKind::array)) return;
+        if (!(Plain<typename Field::value_type> ? expect(reading, value, TomlKind::array)
+                                                : expect_tables(reading, value)))
+            return;
         const std::size_t tables = tables_in(value.node);
         if (tables == value.node.size() && tables >= kLeastTablesPerThread)
             return read_tables(reading, value, range, field);

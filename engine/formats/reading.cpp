@@ -70,6 +70,15 @@ bool expect(Reading& reading, const NamedValue& value, TomlKind kind) {
     return false;
 }
 
+bool expect_tables(Reading& reading, const NamedValue& value) {
+    if (value.node.kind() != TomlKind::table) return expect(reading, value, TomlKind::array);
+    reading.error(value.node.place(), "wrong-type",
+                  is_to_be(value, "an array of tables") +
+                      ", found one table; write two brackets around its name, as in [[" + std::string(value.name) +
+                      "]], or an array, [{ … }]");
+    return false;
+}
+
 std::optional<std::size_t> read_word(Reading& reading, const NamedValue& value,
                                      std::span<const std::string_view> words) {
     if (!expect(reading, value, TomlKind::string)) return {};

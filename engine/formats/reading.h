@@ -49,6 +49,8 @@ struct NamedValue {
 
 /// Notes wrong-type unless the value is of this kind; true if it is.
 bool expect(Reading& reading, const NamedValue& value, TomlKind kind);
+/// Whether it is an array, as for tables; where it is one table, the finding says how several are written.
+bool expect_tables(Reading& reading, const NamedValue& value);
 void wrong_type(Reading& reading, const NamedValue& value, std::string_view expected);
 
 // Each reads a value of its field's type; where it cannot, it notes why and leaves the field as it is. A number out

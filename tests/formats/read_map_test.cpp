@@ -139,6 +139,14 @@ TEST(ReadMap, ListsTheKnownKeysWhereNoneIsNear) {
               "scroll, triggers, doom");
 }
 
+TEST(ReadMap, SaysHowSeveralTablesAreWritten) {
+    const auto findings = read_map(room("{ texture = \"A\" }", "suns = { x = 1 }")).findings;
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_EQ(findings[0].sentence,
+              "'suns' must be an array of tables, found one table; write two brackets around its name, as in [[suns]], "
+              "or an array, [{ … }]");
+}
+
 TEST(ReadMap, SaysWhatItFoundInsteadOfTwoNumbersOrAColour) {
     const auto numbers = read_map(room("{ texture = \"A\", scroll = [0.1] }")).findings;
     ASSERT_EQ(numbers.size(), 1u);
