@@ -87,7 +87,8 @@ CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     declare_textures(*command, request.texture_folders);
     declare_skill(*command, request.skill);
     command->footer(
-        "Keys: WASD or up/down walk, mouse or left/right turn, Shift runs, Alt walks slowly, Ctrl and the wheel change "
+        "Keys (F1 shows them): WASD or up/down walk, mouse or left/right turn, Shift runs, Alt walks slowly, Ctrl and "
+        "the wheel change "
         "the field of view, C crouches, E uses, Tab shows the map\n"
         "(+ and - zoom), R held goes back in time, F5 saves and F9 loads, F2 changes between the column and the "
         "stencil renderer, F3 shows times and viewports, F4\n"

@@ -36,6 +36,7 @@ enum class Key : std::uint8_t {
     escape,
     plus,
     minus,
+    f1,
     f2,
     f3,
     f4,

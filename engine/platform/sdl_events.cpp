@@ -39,6 +39,7 @@ Key key_of(SDL_Scancode code) {
         case SDL_SCANCODE_KP_PLUS: return Key::plus;
         case SDL_SCANCODE_MINUS:
         case SDL_SCANCODE_KP_MINUS: return Key::minus;
+        case SDL_SCANCODE_F1: return Key::f1;
         case SDL_SCANCODE_F2: return Key::f2;
         case SDL_SCANCODE_F3: return Key::f3;
         case SDL_SCANCODE_F4: return Key::f4;

@@ -38,8 +38,7 @@ Status PlayLoop::play() {
         if (Status failed = game_.record(options_.tape)) return failed;
     started_ns_ = passed_until_ns_ = ticked_until_ns_ = looked_ns_ = now_ns();
     window_.grab_mouse(true);
-    notices_.say("Esc: menu   Tab: map   F2: renderer   F3: times   F4: from outside   F8: fly   F12: picture", 0,
-                 kWelcomeSeconds);
+    notices_.say("F1: keys   Esc: menu   Tab: map", 0, kWelcomeSeconds);
     begin_sounds();
     const auto frame_time = static_cast<std::int64_t>(kSecond / window_.refresh_hz());
     std::vector<InputEvent> events;
@@ -68,6 +67,8 @@ void PlayLoop::handle(const InputEvent& event) {
     if (std::holds_alternative<QuitRequest>(event)) quit_ = true;
     if (const auto* focus = std::get_if<FocusChange>(&event)) change_focus(focus->focused);
     if (const auto* motion = std::get_if<MouseMotion>(&event)) mouse_ = *motion;
+    if (const auto* key = std::get_if<KeyChange>(&event); key && key->key == Key::f1 && key->down && !key->repeat)
+        keys_open_ = !keys_open_;
     if (menu_.is_open()) return obey(menu_.handle(event, settings_));
     input_.handle(event, settings_.mouse_speed, window_.mouse_grabbed());
     if (const auto* key = std::get_if<KeyChange>(&event); key && key->key == Key::r) rewinding_ = key->down;

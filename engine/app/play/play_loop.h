@@ -116,7 +116,7 @@ private:
     std::size_t rewound_ticks_ = 0;  ///< since R is held
     bool rewinding_ = false;
     MouseMotion mouse_;  ///< the last one
-    bool readout_open_ = false, pixel_text_open_ = false, screenshot_wanted_ = false, quit_ = false;
+    bool keys_open_ = false, readout_open_ = false, pixel_text_open_ = false, screenshot_wanted_ = false, quit_ = false;
 };
 
 }  // namespace enfilade

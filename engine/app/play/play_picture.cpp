@@ -117,6 +117,10 @@ void PlayLoop::draw_over(double part) {
     if (!menu_.is_open()) draw_pixel_text(overlay, view, part);
     if (screenshot_wanted_) take_screenshot();
     notices_.draw(overlay, now_s());
+    if (keys_open_) {
+        Overlay keys_overlay(frame_, font_, scale_for_keys(frame_.height));
+        draw_keys(keys_overlay);
+    }
     Overlay menu_overlay(frame_, font_, Menu::scale_for(frame_.height));
     menu_.draw(menu_overlay, settings_);
     if (menu_.is_open()) draw_pixel_text(overlay, view, part);

@@ -10,7 +10,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr Color kInk = 0xFFFFFFFF, kAlarm = 0xFF4040FF;
+constexpr Color kInk = 0xFFFFFFFF, kAlarm = 0xFF4040FF, kKeysPanel = 0xD0202020;
 constexpr int kLowHealth = 25;  ///< from here on the health is shown in red [points]
 
 void draw_centred(Overlay& overlay, std::string_view text, Color color) {
@@ -118,6 +118,50 @@ void draw_readout(Overlay& overlay, const FrameTimes& times, const ReadoutFacts&
     for (const std::string& line : lines) {
         overlay.rimmed_text(left, y, line, kInk);
         y += overlay.line_height();
+    }
+}
+
+namespace {
+
+/// Of kKeys, each a line: the keys, and what they do.
+constexpr std::size_t kKeyColumns = 15;
+constexpr std::string_view kKeys[][2] = {
+    {"W A S D, mouse", "walk, look around"},
+    {"Shift, Alt", "run; walk slowly"},
+    {"C or Ctrl", "crouch"},
+    {"E or Space", "use"},
+    {"Tab, + -", "map, its zoom"},
+    {"R, held", "go back in time"},
+    {"F5, F9", "save; load"},
+    {"F2", "column or stencil renderer"},
+    {"F3", "times, place, viewports"},
+    {"F4, F6, + -", "from outside; side; zoom"},
+    {"F7", "what a pixel shows"},
+    {"F8", "fly through walls; come back"},
+    {"Ctrl and wheel", "field of view"},
+    {"F11, F12", "full screen; save a picture"},
+    {"Esc", "menu"},
+};
+
+}  // namespace
+
+int scale_for_keys(int height_px) {
+    constexpr int kLines = static_cast<int>(std::size(kKeys)) + 2;  // and a rim
+    return std::clamp(height_px / (kLines * Font::kHeight * 5 / 4), 1, comfortable_scale(height_px));
+}
+
+void draw_keys(Overlay& overlay) {
+    std::vector<std::string> lines;
+    for (const auto& [keys, what] : kKeys) lines.push_back(fmt::format("{:<{}} {}", keys, kKeyColumns, what));
+    int width = 0;
+    for (const std::string& line : lines) width = std::max(width, overlay.text_width(line));
+    const int pitch = overlay.line_height(), height = pitch * static_cast<int>(lines.size() + 1);
+    const Box panel{(overlay.width() - width - pitch) / 2, (overlay.height() - height) / 2, width + pitch, height};
+    overlay.fill(panel, kKeysPanel);
+    int y = panel.top + pitch / 2;
+    for (const std::string& line : lines) {
+        overlay.rimmed_text(panel.left + pitch / 2, y, line, kInk);
+        y += pitch;
     }
 }
 

@@ -28,6 +28,11 @@ void draw_flight(Overlay& overlay, const std::string& text);
 void draw_death(Overlay& overlay);
 void draw_rewind(Overlay& overlay, std::size_t ticks_back);
 
+/// F1: what all keys do, in the middle, on a panel.
+void draw_keys(Overlay& overlay);
+/// The scale at which that fits into a picture of this height.
+int scale_for_keys(int height_px);
+
 /// The last second or so of frame times.
 class FrameTimes {
 public:

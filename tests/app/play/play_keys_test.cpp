@@ -49,6 +49,17 @@ protected:
 
 constexpr std::uint32_t kRim = 0xFFE0E0E0;  ///< of the inset
 
+TEST_F(KeysOfPlay, AreListedByF1AlsoOverTheMenuAndTakenAway) {
+    window_.press_after(5, SDL_SCANCODE_F1);
+    window_.press_after(10, SDL_SCANCODE_F1);
+    window_.press_after(15, SDL_SCANCODE_ESCAPE);
+    window_.press_after(20, SDL_SCANCODE_F1);
+    play_until(25);
+    EXPECT_NE(own_view(9), own_view(4));
+    EXPECT_EQ(own_view(14), own_view(4));
+    EXPECT_NE(own_view(19), own_view(24));
+}
+
 TEST_F(KeysOfPlay, ShowTheViewFromOutsideInACornerThenInFullThenNot) {
     window_.press_after(5, SDL_SCANCODE_F4);
     window_.press_after(10, SDL_SCANCODE_F4);
