@@ -1,5 +1,5 @@
 // The inner loops as many engines have them: one for everything, which asks for each pixel what the surface is like.
-// Linked instead of render/column/kernels.cpp to count what that would cost (effect_cost.sh). Same pixels.
+// Linked instead of render/column/plain_kernels.cpp to count what that would cost (effect_cost.sh). Same pixels.
 #include <algorithm>
 
 #include "render/column/kernels.h"
