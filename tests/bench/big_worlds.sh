@@ -51,5 +51,6 @@ for sectors in 1000 10000 100000 1000000; do
     printf '%9s %28s %28s %20s\n' "$sectors" "${first% * *}" "${again% * *}" "$(frame_instructions "$map")"
 done
 
-# Frames of all worlds in turn. shellcheck disable=SC2086: one word for each map
+# Frames of all worlds in turn.
+# shellcheck disable=SC2086 # one word for each map
 "$build/engine/app/enfilade" bench $maps --threads 1 --rounds 25 2>/dev/null

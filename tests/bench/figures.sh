@@ -1,8 +1,9 @@
 #!/bin/sh
-# Writes FIGURES.md beside this script: how long frames take, the instructions of a pixel, and what parts of the engine
-# cost, with the machine, compiler and commit they were measured on. `figures.sh BUILD_FOLDER [SUBJECT...]`: the
-# programs enfilade, wadconv and part_cost built there; more subjects as `enfilade bench` takes them, MAP:WALK.csv for
-# one. Measures for some minutes: leave the machine alone meanwhile.
+# Writes FIGURES.md beside this script: how long frames take, the instructions of a pixel, and what ticks, effects and
+# parts of the engine cost, with the machine, compiler and commit they were measured on. `figures.sh BUILD_FOLDER
+# [SUBJECT...]`: with the programs built there (ninja enfilade wadconv bench_programs); more subjects as `enfilade bench`
+# takes them, MAP:WALK.csv for one. Measures for some minutes: leave the machine alone meanwhile. What effects cost that
+# are not used takes longer to find out: `effect_cost.sh FOLDER >BUILD_FOLDER/effect_cost.md` before.
 set -eu
 
 top=$(cd "$(dirname "$0")/../.." && pwd)
@@ -55,6 +56,18 @@ figures() {
     section 'Frames, 1280x800, two threads' "$enfilade" bench --threads 2 "$@"
     section 'Instructions, 1280x800' instructions "$@"
     section 'Parts' parts
+    section 'Ticks, in instructions' "$top/tests/bench/tick_cost.sh" "$build"
+    section 'Longest ticks' "$build/tests/bench/worst_tick"
+    if [ -e "$work/MAP15/map15.toml" ]; then
+        section 'Hearing in MAP15, four sounds at a time' "$build/tests/bench/hearing_cost" "$work/MAP15/map15.toml" 4
+    fi
+    # shellcheck disable=SC2016 # quotes of Markdown
+    printf '\n## Effects of maps/effects.toml, 640x400, one thread\n\nWritten by `enfilade bench --effects`.\n\n'
+    "$enfilade" bench --effects
+    [ -e "$build/effect_cost.md" ] || return 0
+    # shellcheck disable=SC2016 # quotes of Markdown
+    printf '\n## Effects that are not used\n\nWritten by `tests/bench/effect_cost.sh`: instructions for a pixel of plain rooms, in the\nengine as it is and in builds with one effect left out.\n\n'
+    cat "$build/effect_cost.md"
 }
 
 for level in 'freedoom1 E1M1' 'freedoom2 MAP12'; do
@@ -62,6 +75,7 @@ for level in 'freedoom1 E1M1' 'freedoom2 MAP12'; do
     map=$(converted $level)
     [ -z "$map" ] || set -- "$@" "$map"
 done
+converted freedoom2 MAP15 >/dev/null
 for map in enfilade mirrors effects; do
     cp "$top/maps/$map.toml" "$work"
     set -- "$@" "$map.toml"
