@@ -7,16 +7,9 @@
 
 #include "base/id.h"
 #include "render/column/sector_projection.h"
+#include "render/openings.h"
 
 namespace enfilade::column {
-
-/// The rows of one column that are still open: nothing has been drawn there yet.
-struct OpenRows {
-    int top = 0;
-    int bottom = 0;  ///< top >= bottom: closed
-
-    bool is_closed() const { return top >= bottom; }
-};
 
 /// A sector seen through one chain of portals: which columns, which rows of them, and from how deep on.
 struct Viewport {
@@ -60,12 +53,6 @@ private:
 using ViewportStack = std::vector<Viewport*>;
 
 // Which rows of a column show ceiling, wall, opening and floor.
-
-/// Heights of a room above the eye [m].
-struct RelativeHeights {
-    double floor = 0;
-    double ceiling = 0;
-};
 
 /// Rows of one column, top to bottom:
 ///   [top, wall_top) ceiling   [wall_top, opening_top) step down   [opening_top, opening_bottom) what lies behind

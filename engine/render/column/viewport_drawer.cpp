@@ -5,7 +5,7 @@
 #include "render/built_in.h"
 #include "render/column/kernels.h"
 #include "render/look_budget.h"
-#include "render/open_steps.h"
+#include "render/openings.h"
 #include "render/sprite.h"
 
 namespace enfilade::column {

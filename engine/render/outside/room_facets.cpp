@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "math/grid.h"
-#include "render/open_steps.h"
+#include "render/openings.h"
 #include "render/sprite.h"
 
 namespace enfilade {

@@ -6,7 +6,7 @@
 #include "math/grid.h"
 #include "math/predicates.h"
 #include "render/look_budget.h"
-#include "render/open_steps.h"
+#include "render/openings.h"
 
 namespace enfilade {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/look_budget.h"
-#include "render/open_steps.h"
+#include "render/openings.h"
 #include "render/reference/room_panes.h"
 #include "render/shade.h"
 #include "render/sprite.h"

@@ -22,7 +22,7 @@ void Mesh::add_sheet() {
     indices_.insert(indices_.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
 }
 
-void Mesh::add_strip(const RayField& rays, const WallOnScreen& wall, const Heights& heights, const Look& look) {
+void Mesh::add_strip(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights, const Look& look) {
     if (heights.is_empty()) return;
     set_between_ends(outline_, rays, wall);
     keep_between(outline_, rays, wall, heights);
@@ -111,36 +111,36 @@ private:
         return place;
     }
 
-    void add_strip(const WallOnScreen& place, const Heights& heights, const Look& look) {
+    void add_strip(const WallOnScreen& place, const RelativeHeights& heights, const Look& look) {
         mesh_.add_strip(scene_.rays, place, heights, look);
     }
 
     SeenWall seen(const WallOnScreen& place) const {
-        return {layer_.pose, place, parts_of(scene_.map(), scene_.world.snapshot, place.wall, layer_.pose.eye_z)};
+        return {layer_.pose, place, parts_of(scene_.map(), scene_.input.snapshot, place.wall, layer_.pose.eye_z)};
     }
 
     using Ask = const LightGrid* (LightGrids::*)(const Map&, const Snapshot&, SectorId);
     const LightGrid* glow_on(Ask flat, SectorId sector) const {
-        return scene_.lights ? (scene_.lights->*flat)(scene_.map(), scene_.world.snapshot, sector) : nullptr;
+        return scene_.lights ? (scene_.lights->*flat)(scene_.map(), scene_.input.snapshot, sector) : nullptr;
     }
 
     void add_wall(const WallOnScreen& place) {
         const Wall& wall = scene_.map()[place.wall];
         const SeenWall seen_wall = seen(place);
-        const Heights room = seen_wall.parts.room;
+        const RelativeHeights room = seen_wall.parts.room;
         add_strip(place, {room.ceiling, kEverything},
-                  flat_look(scene_, seen_wall, ceiling_now(scene_.map(), scene_.world.snapshot, wall.sector),
+                  flat_look(scene_, seen_wall, ceiling_now(scene_.map(), scene_.input.snapshot, wall.sector),
                             room.ceiling, glow_on(&LightGrids::on_ceiling, wall.sector), ceiling_id(wall.sector)));
         add_strip(place, {-kEverything, room.floor},
-                  flat_look(scene_, seen_wall, floor_now(scene_.map(), scene_.world.snapshot, wall.sector), room.floor,
+                  flat_look(scene_, seen_wall, floor_now(scene_.map(), scene_.input.snapshot, wall.sector), room.floor,
                             glow_on(&LightGrids::on_floor, wall.sector), floor_id(wall.sector)));
-        if (kind_now(scene_.map(), scene_.world.snapshot, place.wall) == WallKind::solid)
+        if (kind_now(scene_.map(), scene_.input.snapshot, place.wall) == WallKind::solid)
             return add_strip(place, room, wall_look(scene_, seen_wall, wall.texture, WallPart::middle));
         add_steps(seen_wall, wall);
     }
 
     void add_steps(const SeenWall& wall, const Wall& portal) {
-        const Heights room = wall.parts.room, opening = wall.parts.opening;
+        const RelativeHeights room = wall.parts.room, opening = wall.parts.opening;
         if (wall.parts.upper)
             add_strip(wall.place, {opening.ceiling, room.ceiling},
                       wall_look(scene_, wall, portal.upper, WallPart::upper));
@@ -165,8 +165,8 @@ private:
 
     void add_pane(const Hanging& hanging) {
         const SeenWall wall = seen(hanging.place);
-        const Heights picture = picture_in(wall.parts, scene_.map()[scene_.map()[hanging.place.wall].middle]);
-        const Heights opening = wall.parts.opening;
+        const RelativeHeights picture = picture_in(wall.parts, scene_.map()[scene_.map()[hanging.place.wall].middle]);
+        const RelativeHeights opening = wall.parts.opening;
         add_strip(hanging.place, {std::max(picture.floor, opening.floor), std::min(picture.ceiling, opening.ceiling)},
                   hanging_look(scene_, wall, picture.ceiling));
     }

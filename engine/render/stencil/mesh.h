@@ -35,7 +35,7 @@ public:
 
     /// The part of a wall between two heights above the eye [m]; infinite ones reach the picture's edge. It adds
     /// nothing where there is no such part.
-    void add_strip(const RayField& rays, const WallOnScreen& wall, const Heights& heights, const Look& look);
+    void add_strip(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights, const Look& look);
 
     /// All of the picture, without a look. Once for each picture.
     void add_sheet();

@@ -51,12 +51,12 @@ void set_between_ends(Outline& outline, const RayField& rays, const WallOnScreen
     outline.keep(widened(edge(rays, wall.shown_right_v) * -1, kMargin));
 }
 
-void keep_between(Outline& outline, const RayField& rays, const WallOnScreen& wall, const Heights& heights) {
+void keep_between(Outline& outline, const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights) {
     if (!std::isinf(heights.ceiling)) outline.keep(below(rays, wall, heights.ceiling));
     if (!std::isinf(heights.floor)) outline.keep(below(rays, wall, heights.floor) * -1);
 }
 
-Box box_around(const RayField& rays, const WallOnScreen& wall, const Heights& heights) {
+Box box_around(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights) {
     Outline outline;
     set_between_ends(outline, rays, wall);
     keep_between(outline, rays, wall, heights);

@@ -52,10 +52,10 @@ Even below(const RayField& rays, const WallOnScreen& wall, double height);
 void set_between_ends(Outline& outline, const RayField& rays, const WallOnScreen& wall);
 
 /// Cuts the outline off at heights above the eye; infinite ones cut nothing.
-void keep_between(Outline& outline, const RayField& rays, const WallOnScreen& wall, const Heights& heights);
+void keep_between(Outline& outline, const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights);
 
 /// Whole pixels around that part of the wall, within the picture.
-Box box_around(const RayField& rays, const WallOnScreen& wall, const Heights& heights);
+Box box_around(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights);
 
 Box common(const Box& a, const Box& b);
 

@@ -27,7 +27,7 @@ WallOnScreen place_of(double left_x, double width, double depth, bool mirrored) 
 }  // namespace
 
 std::optional<ThingOnScreen> in_view(const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-                                     const Presence& presence, const Pose& pose, const Heights& room) {
+                                     const Presence& presence, const Pose& pose, const RelativeHeights& room) {
     const Vec2 to_it = presence.position - pose.eye;
     ThingOnScreen thing;
     thing.depth = dot(pose.forward, to_it);
@@ -60,7 +60,7 @@ bool put_on_screen(ThingOnScreen& thing, const Screen& screen) {
 PanelOnScreen in_view(const Map& map, const Snapshot& snapshot, PanelId id, const Pose& pose) {
     const Panel& panel = map[id];
     const Segment seen = facing(panel, pose.eye);
-    const Heights room = heights_of(snapshot, panel.sector, pose.eye_z);
+    const RelativeHeights room = heights_of(snapshot, panel.sector, pose.eye_z);
     PanelOnScreen shown{id, in_view(seen, pose), {}};
     if (seen.a != panel.a) shown.place.swapped = !shown.place.swapped;
     shown.shown = {std::max(panel.bottom - pose.eye_z, room.floor), std::min(panel.top - pose.eye_z, room.ceiling)};

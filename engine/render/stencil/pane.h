@@ -22,16 +22,17 @@ struct ThingOnScreen {
     Lighting lighting;
     double depth = 0;            ///< along `forward`; in tilted pictures maybe behind the eye, below 0 [m]
     double top = 0, height = 0;  ///< of the whole picture; top: above the eye [m]
-    Heights shown;               ///< the part of it that no floor or ceiling cuts off, above the eye
+    RelativeHeights shown;       ///< the part of it that no floor or ceiling cuts off, above the eye
 };
 
 /// In no column yet. none: too near, or no picture, or all of it is cut off. room: above the eye; what cuts the
 /// picture.
 std::optional<ThingOnScreen> in_view(const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-                                     const Presence& presence, const Pose& pose, const Heights& room);
+                                     const Presence& presence, const Pose& pose, const RelativeHeights& room);
 
 /// The room of a thing that nothing cuts.
-inline constexpr Heights kNoRoom{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+inline constexpr RelativeHeights kNoRoom{-std::numeric_limits<double>::infinity(),
+                                         std::numeric_limits<double>::infinity()};
 
 /// Finds the columns of a thing ahead of the eye. False: there are none.
 bool put_on_screen(ThingOnScreen& thing, const Screen& screen);
@@ -40,7 +41,7 @@ bool put_on_screen(ThingOnScreen& thing, const Screen& screen);
 struct PanelOnScreen {
     PanelId panel;
     WallOnScreen place;
-    Heights shown;               ///< the part of it that is inside the room, above the eye
+    RelativeHeights shown;       ///< the part of it that is inside the room, above the eye
     bool is_in_doorway = false;  ///< on the line of the doorway that one sees it through, whose room hides it
 };
 

@@ -87,8 +87,8 @@ Pose face_of(const Pose& pose, std::size_t quarters) {
     return face;
 }
 
-Window panorama_window(const Screen& face, const RayField& rays, std::size_t quarters) {
-    Window window;
+ClipWindow panorama_window(const Screen& face, const RayField& rays, std::size_t quarters) {
+    ClipWindow window;
     for (int x = 0; x < face.width; ++x) {
         const OpenRows rows = rows_of(face, rays, quarters, x);
         if (!rows.is_closed()) window.open(x, rows);

@@ -39,6 +39,6 @@ Screen panorama_screen();
 Pose face_of(const Pose& pose, std::size_t quarters);
 
 /// What of that face the picture shows.
-Window panorama_window(const Screen& face, const RayField& rays, std::size_t quarters);
+ClipWindow panorama_window(const Screen& face, const RayField& rays, std::size_t quarters);
 
 }  // namespace enfilade::stencil

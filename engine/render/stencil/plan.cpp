@@ -28,8 +28,8 @@ struct OpenExit {
 
 class Planner {
 public:
-    Planner(const World& world, const Screen& screen, const RayField& rays)
-        : world_(world), screen_(screen), rays_(rays), room_(world.map, screen), panes_(world, screen) {}
+    Planner(const FrameInput& input, const Screen& screen, const RayField& rays)
+        : input_(input), screen_(screen), rays_(rays), room_(input.map, screen), panes_(input, screen) {}
 
     Plan plan(const View& view) {
         start(view);
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    const Map& map() const { return world_.map; }
+    const Map& map() const { return input_.map; }
 
     void start(const View& view) {
         Layer& first = plan_.layers.emplace_back();
@@ -69,7 +69,7 @@ private:
             look_into(layer, visit);
             plan_.rooms.push_back({visit.sector, visit.depth, std::move(visit.window)});
         }
-        if (rays_.is_tilted) note_tilted_panes(layer, world_);
+        if (rays_.is_tilted) note_tilted_panes(layer, input_);
     }
 
     void look_into(Layer& layer, const Visit& visit) {
@@ -80,7 +80,7 @@ private:
             panes_.note(layer, room_);
         }
         for (const WallOnScreen& wall : room_.walls())
-            if (kind_now(map(), world_.snapshot, wall.wall) != WallKind::solid) look_through(layer, wall);
+            if (kind_now(map(), input_.snapshot, wall.wall) != WallKind::solid) look_through(layer, wall);
     }
 
     static void note_sector(Layer& layer, SectorId sector) {
@@ -90,10 +90,10 @@ private:
 
     void look_through(Layer& layer, const WallOnScreen& wall) {
         const Wall& portal = map()[wall.wall];
-        const Heights opening = parts_of(map(), world_.snapshot, wall.wall, layer.pose.eye_z).opening;
+        const RelativeHeights opening = parts_of(map(), input_.snapshot, wall.wall, layer.pose.eye_z).opening;
         if (opening.is_empty()) return;
         double nearest = 0;
-        Window beyond = room_.open_behind(wall, opening, nearest);
+        ClipWindow beyond = room_.open_behind(wall, opening, nearest);
         if (beyond.is_empty()) return;
         if (map()[portal.middle].texture && !rays_.is_tilted) note_hanging(layer, wall, beyond);
         const Visit& here = room_.visit();
@@ -116,7 +116,7 @@ private:
     }
 
     /// The picture that hangs in a portal, in every run of columns in which one looks through.
-    void note_hanging(Layer& layer, const WallOnScreen& portal, const Window& beyond) const {
+    void note_hanging(Layer& layer, const WallOnScreen& portal, const ClipWindow& beyond) const {
         const auto is_met = [&](int x) { return !beyond.at(x).is_closed(); };
         for (int x = beyond.begin, begin = x; x <= beyond.end(); ++x) {
             if (x < beyond.end() && is_met(x)) continue;
@@ -134,8 +134,8 @@ private:
 
     /// A portal behind which a new layer begins.
     bool leads_out(const Wall& portal) const {
-        return portal.link != Wall::kNoLink || world_.facts.overlaps[portal.sector.index] ||
-               world_.facts.overlaps[portal.behind.index];
+        return portal.link != Wall::kNoLink || input_.facts.overlaps[portal.sector.index] ||
+               input_.facts.overlaps[portal.behind.index];
     }
 
     /// One portal may be seen through several chains of doorways: they all show parts of the same picture.
@@ -189,7 +189,7 @@ private:
         child.level = parent.level + 1;
         if (rays_.is_tilted) {
             child.opened = *in_view(map(), seen.exit.wall, parent.pose);
-            const Heights opening = parts_of(map(), world_.snapshot, seen.exit.wall, parent.pose.eye_z).opening;
+            const RelativeHeights opening = parts_of(map(), input_.snapshot, seen.exit.wall, parent.pose.eye_z).opening;
             child.box = common(parent.box, box_around(rays_, child.opened, opening));
         } else {
             child.box = box_around(seen.visits[0].window);
@@ -197,7 +197,7 @@ private:
         return child;
     }
 
-    const World& world_;
+    const FrameInput& input_;
     const Screen& screen_;
     const RayField& rays_;
     RoomLook room_;
@@ -211,8 +211,8 @@ private:
 
 }  // namespace
 
-Plan make_plan(const World& world, const Screen& screen, const RayField& rays, const View& view) {
-    return Planner(world, screen, rays).plan(view);
+Plan make_plan(const FrameInput& input, const Screen& screen, const RayField& rays, const View& view) {
+    return Planner(input, screen, rays).plan(view);
 }
 
 }  // namespace enfilade::stencil

@@ -52,7 +52,7 @@ struct MapFacts {
 struct SeenRoom {
     SectorId sector;
     int depth = 0;  ///< portals looked through
-    Window window;
+    ClipWindow window;
 };
 
 /// One frame's layers. layers[0] is what the eye's own space shows; every other is the layer of exactly one exit.
@@ -65,7 +65,7 @@ struct Plan {
 };
 
 /// What there is to see.
-struct World {
+struct FrameInput {
     const Map& map;
     const MapFacts& facts;
     const TextureSet& textures;
@@ -75,6 +75,6 @@ struct World {
 /// Follows the view through all doorways, links and mirrors as long as a pixel may be open. A little more than what is
 /// seen may be in the plan, never less. screen: of the picture, or if it is tilted, of its panorama.
 /// Cost: for each sector looked into its walls, and the columns it is seen in.
-Plan make_plan(const World& world, const Screen& screen, const RayField& rays, const View& view);
+Plan make_plan(const FrameInput& input, const Screen& screen, const RayField& rays, const View& view);
 
 }  // namespace enfilade::stencil

@@ -8,7 +8,7 @@
 
 namespace enfilade::stencil {
 
-void Window::open(int x, OpenRows more) {
+void ClipWindow::open(int x, OpenRows more) {
     if (rows.empty()) begin = x;
     if (x < begin) {
         rows.insert(rows.begin(), static_cast<std::size_t>(begin - x), OpenRows{});
@@ -19,12 +19,12 @@ void Window::open(int x, OpenRows more) {
     now = now.is_closed() ? more : OpenRows{std::min(now.top, more.top), std::max(now.bottom, more.bottom)};
 }
 
-void Window::open(const Window& other) {
+void ClipWindow::open(const ClipWindow& other) {
     for (int x = other.begin; x < other.end(); ++x)
         if (!other.at(x).is_closed()) open(x, other.at(x));
 }
 
-Box box_around(const Window& window) {
+Box box_around(const ClipWindow& window) {
     Box box{window.begin, window.end(), 0, 0};
     for (const OpenRows& rows : window.rows) {
         if (rows.is_closed()) continue;
@@ -165,8 +165,8 @@ bool RoomLook::may_meet(const WallOnScreen& portal, double inverse, int x) const
     return nearest_[index_of(x)].place == &portal - walls_.data();
 }
 
-Window RoomLook::open_behind(const WallOnScreen& portal, const Heights& opening, double& nearest) const {
-    Window beyond;
+ClipWindow RoomLook::open_behind(const WallOnScreen& portal, const RelativeHeights& opening, double& nearest) const {
+    ClipWindow beyond;
     nearest = 0;
     const int end = std::min(portal.end, visit_->window.end());
     for (int x = std::max(portal.begin, visit_->window.begin); x < end; ++x) {
@@ -180,7 +180,7 @@ Window RoomLook::open_behind(const WallOnScreen& portal, const Heights& opening,
     return beyond;
 }
 
-OpenRows RoomLook::rows_behind(const WallOnScreen& portal, const Heights& opening, int x) const {
+OpenRows RoomLook::rows_behind(const WallOnScreen& portal, const RelativeHeights& opening, int x) const {
     const OpenRows parent = visit_->window.at(x);
     if (parent.is_closed()) return {};
     const auto [left, right] = ends_of_column(portal, screen_, x);

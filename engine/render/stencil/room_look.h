@@ -3,21 +3,15 @@
 #include <span>
 #include <vector>
 
+#include "render/openings.h"
 #include "render/stencil/wall_on_screen.h"
 
 namespace enfilade::stencil {
 
 // Which pixels something may be seen in.
 
-/// Open rows [top, bottom) of one column.
-struct OpenRows {
-    int top = 0;
-    int bottom = 0;
-    bool is_closed() const { return top >= bottom; }
-};
-
 /// By column a range of rows. Closed columns are allowed anywhere.
-struct Window {
+struct ClipWindow {
     int begin = 0;  ///< columns [begin, begin + rows.size())
     std::vector<OpenRows> rows;
 
@@ -28,7 +22,7 @@ struct Window {
     /// Opens these rows of column x besides those that are open; what lies between opens, too.
     void open(int x, OpenRows more);
     /// Opens all that is open in the other.
-    void open(const Window& other);
+    void open(const ClipWindow& other);
 };
 
 /// Columns and rows [begin, end) [px].
@@ -38,14 +32,14 @@ struct Box {
 };
 
 /// The smallest around the window.
-Box box_around(const Window& window);
+Box box_around(const ClipWindow& window);
 
 /// A look into a sector. Past a plain doorway nothing is transformed.
 struct Visit {
     SectorId sector;
     WallId entry;          ///< none for the eye's own sector
     WallOnScreen doorway;  ///< the portal looked through, from its other side; where there is an entry
-    Window window;
+    ClipWindow window;
     std::size_t face = 0;     ///< of the panorama
     int depth = 0;            ///< portals looked through
     std::uint32_t spent = 0;  ///< on the looks into this sector and those before it (render/look_budget.h)
@@ -79,7 +73,7 @@ public:
 
     /// What of the visit's window is open through the portal, one of walls(); empty: nothing. Of ranges never less than
     /// what is seen. nearest: becomes the portal's largest inverse depth there [1/m].
-    Window open_behind(const WallOnScreen& portal, const Heights& opening, double& nearest) const;
+    ClipWindow open_behind(const WallOnScreen& portal, const RelativeHeights& opening, double& nearest) const;
 
 private:
     static constexpr int kNothing = -1;
@@ -95,7 +89,7 @@ private:
     bool is_nearer_at(const WallOnScreen& wall, double inverse, const Nearest& other) const;
     void add_run(std::vector<WallOnScreen>& met, int place, int begin, int end) const;
     bool may_meet(const WallOnScreen& portal, double inverse, int x) const;
-    OpenRows rows_behind(const WallOnScreen& portal, const Heights& opening, int x) const;
+    OpenRows rows_behind(const WallOnScreen& portal, const RelativeHeights& opening, int x) const;
 
     const Map& map_;
     const Screen& screen_;

@@ -8,7 +8,7 @@ namespace enfilade::stencil {
 void RoomPanes::note(Layer& layer, const RoomLook& room) {
     find_boards(layer.pose, room);
     if (boards_.empty()) return;
-    const Window& window = room.visit().window;
+    const ClipWindow& window = room.visit().window;
     run_.clear();
     for (int x = window.begin, begin = window.begin; x <= window.end(); ++x) {
         met_.clear();
@@ -22,29 +22,29 @@ void RoomPanes::note(Layer& layer, const RoomLook& room) {
 
 void RoomPanes::find_boards(const Pose& pose, const RoomLook& room) {
     const SectorId home = room.visit().sector;
-    const bool is_whole = thing_edges(world_.map.render, false) == ThingEdges::whole;
-    const Heights heights = is_whole ? kNoRoom : heights_of(world_.snapshot, home, pose.eye_z);
+    const bool is_whole = thing_edges(input_.map.render, false) == ThingEdges::whole;
+    const RelativeHeights heights = is_whole ? kNoRoom : heights_of(input_.snapshot, home, pose.eye_z);
     boards_.clear();
-    for (const Presence& presence : world_.snapshot.things.in(home)) {
-        auto thing = in_view(world_.map, world_.textures, world_.snapshot, presence, pose, heights);
+    for (const Presence& presence : input_.snapshot.things.in(home)) {
+        auto thing = in_view(input_.map, input_.textures, input_.snapshot, presence, pose, heights);
         if (thing && put_on_screen(*thing, screen_)) boards_.push_back({*thing, {{}, {}}, {}, thing->depth});
     }
     things_ = boards_.size();
     std::stable_sort(boards_.begin(), boards_.end(),
                      [](const Board& a, const Board& b) { return depth_steps(a.depth) < depth_steps(b.depth); });
-    const Sector& sector = world_.map[home];
+    const Sector& sector = input_.map[home];
     for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i)
         add_panel(pose, room, PanelId(i));
 }
 
 void RoomPanes::add_panel(const Pose& pose, const RoomLook& room, PanelId id) {
-    const Panel& panel = world_.map[id];
+    const Panel& panel = input_.map[id];
     if (!panel.surface.texture) return;
     const Segment seen = facing(panel, pose.eye);
     if (panel.one_sided && seen.a != panel.a) return;
-    if (room.visit().entry && !is_panel_beyond(seen, world_.map[room.visit().entry])) return;
-    PanelOnScreen shown = in_view(world_.map, world_.snapshot, id, pose);
-    shown.is_in_doorway = room.visit().entry && are_on_one_line(seen, world_.map[room.visit().entry]);
+    if (room.visit().entry && !is_panel_beyond(seen, input_.map[room.visit().entry])) return;
+    PanelOnScreen shown = in_view(input_.map, input_.snapshot, id, pose);
+    shown.is_in_doorway = room.visit().entry && are_on_one_line(seen, input_.map[room.visit().entry]);
     if (shown.shown.is_empty() || !put_on_screen(shown.place, pose, screen_)) return;
     boards_.push_back({shown, seen, id, 0});
 }
@@ -74,10 +74,10 @@ bool RoomPanes::is_met(const Pose& pose, const RoomLook& room, const Board& thin
     const WallId entry = room.visit().entry, exit = room.nearest_at(x);
     const double slope = screen_.slopes[static_cast<std::size_t>(x)];
     const double from = entry ? 1 / room.visit().doorway.inverse_depth(slope) : 0, to = 1 / room.inverse_depth_at(x);
-    if (exit.is_none() || thing_edges(world_.map.render, false) == ThingEdges::cut)
+    if (exit.is_none() || thing_edges(input_.map.render, false) == ThingEdges::cut)
         return is_met_between(thing.depth, from, to);
     const Vec2 place = std::get<ThingOnScreen>(thing.pane).position;
-    return is_seen_in(world_.map, world_.snapshot, {pose.eye, pose.forward, place, thing.depth},
+    return is_seen_in(input_.map, input_.snapshot, {pose.eye, pose.forward, place, thing.depth},
                       {entry, exit, from, to});
 }
 
@@ -101,7 +101,7 @@ bool RoomPanes::is_before_wall(const RoomLook& room, const Board& panel, int x) 
     if (wall.is_none()) return true;
     const double to_wall = room.inverse_depth_at(x);
     const double to_panel = place_of(panel.pane).inverse_depth(screen_.slopes[static_cast<std::size_t>(x)]);
-    return are_telling(to_panel, to_wall) ? to_panel > to_wall : is_nearer(panel.facing, world_.map[wall]);
+    return are_telling(to_panel, to_wall) ? to_panel > to_wall : is_nearer(panel.facing, input_.map[wall]);
 }
 
 /// The boards of run_ in the columns [begin, end), in which all of them are met.

@@ -10,7 +10,7 @@ namespace enfilade::stencil {
 /// Finds the things and panels of one visit at a time. A room without them costs a look at two empty lists.
 class RoomPanes {
 public:
-    RoomPanes(const World& world, const Screen& screen) : world_(world), screen_(screen) {}
+    RoomPanes(const FrameInput& input, const Screen& screen) : input_(input), screen_(screen) {}
 
     /// Adds what stands in the room that is looked into, and is seen, to the layer's panes: for every run of columns
     /// that meet the same pictures in the same order these pictures, the nearest first;
@@ -34,7 +34,7 @@ private:
     bool is_before_wall(const RoomLook& room, const Board& panel, int x) const;
     void add_run(Layer& layer, int begin, int end, int rank);
 
-    const World& world_;
+    const FrameInput& input_;
     const Screen& screen_;
     std::vector<Board> boards_;            ///< things first, the nearest of them first; then panels
     std::size_t things_ = 0;               ///< how many of them are things

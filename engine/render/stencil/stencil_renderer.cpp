@@ -75,12 +75,12 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
     const Projection projection(view, frame.width, frame.height);
     const RayField rays(view, projection);
     const Screen screen = view.tilt ? panorama_screen() : Screen(projection);
-    const World world{map, facts, textures, snapshot};
-    Plan plan = make_plan(world, screen, rays, view);
+    const FrameInput input{map, facts, textures, snapshot};
+    Plan plan = make_plan(input, screen, rays, view);
     if (Status failed = objects->target.prepare(frame.width, frame.height, with_facts, times_kept(plan.deepest)))
         return failed;
     objects->records.clear();
-    const Scene scene{world, objects->store, screen, rays, objects->records, lights.start(map) ? &lights : nullptr};
+    const Scene scene{input, objects->store, screen, rays, objects->records, lights.start(map) ? &lights : nullptr};
     mesh.clear();
     const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
     if (Status failed = objects->records.upload()) return failed;

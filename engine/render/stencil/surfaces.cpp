@@ -44,7 +44,7 @@ void set(float (&four)[4], const Look& look, const Even& number, double fourth) 
 }
 
 void set_picture(Look& look, const Scene& scene, TextureId texture, SurfaceId id, Paint paint) {
-    const Texture& picture = scene.world.textures[texture];
+    const Texture& picture = scene.input.textures[texture];
     const std::uint32_t way = paint != Paint::sky && !picture.numbers.empty() ? kByTable : 0u;
     look.id_and_paint = (look.id_and_paint & kClassicLight) | id | static_cast<std::uint32_t>(paint) << 24 | way;
     look.texels = scene.store.place_of(texture);
@@ -105,7 +105,7 @@ Look sky_look(const Scene& scene, const SeenWall& wall, const FlatNow& flat, Sur
     look.c[1] = f(surface.tile_m.y);
     look.c[2] = f(surface.offset_tiles.x);
     look.c[3] = f(surface.offset_tiles.y);
-    look.record = scene.records.sky(scene.map(), scene.world.snapshot, scene.world.textures, scene.store, flat);
+    look.record = scene.records.sky(scene.map(), scene.input.snapshot, scene.input.textures, scene.store, flat);
     return look;
 }
 
@@ -135,20 +135,20 @@ Look plain_look(const Scene& scene, const WallOnScreen& place) {
 
 Look wall_look(const Scene& scene, const SeenWall& wall, LayId at_rest, WallPart part) {
     const Wall& w = scene.map()[wall.place.wall];
-    const Surface surface = picture_now(scene.map(), scene.world.snapshot, wall.place.wall, at_rest);
+    const Surface surface = picture_now(scene.map(), scene.input.snapshot, wall.place.wall, at_rest);
     Look look = plain_look(scene, wall.place);
-    set_light(look, lighting_in(scene.map(), w.sector, light_at(scene.world.snapshot, w.sector), w.contrast));
+    set_light(look, lighting_in(scene.map(), w.sector, light_at(scene.input.snapshot, w.sector), w.contrast));
     set_surface(look, scene, wall.place, surface, w.length, peg_height(wall.parts, surface.peg),
                 wall_id(scene.map(), wall.place.wall, part));
     if (scene.lights)
-        set_glow(look, scene, scene.lights->on_wall(scene.map(), scene.world.snapshot, wall.place.wall), w.length,
+        set_glow(look, scene, scene.lights->on_wall(scene.map(), scene.input.snapshot, wall.place.wall), w.length,
                  wall.pose.eye_z);
     return look;
 }
 
 Look hanging_look(const Scene& scene, const SeenWall& wall, double top) {
     const WallId id = wall.place.wall;
-    const Surface surface = picture_now(scene.map(), scene.world.snapshot, id, scene.map()[id].middle);
+    const Surface surface = picture_now(scene.map(), scene.input.snapshot, id, scene.map()[id].middle);
     Look look = wall_look(scene, wall, scene.map()[id].middle, WallPart::middle);
     const bool runs = surface.scroll.y != 0;  // through its place, over and over, as on a wall
     set_picture(look, scene, surface.texture, wall_id(scene.map(), id, WallPart::middle),
@@ -162,11 +162,11 @@ Look panel_look(const Scene& scene, const PanelOnScreen& shown, const Pose& pose
     const Panel& panel = scene.map()[shown.panel];
     Look look = plain_look(scene, shown.place);
     set_light(look,
-              lighting_in(scene.map(), panel.sector, light_at(scene.world.snapshot, panel.sector), panel.contrast));
-    set_surface(look, scene, shown.place, picture_now(scene.world.snapshot, panel), panel.length,
+              lighting_in(scene.map(), panel.sector, light_at(scene.input.snapshot, panel.sector), panel.contrast));
+    set_surface(look, scene, shown.place, picture_now(scene.input.snapshot, panel), panel.length,
                 panel.top - pose.eye_z, panel_id(scene.map(), shown.panel));
     if (scene.lights)
-        set_glow(look, scene, scene.lights->on_panel(scene.map(), scene.world.snapshot, shown.panel), panel.length,
+        set_glow(look, scene, scene.lights->on_panel(scene.map(), scene.input.snapshot, shown.panel), panel.length,
                  pose.eye_z);
     move(look, shown.is_in_doorway ? kBehindDoorway : kBeforeWall);
     return look;
@@ -179,7 +179,7 @@ Look thing_look(const Scene& scene, const ThingOnScreen& thing) {
     set_along(look, scene, thing.place, kBelowOne, 0);
     if (!scene.rays.is_tilted) look.farthest = f(thing.place.cross / (thing.place.right_v.x - thing.place.left_v.x));
     if (scene.lights)
-        set_glow(look, scene, scene.lights->on_thing(scene.map(), scene.world.snapshot, thing.thing), 0, 0);
+        set_glow(look, scene, scene.lights->on_thing(scene.map(), scene.input.snapshot, thing.thing), 0, 0);
     look.b[1] = f(thing.top / thing.height);
     look.b[2] = f(1 / thing.height);
     return look;
@@ -192,7 +192,7 @@ Look flat_look(const Scene& scene, const SeenWall& wall, const FlatNow& flat, do
     Look look = plain_look(scene, wall.place);
     set_picture(look, scene, surface.texture, id, Paint::flat);
     const SectorId sector = scene.map()[wall.place.wall].sector;
-    set_light(look, lighting_in(scene.map(), sector, light_at(scene.world.snapshot, sector), 1));
+    set_light(look, lighting_in(scene.map(), sector, light_at(scene.input.snapshot, sector), 1));
     set_direction(look, scene.rays, wall.pose, surface.tile_m);
     const Vec2 from_origin = wall.pose.eye - flat.origin;
     look.c[0] = f(fraction(from_origin.x / surface.tile_m.x - surface.offset_tiles.x));

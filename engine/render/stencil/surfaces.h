@@ -11,14 +11,14 @@ namespace enfilade::stencil {
 
 /// What there is to see, and where its pictures are kept.
 struct Scene {
-    const World& world;
+    const FrameInput& input;
     const TexelStore& store;
     const Screen& screen;  ///< of the picture; of a tilted one: of its panorama
     const RayField& rays;
     Records& records;    ///< grow while looks are made
     LightGrids* lights;  ///< null: the map has no point lights
 
-    const Map& map() const { return world.map; }
+    const Map& map() const { return input.map; }
 };
 
 /// Everything about one wall of a layer that its parts have in common.

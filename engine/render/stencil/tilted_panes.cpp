@@ -205,16 +205,16 @@ bool is_in_doorway(const Map& map, const Panel& panel, Vec2 eye) {
 
 class PaneFinder {
 public:
-    PaneFinder(const Layer& layer, const World& world) : layer_(layer), world_(world) {}
+    PaneFinder(const Layer& layer, const FrameInput& input) : layer_(layer), input_(input) {}
 
     const std::vector<PaneInRoom>& found() const { return found_; }
 
     void find(SectorId home) {
-        const Heights room = heights_of(world_.snapshot, home, layer_.pose.eye_z);
-        for (const Presence& presence : world_.snapshot.things.in(home))
-            if (auto thing = in_view(world_.map, world_.textures, world_.snapshot, presence, layer_.pose, room))
+        const RelativeHeights room = heights_of(input_.snapshot, home, layer_.pose.eye_z);
+        for (const Presence& presence : input_.snapshot.things.in(home))
+            if (auto thing = in_view(input_.map, input_.textures, input_.snapshot, presence, layer_.pose, room))
                 add_thing(home, *thing);
-        const Sector& sector = world_.map[home];
+        const Sector& sector = input_.map[home];
         for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i)
             add_panel(home, PanelId(i));
         for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i)
@@ -227,7 +227,7 @@ private:
         WallOnScreen& place = thing.place;
         const bool turned = place.left_v.x > place.right_v.x;
         const Vec2 left = turned ? place.right_v : place.left_v, right = turned ? place.left_v : place.right_v;
-        for (Stretch s : inside(world_.map, home, layer_.pose, depth)) {
+        for (Stretch s : inside(input_.map, home, layer_.pose, depth)) {
             s = {std::max(s.begin, left.x), std::min(s.end, right.x)};
             if (s.begin < s.end && layer_.entry) s = beyond_doorway(layer_.opened, depth, s);
             if (s.begin >= s.end) continue;
@@ -238,32 +238,32 @@ private:
     }
 
     void add_panel(SectorId home, PanelId id) {
-        const Panel& panel = world_.map[id];
+        const Panel& panel = input_.map[id];
         if (!panel.surface.texture) return;
         const Segment seen = facing(panel, layer_.pose.eye);
         if (panel.one_sided && seen.a != panel.a) return;
-        if (layer_.entry && !is_panel_beyond(seen, world_.map[layer_.entry])) return;
-        PanelOnScreen shown = in_view(world_.map, world_.snapshot, id, layer_.pose);
-        shown.is_in_doorway = is_in_doorway(world_.map, panel, layer_.pose.eye);
+        if (layer_.entry && !is_panel_beyond(seen, input_.map[layer_.entry])) return;
+        PanelOnScreen shown = in_view(input_.map, input_.snapshot, id, layer_.pose);
+        shown.is_in_doorway = is_in_doorway(input_.map, panel, layer_.pose.eye);
         if (!shown.shown.is_empty()) found_.push_back({home, shown});
     }
 
     void add_hanging(SectorId home, WallId id) {
-        const Wall& wall = world_.map[id];
-        if (wall.kind != WallKind::portal || !world_.map[wall.middle].texture) return;
-        if (layer_.entry && (layer_.entry == id || !is_beyond(wall, world_.map[layer_.entry]))) return;
-        if (const auto place = in_view(world_.map, id, layer_.pose)) found_.push_back({home, Hanging{*place}});
+        const Wall& wall = input_.map[id];
+        if (wall.kind != WallKind::portal || !input_.map[wall.middle].texture) return;
+        if (layer_.entry && (layer_.entry == id || !is_beyond(wall, input_.map[layer_.entry]))) return;
+        if (const auto place = in_view(input_.map, id, layer_.pose)) found_.push_back({home, Hanging{*place}});
     }
 
     const Layer& layer_;
-    const World& world_;
+    const FrameInput& input_;
     std::vector<PaneInRoom> found_;
 };
 
 }  // namespace
 
-void note_tilted_panes(Layer& layer, const World& world) {
-    PaneFinder finder(layer, world);
+void note_tilted_panes(Layer& layer, const FrameInput& input) {
+    PaneFinder finder(layer, input);
     for (const SectorId sector : layer.sectors) finder.find(sector);
     layer.panes = in_order(finder.found());
 }

@@ -22,6 +22,6 @@ struct PaneInRoom {
 std::vector<Pane> in_order(const std::vector<PaneInRoom>& panes);
 
 /// Adds all that stands or hangs in the layer's sectors, once, each thing in every sector only as far as it is there.
-void note_tilted_panes(Layer& layer, const World& world);
+void note_tilted_panes(Layer& layer, const FrameInput& input);
 
 }  // namespace enfilade::stencil

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "math/predicates.h"
-#include "render/open_steps.h"
+#include "render/openings.h"
 
 namespace enfilade::stencil {
 
@@ -130,8 +130,8 @@ double row_of(const Screen& screen, const WallOnScreen& wall, double height, dou
     return screen.horizon - height * screen.focal_y * wall.inverse_depth(screen.slope_at(px));
 }
 
-Heights heights_of(const Snapshot& snapshot, SectorId room, double eye_z) {
-    const enfilade::Heights heights = heights_at(snapshot, room);
+RelativeHeights heights_of(const Snapshot& snapshot, SectorId room, double eye_z) {
+    const Heights heights = heights_at(snapshot, room);
     return {heights.floor_z - eye_z, heights.ceiling_z - eye_z};
 }
 
@@ -162,7 +162,7 @@ double peg_height(const WallParts& parts, Peg peg) {
     return parts.room.ceiling;
 }
 
-Heights picture_in(const WallParts& parts, const Surface& middle) {
+RelativeHeights picture_in(const WallParts& parts, const Surface& middle) {
     const bool stands = middle.peg == Peg::floor || middle.peg == Peg::opening_bottom;
     const double anchor = peg_height(parts, middle.peg) + (stands ? middle.tile_m.y : 0);
     const double top = anchor - middle.offset_tiles.y * middle.tile_m.y;

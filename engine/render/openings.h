@@ -1,9 +1,25 @@
-// Which steps of a portal are drawn: a rule of the world, shared by all renderers.
+// What one sees of a room and through its portals, by height and by row: shared by all renderers.
 #pragma once
 #include "map/map.h"
 #include "render/built_in.h"
 
 namespace enfilade {
+
+/// Heights of a room, or of a part of a wall, above the eye [m].
+struct RelativeHeights {
+    double floor = 0;
+    double ceiling = 0;
+
+    bool is_empty() const { return floor >= ceiling; }
+};
+
+/// The rows [top, bottom) of one column that are still open: nothing has been drawn there yet.
+struct OpenRows {
+    int top = 0;
+    int bottom = 0;  ///< top >= bottom: closed
+
+    bool is_closed() const { return top >= bottom; }
+};
 
 /// A step without a texture is open: one sees past it. So is the upper step between two rooms under the sky, behind
 /// which there would be nothing but sky.
