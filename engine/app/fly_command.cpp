@@ -91,15 +91,6 @@ Result<FlyChoices> choices_of(const FlyRequest& request) {
     return choices;
 }
 
-RendererKind renderer_of(const ScriptFile& script) {
-    switch (script.renderer) {
-        case RendererChoice::column: return RendererKind::column;
-        case RendererChoice::reference: return RendererKind::reference;
-        case RendererChoice::stencil: return RendererKind::stencil;
-    }
-    return RendererKind::column;
-}
-
 Result<DrawPlan> plan_of(const FlyChoices& choices, const OpenFlight& open) {
     const int last = open.flight.frames() - 1;
     const FrameRange frames = choices.frames.value_or(FrameRange{0, last});
@@ -107,7 +98,7 @@ Result<DrawPlan> plan_of(const FlyChoices& choices, const OpenFlight& open) {
         return Error{"--frames",
                      fmt::format("the flight has the frames 0..{}; found {}..{}", last, frames.first, frames.last)};
     const PictureSize size = choices.size.value_or(PictureSize{open.script.width, open.script.height});
-    return DrawPlan{choices.renderer.value_or(renderer_of(open.script)),
+    return DrawPlan{choices.renderer.value_or(open.script.renderer),
                     size.width,
                     size.height,
                     frames.first,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "formats/quoted.h"
+#include "formats/words.h"
 #include "render/column/column_renderer.h"
 #include "render/column/kernels.h"
 #include "render/reference/reference_renderer.h"
@@ -121,14 +122,7 @@ Result<RendererKind> parse_renderer(const std::string& name) {
     return Error{"--renderer", "expected column, stencil or reference; found " + quoted(name)};
 }
 
-std::string name_of(RendererKind kind) {
-    switch (kind) {
-        case RendererKind::column: return "column";
-        case RendererKind::stencil: return "stencil";
-        case RendererKind::reference: return "reference";
-    }
-    return "column";
-}
+std::string name_of(RendererKind kind) { return std::string(to_word(kind)); }
 
 Result<std::unique_ptr<Renderer>> make_renderer(RendererKind kind, std::size_t threads,
                                                 const GlContextOpener& open_gl) {

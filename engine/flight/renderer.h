@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "formats/script.h"
 #include "map/map.h"
 #include "map/textures.h"
 #include "render/frame.h"
@@ -14,8 +15,6 @@
 #include "world/snapshot.h"
 
 namespace enfilade {
-
-enum class RendererKind : std::uint8_t { column, stencil, reference };
 
 /// "column", "stencil" or "reference"; anything else is an error that says what there is.
 Result<RendererKind> parse_renderer(const std::string& name);

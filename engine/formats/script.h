@@ -41,14 +41,14 @@ struct StartRecord {
     TextPlace place;
 };
 
-enum class RendererChoice : std::uint8_t { column, stencil, reference };
+enum class RendererKind : std::uint8_t { column, stencil, reference };
 
 /// The whole file. Frame n shows the time n / rate, so that it can be drawn without the frames before it.
 struct ScriptFile {
     std::string map;                ///< path, relative to the script
     int width = 640, height = 400;  ///< 1..16384 [px]
     int rate = 30;                  ///< frames a second, 1..1000
-    RendererChoice renderer = RendererChoice::column;
+    RendererKind renderer = RendererKind::column;
     double fov_degrees = 90;  ///< horizontal, 1..179
     std::string accuracy;     ///< name of a set of dials; empty: the renderer's own
     std::string tape;         ///< path of recorded input, relative to the script, instead of legs; empty: none

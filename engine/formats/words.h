@@ -35,7 +35,7 @@ constexpr const auto& words_of(SkyRows) { return kSkyRowsWords; }
 constexpr const auto& words_of(ThingEdges) { return kThingEdgesWords; }
 constexpr const auto& words_of(Ease) { return kEaseWords; }
 constexpr const auto& words_of(Press) { return kPressWords; }
-constexpr const auto& words_of(RendererChoice) { return kRendererWords; }
+constexpr const auto& words_of(RendererKind) { return kRendererWords; }
 constexpr const auto& words_of(Occasion) { return kOccasionWords; }
 constexpr const auto& words_of(Deed) { return kDeedWords; }
 constexpr const auto& words_of(Level) { return kLevelWords; }

@@ -67,7 +67,7 @@ TEST(ReadScript, ReadsThePicture) {
     EXPECT_EQ(script.width, 320);
     EXPECT_EQ(script.height, 200);
     EXPECT_EQ(script.rate, 25);
-    EXPECT_EQ(script.renderer, RendererChoice::stencil);
+    EXPECT_EQ(script.renderer, RendererKind::stencil);
     EXPECT_EQ(script.fov_degrees, 75.5);
 }
 
