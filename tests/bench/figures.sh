@@ -51,6 +51,7 @@ figures() {
     printf '%s\n' "- machine: $(machine), $(uname -sm)"
     printf '%s\n' "- compiler: $("$(cached CMAKE_CXX_COMPILER)" --version | head -n 1), $(cached CMAKE_BUILD_TYPE)"
     printf '%s\n' "- commit: $(git -C "$top" describe --always --dirty --abbrev=12)"
+    printf '\nTimes differ from run to run, on a shared machine by half and more; counts of instructions do not.\n'
     section 'Frames, 1280x800, one thread' "$enfilade" bench --threads 1 "$@"
     section 'Frames, 320x200, one thread' "$enfilade" bench --threads 1 --size 320x200 "$@"
     section 'Frames, 1280x800, two threads' "$enfilade" bench --threads 2 "$@"
@@ -63,7 +64,7 @@ figures() {
     fi
     # shellcheck disable=SC2016 # quotes of Markdown
     printf '\n## Effects of maps/effects.toml, 640x400, one thread\n\nWritten by `enfilade bench --effects`.\n\n'
-    "$enfilade" bench --effects
+    "$enfilade" bench --effects effects.toml
     [ -e "$build/effect_cost.md" ] || return 0
     # shellcheck disable=SC2016 # quotes of Markdown
     printf '\n## Effects that are not used\n\nWritten by `tests/bench/effect_cost.sh`: instructions for a pixel of plain rooms, in the\nengine as it is and in builds with one effect left out.\n\n'
