@@ -2,6 +2,30 @@
 //
 // A Map is built once (map/load.h) and then only looked at. Everything is a value in a vector, joined by ids. What
 // moves or changes light is not here but in world/: functions take the heights of the moment beside the map.
+//
+// The words of this code, each for one thing:
+//
+//   grid       where points lie: vertices on multiples of 2^-10 m, bodies and eyes on 2^-32 m (math/grid.h)
+//   sector     a room: a floor, a ceiling, and loops of walls around it
+//   wall       a directed edge of a sector, which is on its right
+//   portal     a wall that one sees and walks through, into the sector behind it
+//   exit       of a portal: the wall of that sector one comes out of
+//   link       a portal whose exit lies elsewhere; its passage carries points there. A mirror is a link to itself
+//   panel      a wall without thickness that stands free in a sector, as a fence does
+//   thing      a picture that stands or hangs in a sector; lamps and other things have places, too
+//   flat       a floor or a ceiling
+//   surface    how a picture lies on a wall or flat
+//   group      sectors that move as one; what happens to them is told of the first, their leader
+//   trigger    what is done (its deed), on what occasion, to which sectors (its targets)
+//   course     how one height or light goes on in time, once something was done (world/course.h)
+//   history    all that happened; what is, at any moment, is a function of it (world/history.h)
+//   snapshot   heights, lights and pictures of one moment (world/snapshot.h)
+//   tick       the sixtieth of a second in which the player moves (world/step.h)
+//   view       the eye, where it looks and how wide (render/view.h)
+//   pose       that eye in the space behind a chain of links
+//   viewport   a sector seen through one chain of portals: its columns, and their open rows
+//   run        pixels of one surface down one column (render/column/kernels.h)
+//   facts      of a pixel: which surface it shows, how deep, which texel (render/frame.h)
 #pragma once
 #include <array>
 #include <cstdint>
