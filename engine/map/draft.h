@@ -101,7 +101,7 @@ void resolve_portals(Draft& draft);
 void link_walls(Draft& draft);
 /// How pictures lie on walls and flats (surfaces.cpp).
 void lay_surfaces(Draft& draft);
-/// What can be seen has a texture (check_textures.cpp).
+/// What can be seen has a texture (check_sectors.cpp).
 void check_textures(Draft& draft);
 /// The player and the things (inhabitants.cpp).
 void place_inhabitants(Draft& draft);
@@ -111,9 +111,9 @@ void place_triggers(Draft& draft);
 void place_keys(Draft& draft);
 /// Things, sectors and triggers find their sounds (place_sounds.cpp).
 void place_sounds(Draft& draft);
-/// Suns, and which sectors they shine on (place_suns.cpp).
+/// Suns, and which sectors they shine on (place_sounds.cpp).
 void place_suns(Draft& draft);
-/// Animations and switches (picture_changes.cpp).
+/// Animations and switches (surfaces.cpp).
 void note_picture_changes(Draft& draft);
 
 /// Last of all (fingerprint.cpp).

@@ -89,6 +89,14 @@ void Hearing::end() {
     std::swap(heard_, field_);
 }
 
+void Hearing::forget() {
+    is_under_way_ = false;
+    waiting_.clear();
+    heard_.listening = ++listening_;  // so that no entry is its own
+    heard_.own_tile = kNone;
+    heard_.sectors.clear();
+}
+
 /// Fills sought_. A straight line is the shortest way there could be, but for links. The longest reach that is left.
 double Hearing::seek(std::span<const SoundSource> sources, const Place& listener) {
     double reach_m = 0;

@@ -54,6 +54,9 @@ public:
     void listen(const Place& listener, std::span<const SoundSource> sources, const MayPass& may_pass = {},
                 std::size_t slice = kMostGlances);
 
+    /// Nothing is heard any more, and no listening is under way: for one who was elsewhere when it was last asked.
+    void forget();
+
     /// The sectors that sound gets to, and those behind closed portals that it gets to, by number.
     std::span<const SectorId> sectors() const { return heard_.sectors; }
 
@@ -67,6 +70,10 @@ public:
     /// The nearest are found first, so what is missed beyond is the faintest. Less than 8 ms; a map may fold as much
     /// space as it likes into a metre, and pillared halls of Doom have several times as many within 32 m.
     static constexpr std::size_t kMostGlances = 1u << 13;
+
+    /// A slice of some 0.04 ms, for who listens in every tick. Where there are many ways, a listening then takes
+    /// several ticks, up to a second.
+    static constexpr std::size_t kGlancesATick = 160;
 
 private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;

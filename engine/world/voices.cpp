@@ -36,6 +36,8 @@ public:
             for (const SectorId sector : hearing_.sectors()) hear_things(sector);
         } else if (!noted_.empty()) {
             hearing_.listen(ear, sources_noted(), may_pass, slice);
+        } else {
+            hearing_.forget();  // the ear may be elsewhere when something sounds again
         }
         for (const Noted& noted : noted_)
             hear(noted.voice, noted.place ? hearing_.from(*noted.place) : hearing_.from(noted.sector));

@@ -15,7 +15,6 @@ using namespace enfilade;
 
 namespace {
 
-constexpr std::size_t kGlancesATick = 160;
 constexpr int kSlices = 10;
 
 Vec2 middle_of(const Sector& sector) { return (sector.min + sector.max) * 0.5; }
@@ -75,7 +74,7 @@ int main(int count, char** words) {
         const std::span<const SoundSource> near = std::span(all).first(sounding);
         full_us.push_back(least_time_us([&] { hearing.listen({inside, ear}, map.farthest_sound_m, is_open); }));
         for (int slice = 0; slice < kSlices; ++slice)
-            slice_us.push_back(time_us([&] { sliced.listen({inside, ear}, near, is_open, kGlancesATick); }));
+            slice_us.push_back(time_us([&] { sliced.listen({inside, ear}, near, is_open, Hearing::kGlancesATick); }));
         seeking_us.push_back(least_time_us([&] { hearing.listen({inside, ear}, near, is_open); }));
     }
     std::printf("%zu sounds of sectors, %zu of them at a time, %zu ears\n", all.size(), sounding, full_us.size());

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
+#include <set>
+#include <sstream>
 
 #include "base/files.h"
 #include "house/rules.h"
@@ -71,6 +74,27 @@ TEST(House, AtMostOneSourceFileIncludesToml) {
 }
 
 TEST(House, HeadersSayWhatTheyHold) { EXPECT_THAT(complaints(sources(), check_header_form), IsEmpty()); }
+
+/// Comments that name a source file of ours which there is not, engine/ and wadconv/ only: tests make up names.
+Complaints check_named_files(const std::vector<SourceFile>& files) {
+    std::set<std::string> names;
+    for (const SourceFile& file : files) names.insert(fs::path(file.path).filename());
+    const std::regex name(R"(//.*?\b([a-z_]+\.(h|cpp))\b)"), further(R"(\b([a-z_]+\.(h|cpp))\b)");
+    Complaints all;
+    for (const SourceFile& file : files) {
+        if (file.path.starts_with("tests/")) continue;
+        std::istringstream text(file.text);
+        for (std::string line; std::getline(text, line);) {
+            if (!std::regex_search(line, name)) continue;
+            const std::string comment = line.substr(line.find("//"));
+            for (std::sregex_iterator it(comment.begin(), comment.end(), further), end; it != end; ++it)
+                if (!names.contains((*it)[1])) all.push_back(file.path + ": there is no " + (*it)[1].str());
+        }
+    }
+    return all;
+}
+
+TEST(House, CommentsNameFilesThatAreThere) { EXPECT_THAT(check_named_files(sources()), IsEmpty()); }
 
 TEST(House, FilesAreShort) { EXPECT_THAT(complaints(sources(), check_length), IsEmpty()); }
 

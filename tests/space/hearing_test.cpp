@@ -317,6 +317,19 @@ TEST(Hearing, ForSomeSourcesBehindALinkIsAsForAll) {
     }
 }
 
+TEST(Hearing, HearsNothingOfWhereItWasOnceItForgot) {
+    const Map map = built(door_between_rooms());
+    const SectorId left = named(map, "left"), right = named(map, "right");
+    Hearing hearing(map);
+    hearing.listen({left, {7, 1}}, kFar);
+    hearing.listen({left, {1, 1}}, kFar, {}, 1);
+    hearing.forget();
+    EXPECT_FALSE(hearing.from(left) || hearing.from(right) || hearing.from(Place{left, {6, 1}}));
+    EXPECT_TRUE(hearing.sectors().empty());
+    hearing.listen({right, {16, 1}}, kFar);
+    EXPECT_NEAR(hearing.from(Place{right, {14, 1}})->length_m, 2, kRounding);
+}
+
 /// Piece by piece it comes to the same, and the one before counts until then.
 TEST_P(MosaicHearing, GoesOnWhereItWasCutOff) {
     const auto seed = static_cast<std::uint64_t>(GetParam());

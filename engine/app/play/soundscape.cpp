@@ -3,12 +3,6 @@
 #include "app/sounds.h"
 
 namespace enfilade {
-namespace {
-
-/// Some 0.04 ms. Where there are many ways, one listens less often than in every tick: once in a second at worst.
-constexpr std::size_t kGlancesATick = 160;
-
-}  // namespace
 
 std::vector<std::string> Soundscape::begin(const Map& map, const std::string& map_path) {
     end();
@@ -38,7 +32,7 @@ void Soundscape::hear(const Map& map, const World& world, double volume) {
     heard_tick_ = world.tick;
     const Listener listener{world.player.place, world.player.yaw};
     const auto tick = static_cast<double>(world.tick);
-    audio_->hear(voices_at(now(map, world), *hearing_, listener, lengths_s_, kGlancesATick), tick, volume);
+    audio_->hear(voices_at(now(map, world), *hearing_, listener, lengths_s_, Hearing::kGlancesATick), tick, volume);
 }
 
 void Soundscape::fall_silent() {

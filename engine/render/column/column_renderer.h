@@ -2,10 +2,10 @@
 //
 // A frame is a stack of viewports. Drawing one: project its sector's walls, find in each open column the nearest wall
 // beyond the portal looked through, draw ceiling, wall or steps, and floor, and hand what is still open behind a portal
-// to a new viewport with tightened bounds. Where to read: column_renderer.cpp (the stack), viewport_drawer.h (one
-// viewport), sector_projection.h (where is this wall on screen?), nearest_walls.h (which wall does a column see?),
-// wall_looks.h and row_split.h (which rows are what?), room_columns.h (where are things and panels?), wall_painter.h
-// and flat_painter.h (which texel?), plain_kernels.h and kernels.h (the inner loops).
+// to a new viewport with tightened bounds. Where to read: column_renderer.cpp (the stack, and the strips that threads
+// share), viewport_drawer.h (one viewport), sector_projection.h (where is this wall on screen?), nearest_walls.h (which
+// wall does a column see?), wall_looks.h and viewport.h (which rows are what?), masked_columns.h (where are things and
+// panels?), wall_painter.h and flat_painter.h (which texel?), kernels.h and passes.h (the inner loops).
 #pragma once
 #include <atomic>
 #include <cstdint>

@@ -26,7 +26,7 @@ struct Look {
     std::uint32_t id_and_paint = 0;    ///< id in the low 24 bits; kClassicLight, kByTable
     std::uint32_t texels = 0;          ///< where the picture begins in the texel store; Paint::color: 0xAABBGGRR
     std::uint32_t size = 1 | 1 << 16;  ///< of the picture (texel_store.h)
-    std::uint32_t record = 0;          ///< what it needs beyond this (records.h); 0: nothing
+    std::uint32_t record = 0;          ///< what it needs beyond this (texel_store.h); 0: nothing
     float left_edge[3]{1, 0, 0}, right_edge[3]{-1, 0, 0};  ///< tilted: shown where left >= 0 > right; from the corner
 };
 

@@ -2,7 +2,7 @@
 // the stencil buffer.
 //
 // A frame: the planner follows the view through all portals and finds the layers, and in every column which wall each
-// room shows (plan.h); these become polygons (layer_mesh.h, mesh.h, surfaces.h); the painter draws layer after layer,
+// room shows (plan.h); these become polygons (mesh.h, surfaces.h); the painter draws layer after layer,
 // each where the stencil buffer holds its level (layer_painter.h); the shaders work out for each pixel what it shows
 // (shaders.cpp). Upright pictures are drawn in whole columns, which are decided on the CPU by the functions of the
 // column renderer; tilted ones (view.tilt) are planned all around the eye (panorama.h), and their pixels ask the edge
