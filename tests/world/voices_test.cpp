@@ -197,6 +197,23 @@ TEST(Voices, ThatPlayOnceEndWithTheirLength) {
     EXPECT_THAT(heard.at(kClickSeconds * kTickRate, ear), IsEmpty());
 }
 
+TEST(Voices, AfterASilenceAreNotHeardFromWhereTheEarWasBefore) {
+    MapFile file = hall_door_room();
+    sector(file, "door").move_sound = "click";
+    Heard heard(file);
+    heard.game.hold(kUse);
+    const Place near = heard.game.player().place, far{near.sector, {0.5, 2}};
+    const double sounding = 1, silent = kClickSeconds * kTickRate;
+    const auto first_slice = [&](double tick, const Place& ear) {
+        return voices_at({heard.game.map, heard.game.world.history, tick}, heard.hearing, {ear, {}}, kLengths, 1);
+    };
+    EXPECT_THAT(heard.at(sounding, near), SizeIs(1));
+    EXPECT_THAT(first_slice(sounding, far), SizeIs(1));  // as it was heard before
+    EXPECT_THAT(first_slice(silent, far), IsEmpty());
+    EXPECT_THAT(first_slice(sounding, far), IsEmpty());
+    EXPECT_THAT(heard.at(sounding, far), SizeIs(1));
+}
+
 TEST(Voices, ThatLoopGoOnForAsLongAsTheDoorMoves) {
     MapFile file = hall_door_room();
     sector(file, "door").move_sound = "hum";
