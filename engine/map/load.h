@@ -43,8 +43,8 @@ inline constexpr std::size_t kLeastKeptBytes = std::size_t{8} << 20;
 ///
 /// skill : 1..kMostSkill: the map holds only the things that stand there when one plays alone; none: all things
 /// list : where given, a picture that is missing is reported with the one that is called nearly so
-/// store : where given, a text of at least kLeastKeptBytes is compiled and kept there, and read from there while it, the
-///         skill, the program and the sizes of its pictures are the same; the map is the same, bit for bit
+/// store : where given, a text of at least kLeastKeptBytes is compiled and kept there, and read from there as long as
+///         it, the skill, the program and the sizes of its pictures are the same; the map is the same, bit for bit
 LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
                    const FileReader& read, std::optional<int> skill = {}, const FolderLister& list = {},
                    const MapStore* store = nullptr);
