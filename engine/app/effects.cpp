@@ -73,8 +73,8 @@ Effect sky() {
             [](const MapFile& map) { return count_flats(map, [](const FlatRecord& f) { return f.parallax; }); },
             [](MapFile& map) { each_flat(map, [](FlatRecord& f) { f.parallax = false; }); }};
 }
-Effect sky_layers() {
-    return {"sky layers", "picture", "a mix of two colours for each pixel of their sky",
+Effect flat_layers() {
+    return {"layers", "picture", "a mix of two colours for each pixel of their flat",
             [](const MapFile& map) {
                 std::size_t count = 0;
                 each_flat(map, [&](const FlatRecord& f) { count += f.layers.size(); });
@@ -219,7 +219,7 @@ Effect sounds() {
 
 const std::vector<Effect>& all_effects() {
     static const std::vector<Effect> all{
-        sky(),          sky_layers(),      fog(),          color_table(),     links(),         mirrors(),
+        sky(),          flat_layers(),     fog(),          color_table(),     links(),         mirrors(),
         masked_walls(), panels(),          things(),       animated_things(), moving_things(), animations(),
         scrolling(),    changing_lights(), point_lights(), unlit_rooms(),     sunlight(),      bobs(),
         movers(),       other_triggers(),  damage(),       sounds()};

@@ -67,13 +67,14 @@ struct LoopRecord {
     bool operator==(const LoopRecord&) const = default;
 };
 
-/// A picture with alpha that is laid over a sky.
-struct SkyLayerRecord {
+/// A picture with alpha that is laid over a floor, a ceiling or a sky.
+struct FlatLayerRecord {
     TextureSpec texture;
-    double turn = 0;  ///< how fast it turns round the sky [degrees/s]
+    double turn = 0;  ///< over a sky: how fast it turns [degrees/s]
+    Vec2 scroll;      ///< over a floor or ceiling: how fast it moves along x and y [m/s]
     TextPlace place;
     KeyPlaces places{};
-    bool operator==(const SkyLayerRecord&) const = default;
+    bool operator==(const FlatLayerRecord&) const = default;
 };
 
 struct FlatRecord {
@@ -85,7 +86,7 @@ struct FlatRecord {
     Vec2 scroll;                 ///< how fast the picture moves along x and y [m/s]
     bool carries = false;        ///< floor: whoever stands on it moves with the picture
     Boxed<BobRecord> bob;        ///< it goes up and down by itself
-    std::vector<SkyLayerRecord> layers;  ///< sky: laid over it, the first one farthest
+    std::vector<FlatLayerRecord> layers;  ///< laid over it, the first one farthest
     TextPlace place;
     KeyPlaces places{};
     bool operator==(const FlatRecord&) const = default;

@@ -80,7 +80,7 @@ std::vector<KeyInfo> map_keys() {
     for (const std::string flat : {"sectors.floor.", "sectors.ceiling."}) {
         add_key_infos<FlatRecord>(all, flat);
         add_key_infos<BobRecord>(all, flat + "bob.");
-        add_key_infos<SkyLayerRecord>(all, flat + "layers.");
+        add_key_infos<FlatLayerRecord>(all, flat + "layers.");
     }
     add_trigger_infos(all, "sectors.triggers.");
     add_key_infos<LightEffectRecord>(all, "sectors.light_effect.");

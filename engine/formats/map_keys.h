@@ -35,7 +35,7 @@ inline constexpr Range kLight{0, 1};
 inline constexpr Range kScrollSpeeds{-1024, 1024};
 
 /// Pictures over one sky: each is a pass over its pixels, and more than a few hide one another.
-inline constexpr std::size_t kMostSkyLayers = 4;
+inline constexpr std::size_t kMostFlatLayers = 4;
 
 /// The member of that name, or null.
 const TomlEntry* find_entry(std::span<const TomlEntry> entries, std::string_view key);
@@ -58,7 +58,7 @@ const KeyList<LoopRecord>& keys_of();
 template <>
 const KeyList<FlatRecord>& keys_of();
 template <>
-const KeyList<SkyLayerRecord>& keys_of();
+const KeyList<FlatLayerRecord>& keys_of();
 template <>
 const KeyList<PanelRecord>& keys_of();
 template <>

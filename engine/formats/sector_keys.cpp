@@ -9,9 +9,10 @@ namespace {
 constexpr auto kBoth = Dialect::tutorial;
 constexpr auto kNew = Dialect::enfilade;
 
-constexpr std::array kSkyLayerKeys{
-    key<&SkyLayerRecord::texture>("texture", kNew, Need::required),
-    key<&SkyLayerRecord::turn>("turn", kNew, Need::optional, kScrollSpeeds),
+constexpr std::array kFlatLayerKeys{
+    key<&FlatLayerRecord::texture>("texture", kNew, Need::required),
+    key<&FlatLayerRecord::scroll>("scroll", kNew, Need::optional, kScrollSpeeds),
+    key<&FlatLayerRecord::turn>("turn", kNew, Need::optional, kScrollSpeeds),
 };
 
 constexpr std::array kFlatKeys{
@@ -79,7 +80,7 @@ constexpr std::array kSectorKeys{
 };
 
 constexpr KeyList<FlatRecord> kFlatList{"a floor or ceiling", kFlatKeys};
-constexpr KeyList<SkyLayerRecord> kSkyLayerList{"a sky's layer", kSkyLayerKeys};
+constexpr KeyList<FlatLayerRecord> kFlatLayerList{"a layer", kFlatLayerKeys};
 constexpr KeyList<PanelRecord> kPanelList{"a panel", kPanelKeys};
 constexpr KeyList<DoomRecord> kDoomList{"'doom'", kDoomKeys};
 constexpr KeyList<SectorRecord> kSectorList{"a sector", kSectorKeys};
@@ -92,8 +93,8 @@ const KeyList<FlatRecord>& keys_of() {
 }
 
 template <>
-const KeyList<SkyLayerRecord>& keys_of() {
-    return kSkyLayerList;
+const KeyList<FlatLayerRecord>& keys_of() {
+    return kFlatLayerList;
 }
 
 template <>
@@ -114,11 +115,11 @@ const KeyList<SectorRecord>& keys_of() {
 template <>
 void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, FlatRecord& flat) {
     if (flat.texture && flat.size) refuse_tile_and_size(reading, *flat.texture);
-    if (flat.layers.size() <= kMostSkyLayers) return;
-    reading.error(find_entry(entries, "layers")->key_place, "too-many-layers",
-                  "expected at most " + std::to_string(kMostSkyLayers) + " layers over a sky, found " +
-                      std::to_string(flat.layers.size()));
-    flat.layers.resize(kMostSkyLayers);
+    if (flat.layers.size() <= kMostFlatLayers) return;
+    reading.error(
+        find_entry(entries, "layers")->key_place, "too-many-layers",
+        "expected at most " + std::to_string(kMostFlatLayers) + " layers, found " + std::to_string(flat.layers.size()));
+    flat.layers.resize(kMostFlatLayers);
 }
 
 template <>

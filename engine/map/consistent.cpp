@@ -76,7 +76,7 @@ private:
     }
     bool own_rules_hold(const TriggerRange& range) const { return are_in(map_.triggers, range.first, range.count); }
     bool own_rules_hold(const TargetRange& range) const { return are_in(map_.targets, range.first, range.count); }
-    bool own_rules_hold(const Flat& flat) const { return are_in(map_.sky_layers, flat.first_layer, flat.layer_count); }
+    bool own_rules_hold(const Flat& flat) const { return are_in(map_.flat_layers, flat.first_layer, flat.layer_count); }
 
     bool own_rules_hold(const Wall& wall) const {
         const bool leads = wall.kind == WallKind::portal || wall.kind == WallKind::way_back;

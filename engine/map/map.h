@@ -116,20 +116,14 @@ struct Panel {
     bool is_active() const { return blocks || triggers.count > 0; }
 };
 
-/// A picture with alpha that is laid over a sky.
-struct SkyLayer {
-    Surface surface;
-    double turn = 0;  ///< how fast it turns round the sky [degrees/s]
-};
-
 struct Flat {
     double z = 0;  ///< at rest [m]
     Vec2 origin;   ///< of the texture, in the plane
     LayId surface;
     bool sky = false;
     bool carries = false;           ///< floor: moves who stands on it with the picture
-    std::uint32_t first_layer = 0;  ///< sky: what is laid over it, the farthest first, is
-    std::uint32_t layer_count = 0;  ///< [first_layer, first_layer + layer_count) of Map::sky_layers
+    std::uint32_t first_layer = 0;  ///< what is laid over it, the farthest first, is
+    std::uint32_t layer_count = 0;  ///< [first_layer, first_layer + layer_count) of Map::flat_layers
 };
 
 struct Sector {
@@ -238,11 +232,11 @@ struct Map {
     std::string name;
     std::vector<Sector> sectors;
     std::vector<Wall> walls;
-    std::vector<Surface> surfaces;    ///< of walls and flats, each different one once
-    std::vector<Rigid> links;         ///< what each linked portal or mirror does to what is seen through it
-    std::vector<GridMap> grid_links;  ///< portals: the same for what moves through it; index as in links
-    std::vector<SkyLayer> sky_layers;
-    std::vector<Panel> panels;  ///< by sector, each sector's in the order of the file
+    std::vector<Surface> surfaces;     ///< of walls and flats, each different one once
+    std::vector<Rigid> links;          ///< what each linked portal or mirror does to what is seen through it
+    std::vector<GridMap> grid_links;   ///< portals: the same for what moves through it; index as in links
+    std::vector<Surface> flat_layers;  ///< they scroll as the flats that they are laid over
+    std::vector<Panel> panels;         ///< by sector, each sector's in the order of the file
     std::vector<Thing> things;
     std::vector<Sprite> sprites;
     std::vector<PointLight> lights;

@@ -68,11 +68,6 @@ constexpr auto fields(Some<Panel> auto& whole, auto visit) {
     return visit(a, b, length, sector, bottom, top, contrast, surface, one_sided, blocks, triggers);
 }
 
-constexpr auto fields(Some<SkyLayer> auto& whole, auto visit) {
-    auto& [surface, turn] = whole;
-    return visit(surface, turn);
-}
-
 constexpr auto fields(Some<Flat> auto& whole, auto visit) {
     auto& [z, origin, surface, sky, carries, first_layer, layer_count] = whole;
     return visit(z, origin, surface, sky, carries, first_layer, layer_count);
@@ -160,10 +155,10 @@ constexpr auto fields(Some<RenderRecord> auto& whole, auto visit) {
 }
 
 constexpr auto fields(Some<Map> auto& whole, auto visit) {
-    auto& [name, sectors, walls, surfaces, links, grid_links, sky_layers, panels, things, sprites, lights, suns,
+    auto& [name, sectors, walls, surfaces, links, grid_links, flat_layers, panels, things, sprites, lights, suns,
            solid_things, widest_solid_m, touchables, triggers, targets, at_start, sounds, sounding_things,
            has_ways_back, farthest_sound_m, has_bobs, keys, pictures, player, render, fingerprint] = whole;
-    return visit(name, sectors, walls, surfaces, links, grid_links, sky_layers, panels, things, sprites, lights, suns,
+    return visit(name, sectors, walls, surfaces, links, grid_links, flat_layers, panels, things, sprites, lights, suns,
                  solid_things, widest_solid_m, touchables, triggers, targets, at_start, sounds, sounding_things,
                  has_ways_back, farthest_sound_m, has_bobs, keys, pictures, player, render, fingerprint);
 }

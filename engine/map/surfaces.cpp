@@ -115,16 +115,25 @@ void lay_panel(Draft& draft, const SectorDraft& sector, std::size_t i, Panel& pa
     panel.one_sided = record.one_sided;
 }
 
+/// How fast a layer moves: over a sky as that does, [degrees/s].
+Vec2 layer_scroll(Draft& draft, const FlatLayerRecord& layer, bool is_over_sky) {
+    if (!is_over_sky && layer.turn != 0)
+        draft.warning(key_place(layer, "turn"), "turn-without-sky",
+                      "only over a sky does a layer turn, and this floor or ceiling is none; give the layer a scroll "
+                      "in metres per second, or the floor or ceiling parallax = true");
+    if (is_over_sky && layer.scroll != Vec2{})
+        draft.warning(key_place(layer, "scroll"), "scroll-over-sky",
+                      "a layer over a sky does not scroll; give it a turn in degrees per second");
+    return is_over_sky ? Vec2{layer.turn, 0} : layer.scroll;
+}
+
 void lay_layers(Draft& draft, const FlatRecord& record, Flat& flat) {
-    if (!flat.sky && !record.layers.empty())
-        draft.warning(record.layers.front().place, "layers-without-sky",
-                      "only a sky has layers, and this floor or ceiling is none; give it parallax = true");
-    if (!flat.sky) return;
-    flat.first_layer = static_cast<std::uint32_t>(draft.map.sky_layers.size());
+    flat.first_layer = static_cast<std::uint32_t>(draft.map.flat_layers.size());
     flat.layer_count = static_cast<std::uint32_t>(record.layers.size());
-    for (const SkyLayerRecord& layer : record.layers)
-        draft.map.sky_layers.push_back(
-            {Lay{draft.textures, {}, {}, {}}.surface(layer.texture, Peg::ceiling), layer.turn});
+    for (const FlatLayerRecord& layer : record.layers)
+        draft.map.flat_layers.push_back(
+            Lay{draft.textures, layer_scroll(draft, layer, flat.sky), {}, flat.sky ? std::nullopt : draft.file.size}
+                .surface(layer.texture, Peg::ceiling));
 }
 
 /// In the tutorial (chapter 7, Camera.js and Flat.js) a sky's picture begins a quarter turn before x, and the first

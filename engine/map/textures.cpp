@@ -49,7 +49,7 @@ void note(Names& names, const ThingRecord& thing, const SpriteFrameRecord& frame
 
 void note(Names& names, const FlatRecord& flat) {
     note(names, flat.texture);
-    for (const SkyLayerRecord& layer : flat.layers) note(names, layer.texture);
+    for (const FlatLayerRecord& layer : flat.layers) note(names, layer.texture);
 }
 
 void note(Names& names, const std::vector<TriggerRecord>& triggers) {

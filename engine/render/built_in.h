@@ -16,8 +16,8 @@ namespace enfilade::built_in {
 
 /// Every effect that can be left out.
 inline constexpr std::array<std::string_view, 14> kNames{
-    "fog",    "sky",       "sky_layers", "masked",   "panels",  "things", "point_lights", "changing_lights",
-    "movers", "scrolling", "animation",  "switches", "mirrors", "links"};
+    "fog",    "sky",       "flat_layers", "masked",   "panels",  "things", "point_lights", "changing_lights",
+    "movers", "scrolling", "animation",   "switches", "mirrors", "links"};
 
 /// The names in ENFILADE_WITHOUT, between commas, each given to visit(name) until one answers true.
 template <class Visit>
@@ -42,7 +42,7 @@ consteval bool has(std::string_view effect) {
 
 inline constexpr bool kFog = has("fog");                         ///< distance fog
 inline constexpr bool kSky = has("sky");                         ///< ceilings and floors that show a sky
-inline constexpr bool kSkyLayers = has("sky_layers");            ///< clouds over a sky
+inline constexpr bool kFlatLayers = has("flat_layers");          ///< clouds over a sky, foam over water
 inline constexpr bool kMasked = has("masked");                   ///< fences and windows in portals
 inline constexpr bool kPanels = has("panels");                   ///< pictures that hang in rooms
 inline constexpr bool kThings = has("things");                   ///< pictures that stand in rooms

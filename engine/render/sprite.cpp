@@ -115,19 +115,24 @@ void scroll_upright(Surface& surface, double time_s) {
     surface.offset_tiles.y = moved(surface.offset_tiles.y, -scroll.y * time_s / surface.tile_m.y);
 }
 
+/// Along x and y, or round a sky.
+void scroll_level(Surface& surface, bool is_sky, double time_s) {
+    const Vec2 scroll = surface.scroll;
+    if (!built_in::kScrolling || scroll == Vec2{}) return;
+    if (is_sky) {
+        surface.offset_tiles.x = moved(surface.offset_tiles.x, scroll.x / 360 * time_s * surface.tile_m.x);
+        return;
+    }
+    surface.offset_tiles.x = moved(surface.offset_tiles.x, scroll.x * time_s / surface.tile_m.x);
+    surface.offset_tiles.y = moved(surface.offset_tiles.y, scroll.y * time_s / surface.tile_m.y);
+}
+
 /// The flat with its picture `given`, if any, animated and moved.
 FlatNow flat_now(const Map& map, const Flat& at_rest, TextureId given, double time_s) {
     FlatNow flat{map[at_rest.surface], at_rest.origin, at_rest.sky, at_rest.first_layer, at_rest.layer_count};
     Surface& surface = flat.surface;
-    const Vec2 scroll = surface.scroll;
     surface.texture = animated(map.pictures, given ? given : surface.texture, time_s);
-    if (!built_in::kScrolling || scroll == Vec2{}) return flat;
-    if (flat.sky) {
-        surface.offset_tiles.x = moved(surface.offset_tiles.x, scroll.x / 360 * time_s * surface.tile_m.x);
-        return flat;
-    }
-    surface.offset_tiles.x = moved(surface.offset_tiles.x, scroll.x * time_s / surface.tile_m.x);
-    surface.offset_tiles.y = moved(surface.offset_tiles.y, scroll.y * time_s / surface.tile_m.y);
+    scroll_level(surface, flat.sky, time_s);
     return flat;
 }
 
@@ -154,10 +159,10 @@ FlatNow ceiling_now(const Map& map, const Snapshot& snapshot, SectorId sector) {
     return flat_now(map, map[sector].ceiling, TextureId(), snapshot.time_s);
 }
 
-Surface layer_now(const Map& map, const Snapshot& snapshot, const SkyLayer& layer) {
-    Surface surface = layer.surface;
+Surface layer_now(const Map& map, const Snapshot& snapshot, const FlatNow& flat, std::uint32_t i) {
+    Surface surface = map.flat_layers[flat.first_layer + i];
     surface.texture = animated(map.pictures, surface.texture, snapshot.time_s);
-    surface.offset_tiles.x = moved(surface.offset_tiles.x, layer.turn / 360 * snapshot.time_s * surface.tile_m.x);
+    scroll_level(surface, flat.sky, snapshot.time_s);
     return surface;
 }
 

@@ -118,8 +118,8 @@ struct FlatNow {
 FlatNow floor_now(const Map& map, const Snapshot& snapshot, SectorId sector);
 FlatNow ceiling_now(const Map& map, const Snapshot& snapshot, SectorId sector);
 
-/// A layer of a sky at the snapshot's time, turned.
-Surface layer_now(const Map& map, const Snapshot& snapshot, const SkyLayer& layer);
+/// The i-th of its layers at the snapshot's time, scrolled or turned. i < flat.layer_count.
+Surface layer_now(const Map& map, const Snapshot& snapshot, const FlatNow& flat, std::uint32_t i);
 
 /// Its light then, 0..1.
 inline double light_now(const Snapshot& snapshot, SectorId sector) {

@@ -91,6 +91,14 @@ Surface water(double, double, double u, double v) {
     return {c, 0.8 * cloud(u + du, v + dv, 5, 5, 3, 446)};
 }
 
+// Nothing but light on crests, clear between them: to be laid over water and moved another way.
+Surface ripples(double, double, double u, double v) {
+    const double du = 0.07 * cloud(u, v, 3, 3, 3, 447), dv = 0.07 * cloud(u, v, 3, 3, 3, 448);
+    const Cell a = cell_at(u + du, v + dv, 6, 4, 0.95, 449);
+    const double crest = ramp(0.10, 0.0, a.edge), patch = clamp01(0.55 + 0.9 * cloud(u, v, 2, 2, 4, 450));
+    return {rgb(0xd4ece6), 0, 0.75 * crest * patch};
+}
+
 }  // namespace
 
 void draw_nature(const Album& album) {
@@ -103,6 +111,7 @@ void draw_nature(const Album& album) {
     album.add("hedge", 256, 256, leaves(rgb(0x6d8c42), rgb(0x2c4824), 20, 20, 2.4, 466));
     album.add("flowers", 256, 256, flowers);
     album.add("water", 256, 256, water);
+    album.add_with_alpha("ripples", 256, 256, ripples);
 }
 
 }  // namespace draw_textures

@@ -44,7 +44,7 @@ MapFile full_map() {
     MapFile file = test::map_of({test::box_room("main", 0, 0, 4, 4), test::box_room("yard", 4, 0, 8, 4)});
     test::join_all(file);
     file.sectors[0].ceiling.parallax = true;
-    file.sectors[0].ceiling.layers = {{test::spec("clouds"), 1, {}}};
+    file.sectors[0].ceiling.layers = {{test::spec("clouds"), 1, {}, {}}};
     file.sectors[0].light_effect = LightEffectRecord{};
     file.sectors[0].floor.scroll = {1, 0};
     file.sectors[0].floor.bob = BobRecord{.amplitude = 0.5};

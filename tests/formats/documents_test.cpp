@@ -205,8 +205,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Section{"The map", ""}, Section{"The picture", "render."}, Section{"The player", "player."},
         Section{"A sector", "sectors."}, Section{"A floor or ceiling", "sectors.floor."},
-        Section{"A floor or ceiling", "sectors.ceiling."}, Section{"A sky's layer", "sectors.floor.layers."},
-        Section{"A sky's layer", "sectors.ceiling.layers."}, Section{"A loop", "sectors.loops."},
+        Section{"A floor or ceiling", "sectors.ceiling."}, Section{"A layer", "sectors.floor.layers."},
+        Section{"A layer", "sectors.ceiling.layers."}, Section{"A loop", "sectors.loops."},
         Section{"A wall", "sectors.loops.walls."}, Section{"A panel", "sectors.panels."}, Section{"A thing", "things."},
         Section{"A sprite's frame", "things.frames."}, Section{"A trigger", "sectors.triggers."},
         Section{"A trigger", "sectors.loops.walls.triggers."}, Section{"A trigger", "sectors.panels.triggers."},

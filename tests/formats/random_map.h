@@ -207,7 +207,8 @@ private:
         if (flip()) flat.scroll = {number(-9, 9), number(-9, 9)};
         flat.carries = flip();
         flat.bob = bob();
-        for (int i = whole(0, 2); i > 0; --i) flat.layers.push_back({spec(), number(-9, 9), {}, {}});
+        for (int i = whole(0, 2); i > 0; --i) flat.layers.push_back({spec(), flip() ? number(-9, 9) : 0, {}, {}, {}});
+        if (!flat.layers.empty() && flip()) flat.layers.back().scroll = {number(-9, 9), number(-9, 9)};
         return flat;
     }
 
@@ -297,7 +298,7 @@ inline MapFile without_places(MapFile map) {
         if (sector.light_effect) sector.light_effect->place = {};
         sector.place = sector.floor.place = sector.ceiling.place = {};
         for (FlatRecord* flat : {&sector.floor, &sector.ceiling})
-            for (SkyLayerRecord& layer : flat->layers) layer.place = layer.texture.place = {};
+            for (FlatLayerRecord& layer : flat->layers) layer.place = layer.texture.place = {};
         forget(sector.floor.texture);
         forget(sector.ceiling.texture);
         for (PanelRecord& panel : sector.panels) {

@@ -187,15 +187,28 @@ TEST(Flat, TakesTheTutorialsSkyForTurnsPerTile) {
 TEST(Flat, HasTheLayersOfItsOwnSky) {
     MapFile file = map_of({box_room("hall", 0, 0, 4, 4), box_room("yard", 4, 0, 8, 4)});
     for (SectorRecord& sector : file.sectors) sector.ceiling.parallax = true;
-    file.sectors[0].ceiling.layers = {{TextureSpec{"mist", Vec2{3, 0.5}, {}, {}}, 1.5, {}}};
-    file.sectors[1].ceiling.layers = {{TextureSpec{"mist", Vec2{3, 0.5}, {}, {}}, 0, {}},
-                                      {TextureSpec{"clouds", Vec2{2, 0.75}, {}, {}}, -3, {}}};
+    file.sectors[0].ceiling.layers = {{TextureSpec{"mist", Vec2{3, 0.5}, {}, {}}, 1.5, {}, {}}};
+    file.sectors[1].ceiling.layers = {{TextureSpec{"mist", Vec2{3, 0.5}, {}, {}}, 0, {}, {}},
+                                      {TextureSpec{"clouds", Vec2{2, 0.75}, {}, {}}, -3, {}, {}}};
     const Map map = built(file);
     const Flat& sky = map.sectors[1].ceiling;
     ASSERT_EQ(sky.layer_count, 2u);
-    EXPECT_EQ(map.sky_layers[sky.first_layer + 1].surface.tile_m, (Vec2{2, 0.75}));
-    EXPECT_EQ(map.sky_layers[sky.first_layer + 1].turn, -3);
+    EXPECT_EQ(map.flat_layers[sky.first_layer + 1].tile_m, (Vec2{2, 0.75}));
+    EXPECT_EQ(map.flat_layers[sky.first_layer + 1].scroll, (Vec2{-3, 0}));
     EXPECT_EQ(map.sectors[0].floor.layer_count, 0u);
+}
+
+TEST(Flat, HasTheLayersOfItsOwnFloor) {
+    MapFile file = map_of({box_room("hall", 0, 0, 4, 4)});
+    file.size = 16;
+    file.sectors[0].floor.layers = {{TextureSpec{"foam", {}, {}, {}}, 0, {1, -2}, {}},
+                                    {TextureSpec{"ripples", Vec2{3, 0.5}, {}, {}}, 0, {}, {}}};
+    const Map map = built(file);
+    const Flat& floor = map.sectors[0].floor;
+    ASSERT_EQ(floor.layer_count, 2u);
+    EXPECT_EQ(map.flat_layers[floor.first_layer].scroll, (Vec2{1, -2}));
+    EXPECT_EQ(map.flat_layers[floor.first_layer].tile_m, (Vec2{4, 4}));  // 64 texels, 16 to the metre
+    EXPECT_EQ(map.flat_layers[floor.first_layer + 1].tile_m, (Vec2{3, 0.5}));
 }
 
 TEST(Contrast, OfSmoothLightGrowsFromWallsAlongXToWallsAlongY) {

@@ -207,13 +207,29 @@ TEST(Panel, ScrollsAlongItselfAndUp) {
     EXPECT_EQ(picture_now(snapshot, panel).offset_tiles, (Vec2{0.25, 0.5}));
 }
 
-TEST(SkyLayer, TurnsByItsOwnSpeed) {
-    const SkyLayer layer{{TextureId(), {4, 1}, {0.75, 0.125}, Peg::ceiling, {}}, 9};
+TEST(FlatLayer, TurnsOverASkyByItsOwnSpeed) {
+    Map map;
+    map.flat_layers = {{}, {TextureId(), {4, 1}, {0.75, 0.125}, Peg::ceiling, {9, 0}}};
+    FlatNow sky;
+    sky.sky = true;
+    sky.layer_count = 2;
     Snapshot snapshot;
     snapshot.time_s = 30;  // three quarters of a turn: three of the four wraps
-    EXPECT_EQ(layer_now(Map{}, snapshot, layer).offset_tiles, (Vec2{0.75, 0.125}));
+    EXPECT_EQ(layer_now(map, snapshot, sky, 1).offset_tiles, (Vec2{0.75, 0.125}));
     snapshot.time_s = 5;  // half a wrap
-    EXPECT_EQ(layer_now(Map{}, snapshot, layer).offset_tiles, (Vec2{0.25, 0.125}));
+    EXPECT_EQ(layer_now(map, snapshot, sky, 1).offset_tiles, (Vec2{0.25, 0.125}));
+}
+
+TEST(FlatLayer, ScrollsOverAFloorByItsOwnSpeed) {
+    Map map;
+    map.flat_layers = {{TextureId(), {4, 2}, {0.75, 0.125}, Peg::ceiling, {3, -1}}};
+    FlatNow floor;
+    floor.layer_count = 1;
+    Snapshot snapshot;
+    snapshot.time_s = 2;  // 6 m along x, a tile and a half, and 2 m back along y
+    EXPECT_EQ(layer_now(map, snapshot, floor, 0).offset_tiles, (Vec2{0.25, 0.125}));
+    snapshot.time_s = 0.5;
+    EXPECT_EQ(layer_now(map, snapshot, floor, 0).offset_tiles, (Vec2{0.125, 0.875}));
 }
 
 TEST(ColorTable, HasALevelForEveryThirtySecondOfAShade) {

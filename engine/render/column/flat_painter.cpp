@@ -31,39 +31,57 @@ void FlatPainter::start(const Scene& scene, const Pose& pose, const FlatNow& fla
                         const Lighting& lighting, const LightGrid* glow, SurfaceId id) {
     pose_ = &pose;
     flat_ = flat;
-    texture_ = &scene.textures[flat.surface.texture];
-    color_table_ = texture_->numbers.empty() ? nullptr : &scene.textures.color_table;
+    picture_ = picture_of(scene, flat.surface);
     id_ = id;
     height_ = height;
     dimming_ = dimming_of(lighting);
     glow_ = glow;
     fog_ = fog_of(scene.map);
     is_extended_ = side == FlatSide::floor ? height >= 0 : height <= 0;
-    const Surface& surface = flat.surface;
-    base_u_ = fraction((pose.eye.x - flat.origin.x) / surface.tile_m.x - surface.offset_tiles.x);
-    base_v_ = fraction((pose.eye.y - flat.origin.y) / surface.tile_m.y - surface.offset_tiles.y);
     prepared_top_ = prepared_bottom_ = 0;
     row_depths_.resize(scene.screen.row_depths.size() + kRowsBeyond);
     row_shades_.resize(row_depths_.size());
     row_darkness_.resize(row_depths_.size());
     if (glow_) full_light_.resize(row_depths_.size(), darkness_of(nullptr, kFullBright));
     if (is_there(fog_)) row_mists_.resize(row_depths_.size());
-    is_plain_ = !(built_in::kSky && flat.sky) && !(built_in::kPointLights && glow) && !is_there(fog_) && !is_extended_;
-    near_limit_ = (kNearTiles - 1) * std::min(surface.tile_m.x, surface.tile_m.y) / longest_ray(scene.screen);
-    if (!built_in::kSkyLayers) return;
-    layers_.clear();
-    for (std::uint32_t i = 0; i < flat.layer_count; ++i)
-        layers_.push_back(layer_now(scene.map, scene.snapshot, scene.map.sky_layers[flat.first_layer + i]));
+    const bool has_layers = built_in::kFlatLayers && flat.layer_count > 0;
+    is_plain_ = !(built_in::kSky && flat.sky) && !(built_in::kPointLights && glow) && !is_there(fog_) &&
+                !is_extended_ && !has_layers;
+    level_layers_.clear();
+    sky_layers_.clear();
+    if (has_layers) start_layers(scene);
+}
+
+void FlatPainter::start_layers(const Scene& scene) {
+    layer_darkness_.resize(row_depths_.size());
+    for (std::uint32_t i = 0; i < flat_.layer_count; ++i) {
+        const Surface layer = layer_now(scene.map, scene.snapshot, flat_, i);
+        if (built_in::kSky && flat_.sky)
+            sky_layers_.push_back(layer);
+        else
+            level_layers_.push_back(picture_of(scene, layer));
+    }
+}
+
+FlatPainter::LevelPicture FlatPainter::picture_of(const Scene& scene, const Surface& surface) const {
+    const Texture& texture = scene.textures[surface.texture];
+    const Vec2 from_origin = pose_->eye - flat_.origin, tile = surface.tile_m;
+    return {&texture,
+            texture.numbers.empty() ? nullptr : &scene.textures.color_table,
+            tile,
+            fraction(from_origin.x / tile.x - surface.offset_tiles.x),
+            fraction(from_origin.y / tile.y - surface.offset_tiles.y),
+            (kNearTiles - 1) * std::min(tile.x, tile.y) / longest_ray(scene.screen)};
 }
 
 void FlatPainter::paint(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms) {
-    if (is_plain_ && looks.farthest < near_limit_) return paint_plain(scene, looks, tops, bottoms);
+    if (is_plain_ && looks.farthest < picture_.near_limit) return paint_plain(scene, looks, tops, bottoms);
     for (int i = 0; i < looks.count; ++i) {
         if (tops[i] >= bottoms[i]) continue;
         if (built_in::kSky && flat_.sky)
             paint_sky(scene, looks.begin + i, tops[i], bottoms[i]);
         else
-            paint_level(scene, looks.begin + i, {tops[i], bottoms[i]}, looks.depth[i]);
+            paint_level(scene, column_at(scene, looks.begin + i, {tops[i], bottoms[i]}, looks.depth[i]));
     }
 }
 
@@ -78,63 +96,90 @@ void FlatPainter::paint_plain(const Scene& scene, const WallLooks& looks, const 
     prepare_rows(scene, top, bottom);
     double step_u[WallLooks::kMost], step_v[WallLooks::kMost];
     const double* const slopes = &scene.screen.slopes[static_cast<std::size_t>(looks.begin)];
-    const Vec2 forward = pose_->forward, right = pose_->right, tile = flat_.surface.tile_m;
+    const Vec2 forward = pose_->forward, right = pose_->right, tile = picture_.tile_m;
     for (int i = 0; i < looks.count; ++i) {
         step_u[i] = (forward.x + right.x * slopes[i]) / tile.x;
         step_v[i] = (forward.y + right.y * slopes[i]) / tile.y;
     }
     const ColumnRuns runs{scene.canvas.column(looks.begin), scene.canvas.pitch(), looks.count, tops, bottoms};
-    scene.kernels.fill_flats({runs, texture_, base_u_, base_v_, step_u, step_v, looks.depth, row_depths_.data(),
-                              row_darkness_.data(), color_table_});
+    scene.kernels.fill_flats({runs, picture_.texture, picture_.base_u, picture_.base_v, step_u, step_v, looks.depth,
+                              row_depths_.data(), row_darkness_.data(), picture_.color_table});
     if (scene.facts == nullptr) return;
     for (int i = 0; i < looks.count; ++i) note_level(scene, looks.begin + i, tops[i], bottoms[i], looks.depth[i]);
 }
 
-void FlatPainter::paint_level(const Scene& scene, int x, OpenRows rows, double wall_depth) {
-    prepare_rows(scene, rows.top, rows.bottom);
-    if (is_extended_) shade_extended_rows(rows.top, rows.bottom, wall_depth);
-    const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x], tile = flat_.surface.tile_m;
-    const FlatColumn column{x, ray, ray.x / tile.x, ray.y / tile.y, wall_depth};
-    if (built_in::kPointLights && glow_)
-        paint_lit(scene, column, rows);
-    else
-        fill(scene, scene.canvas.column(x), column, rows, row_darkness_.data(), color_table_);
+FlatPainter::FlatColumn FlatPainter::column_at(const Scene& scene, int x, OpenRows rows, double wall_depth) const {
+    return {x, pose_->forward + pose_->right * scene.screen.slopes[x], wall_depth, rows};
+}
+
+void FlatPainter::paint_level(const Scene& scene, const FlatColumn& column) {
+    const auto [top, bottom] = column.rows;
+    prepare_rows(scene, top, bottom);
+    if (is_extended_) shade_extended_rows(top, bottom, column.farthest);
+    paint_picture(scene, picture_, column, {scene.canvas.column(column.x), row_darkness_.data()});
+    for (const LevelPicture& layer : level_layers_) lay_layer(scene, layer, column);
     if (is_there(fog_))
-        scene.passes.mist(scene.canvas.run(x, rows.top, rows.bottom), fog_.color, &row_mists_[std::size_t(rows.top)]);
-    if (scene.facts != nullptr) note_level(scene, x, rows.top, rows.bottom, wall_depth);
+        scene.passes.mist(scene.canvas.run(column.x, top, bottom), fog_.color, &row_mists_[std::size_t(top)]);
+    if (scene.facts != nullptr) note_level(scene, column.x, top, bottom, column.farthest);
 }
 
-void FlatPainter::fill(const Scene& scene, std::uint32_t* row_0, const FlatColumn& column, const OpenRows& rows,
-                       const std::uint32_t* darkness, const ColorTable* table) const {
-    const PlainFlats flats{{row_0, 0, 1, &rows.top, &rows.bottom},
-                           texture_,
-                           base_u_,
-                           base_v_,
-                           &column.step_u,
-                           &column.step_v,
-                           &column.farthest,
-                           row_depths_.data(),
-                           darkness,
-                           table};
-    column.farthest < near_limit_ ? scene.kernels.fill_flats(flats) : fill_far_flats(flats);
+void FlatPainter::paint_picture(const Scene& scene, const LevelPicture& picture, const FlatColumn& column,
+                                const LevelTarget& to) const {
+    if (built_in::kPointLights && glow_)
+        paint_lit(scene, picture, column, to);
+    else
+        fill(scene, picture, column, to);
 }
 
-void FlatPainter::paint_lit(const Scene& scene, const FlatColumn& column, const OpenRows& rows) const {
+/// Calls draw(flats) with one column of a picture.
+template <class Draw>
+void FlatPainter::with_flats(const LevelPicture& picture, const FlatColumn& column, const LevelTarget& to,
+                             Draw draw) const {
+    const double step_u = column.ray.x / picture.tile_m.x, step_v = column.ray.y / picture.tile_m.y;
+    const ColumnRuns runs{to.row_0, 0, 1, &column.rows.top, &column.rows.bottom};
+    draw(PlainFlats{runs, picture.texture, picture.base_u, picture.base_v, &step_u, &step_v, &column.farthest,
+                    row_depths_.data(), to.darkness, picture.color_table});
+}
+
+void FlatPainter::fill(const Scene& scene, const LevelPicture& picture, const FlatColumn& column,
+                       const LevelTarget& to) const {
+    with_flats(picture, column, to, column.farthest < picture.near_limit ? scene.kernels.fill_flats : fill_far_flats);
+}
+
+void FlatPainter::paint_lit(const Scene& scene, const LevelPicture& picture, const FlatColumn& column,
+                            const LevelTarget& to) const {
     const FlatGlow glow = glow_at(column);
-    const OpenRows lit = lit_rows(glow, rows);
-    std::uint32_t* const pixels = scene.canvas.column(column.x);
-    fill(scene, pixels, column, {rows.top, lit.top}, row_darkness_.data(), color_table_);
-    fill(scene, pixels, column, {lit.bottom, rows.bottom}, row_darkness_.data(), color_table_);
-    LitRun to{scene.canvas.run(column.x, lit.top, lit.bottom)};
-    if (color_table_) {
+    FlatColumn above = column, lit = column, below = column;
+    lit.rows = lit_rows(glow, column.rows);
+    above.rows.bottom = lit.rows.top;
+    below.rows.top = lit.rows.bottom;
+    fill(scene, picture, above, to);
+    fill(scene, picture, below, to);
+    const auto [top, bottom] = lit.rows;
+    LitRun run{{to.row_0 + top, top, bottom - top}};
+    LevelPicture as_painted = picture;
+    as_painted.color_table = nullptr;
+    if (picture.color_table) {
         std::uint32_t* const texels = scene.scratch.texels.data();
-        fill(scene, pixels, column, lit, row_darkness_.data(), color_table_);
-        fill(scene, texels, column, lit, full_light_.data(), nullptr);
-        to.texels = texels + lit.top;
+        fill(scene, picture, lit, to);
+        fill(scene, as_painted, lit, {texels, full_light_.data()});
+        run.texels = texels + top;
     } else {
-        fill(scene, pixels, column, lit, full_light_.data(), nullptr);
+        fill(scene, as_painted, lit, {to.row_0, full_light_.data()});
     }
-    scene.passes.lamps.light_flat(to, glow);
+    scene.passes.lamps.light_flat(run, glow);
+}
+
+/// In the light of the flat, over what is drawn already.
+void FlatPainter::lay_layer(const Scene& scene, const LevelPicture& layer, const FlatColumn& column) {
+    constexpr std::uint32_t kAlpha = 0xFF000000u;
+    std::vector<std::uint32_t>&texels = scene.scratch.texels, &colors = scene.scratch.colors;
+    const auto [top, bottom] = column.rows;
+    for (int row = top; row < bottom; ++row) layer_darkness_[row] = darkness_of(layer.color_table, row_shades_[row]);
+    paint_picture(scene, layer, column, {colors.data(), layer_darkness_.data()});
+    with_flats(layer, column, {texels.data(), nullptr}, read_flats);
+    for (int row = top; row < bottom; ++row) colors[row] = (colors[row] & ~kAlpha) | (texels[row] & kAlpha);
+    scene.passes.lay(scene.canvas.run(column.x, top, bottom), colors.data() + top);
 }
 
 FlatGlow FlatPainter::glow_at(const FlatColumn& column) const {
@@ -162,10 +207,11 @@ OpenRows FlatPainter::lit_rows(const FlatGlow& glow, const OpenRows& rows) const
 
 void FlatPainter::note_level(const Scene& scene, int x, int top, int bottom, double wall_depth) const {
     const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
-    const Vec2 tile = flat_.surface.tile_m;
+    const Vec2 tile = picture_.tile_m;
     for (int y = top; y < bottom; ++y) {
         const double depth = std::min(row_depths_[y], wall_depth);
-        note(scene, x, y, id_, depth, base_u_ + depth * (ray.x / tile.x), base_v_ + depth * (ray.y / tile.y));
+        note(scene, x, y, id_, depth, picture_.base_u + depth * (ray.x / tile.x),
+             picture_.base_v + depth * (ray.y / tile.y));
     }
 }
 
@@ -174,7 +220,7 @@ void FlatPainter::paint_sky(const Scene& scene, int x, int top, int bottom) {
     const SkyColumn column{scene.scratch.turns.of(*pose_, x, ray), rise_per_row(scene, ray)};
     const Run run = scene.canvas.run(x, top, bottom);
     scene.kernels.fill_sky(run, sky_run(scene, flat_.surface, column));
-    for (const Surface& layer : layers_) lay_sky(run, sky_run(scene, layer, column));
+    for (const Surface& layer : sky_layers_) lay_sky(run, sky_run(scene, layer, column));
     if (scene.facts == nullptr) return;
     for (int y = top; y < bottom; ++y) {
         const SkyTexel texel = sky_texel(flat_.surface.tile_m, flat_.surface.offset_tiles, column.turn,
@@ -217,7 +263,7 @@ void FlatPainter::prepare_more_rows(const Scene& scene, int top, int bottom) {
 /// depths: [bottom - top].
 void FlatPainter::shade_rows(int top, int bottom, const double* depths) {
     dimming_.at_all(depths, bottom - top, &row_shades_[static_cast<std::size_t>(top)]);
-    for (int row = top; row < bottom; ++row) row_darkness_[row] = darkness_of(color_table_, row_shades_[row]);
+    for (int row = top; row < bottom; ++row) row_darkness_[row] = darkness_of(picture_.color_table, row_shades_[row]);
     if (is_there(fog_))
         for (int row = top; row < bottom; ++row) row_mists_[row] = mist_at(fog_.reach, depths[row - top]);
 }

@@ -24,19 +24,40 @@ public:
     void paint(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms);
 
 private:
+    /// How a picture lies on the flat: its own, or a layer over it.
+    struct LevelPicture {
+        const Texture* texture = nullptr;
+        const ColorTable* color_table = nullptr;  ///< that it goes by, if it does
+        Vec2 tile_m;
+        double base_u = 0, base_v = 0;  ///< tile position under the eye, in [0, 1)
+        double near_limit = 0;          ///< up to here all positions are below kNearTiles [m]
+    };
     /// One column of the flat.
     struct FlatColumn {
         int x;
-        Vec2 ray;               ///< per metre of depth
-        double step_u, step_v;  ///< the same [tiles/m]
-        double farthest;        ///< where the wall behind it stands [m]
+        Vec2 ray;         ///< per metre of depth
+        double farthest;  ///< where the wall behind it stands [m]
+        OpenRows rows;
     };
+    /// Where it is drawn, and in which light.
+    struct LevelTarget {
+        std::uint32_t* row_0;
+        const std::uint32_t* darkness;  ///< by row, as the picture wants it
+    };
+    LevelPicture picture_of(const Scene& scene, const Surface& surface) const;
+    void start_layers(const Scene& scene);
     void paint_plain(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms);
     void note_level(const Scene& scene, int x, int top, int bottom, double wall_depth) const;
-    void paint_level(const Scene& scene, int x, OpenRows rows, double wall_depth);
-    void fill(const Scene& scene, std::uint32_t* row_0, const FlatColumn& column, const OpenRows& rows,
-              const std::uint32_t* darkness, const ColorTable* table) const;
-    void paint_lit(const Scene& scene, const FlatColumn& column, const OpenRows& rows) const;
+    FlatColumn column_at(const Scene& scene, int x, OpenRows rows, double wall_depth) const;
+    void paint_level(const Scene& scene, const FlatColumn& column);
+    void paint_picture(const Scene& scene, const LevelPicture& picture, const FlatColumn& column,
+                       const LevelTarget& to) const;
+    template <class Draw>
+    void with_flats(const LevelPicture& picture, const FlatColumn& column, const LevelTarget& to, Draw draw) const;
+    void fill(const Scene& scene, const LevelPicture& picture, const FlatColumn& column, const LevelTarget& to) const;
+    void paint_lit(const Scene& scene, const LevelPicture& picture, const FlatColumn& column,
+                   const LevelTarget& to) const;
+    void lay_layer(const Scene& scene, const LevelPicture& layer, const FlatColumn& column);
     FlatGlow glow_at(const FlatColumn& column) const;
     OpenRows lit_rows(const FlatGlow& glow, const OpenRows& rows) const;
     void paint_sky(const Scene& scene, int x, int top, int bottom);
@@ -53,23 +74,23 @@ private:
 
     const Pose* pose_ = nullptr;
     FlatNow flat_;
-    std::vector<Surface> layers_;  ///< over a sky, the farthest first
-    const Texture* texture_ = nullptr;
-    const ColorTable* color_table_ = nullptr;  ///< that it goes by, if it does
+    LevelPicture picture_;                    ///< of a floor or ceiling
+    std::vector<LevelPicture> level_layers_;  ///< over it, the farthest first
+    std::vector<Surface> sky_layers_;         ///< over a sky, the farthest first
     SurfaceId id_ = kNothing;
     double height_ = 0;
     Dimming dimming_;
-    bool is_plain_ = false;  ///< nothing but its picture and its light: no sky, fog, lamps, or view from the wrong side
-    double near_limit_ = 0;  ///< up to here all positions are below kNearTiles [m]
+    bool is_plain_ = false;  ///< nothing but its picture and its light: no sky, layers, fog, lamps, or view from the
+                             ///< wrong side
     const LightGrid* glow_ = nullptr;
     Fog fog_;
     bool is_extended_ = false;        ///< a floor not below the eye, or a ceiling not above it
-    double base_u_ = 0, base_v_ = 0;  ///< tile position under the eye, in [0, 1)
     std::vector<double> row_depths_;  ///< valid for rows [prepared_top_, prepared_bottom_)
     std::vector<Shade> row_shades_;
-    std::vector<std::uint32_t> row_darkness_;  ///< the same as kernels want it
-    std::vector<std::uint32_t> full_light_;    ///< the same of rows as painted; where there are lamps
-    std::vector<Mist> row_mists_;              ///< where there is fog
+    std::vector<std::uint32_t> row_darkness_;    ///< the same as kernels want it
+    std::vector<std::uint32_t> layer_darkness_;  ///< the same for a layer, of its column's rows
+    std::vector<std::uint32_t> full_light_;      ///< the same of rows as painted; where there are lamps
+    std::vector<Mist> row_mists_;                ///< where there is fog
     int prepared_top_ = 0, prepared_bottom_ = 0;
 };
 

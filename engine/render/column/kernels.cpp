@@ -16,16 +16,29 @@ std::uint32_t read_wall_as(const PlainWalls& walls) {
     return any;
 }
 
+/// Which of its picture's texels a flat shows in row y of the i-th column, however far that is.
+std::size_t texel_at(const PlainFlats& f, int i, int y) {
+    const double depth = std::min(f.row_depths[y], f.farthest[i]);
+    const std::uint32_t u = texel_of(place_on_tile(f.base_u + depth * f.step_u[i]), f.texture->width);
+    const std::uint32_t v = texel_of(place_on_tile(f.base_v + depth * f.step_v[i]), f.texture->height);
+    return std::size_t{u} * f.texture->height + v;
+}
+
 }  // namespace
 
 void fill_far_flats(const PlainFlats& f) {
     for (int i = 0; i < f.runs.count; ++i)
         for (int y = f.runs.tops[i]; y < f.runs.bottoms[i]; ++y) {
-            const double depth = std::min(f.row_depths[y], f.farthest[i]);
-            const std::uint32_t u = texel_of(place_on_tile(f.base_u + depth * f.step_u[i]), f.texture->width);
-            const std::uint32_t v = texel_of(place_on_tile(f.base_v + depth * f.step_v[i]), f.texture->height);
-            f.runs.pixels[i * f.runs.pitch + y] =
-                darkened(f.color_table, *f.texture, std::size_t{u} * f.texture->height + v, f.row_darkness[y]);
+            const std::size_t texel = texel_at(f, i, y);
+            f.runs.pixels[i * f.runs.pitch + y] = darkened(f.color_table, *f.texture, texel, f.row_darkness[y]);
+        }
+}
+
+void read_flats(const PlainFlats& f) {
+    for (int i = 0; i < f.runs.count; ++i)
+        for (int y = f.runs.tops[i]; y < f.runs.bottoms[i]; ++y) {
+            const std::size_t texel = texel_at(f, i, y);
+            f.runs.pixels[i * f.runs.pitch + y] = f.texture->pixels[texel];
         }
 }
 

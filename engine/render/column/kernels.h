@@ -131,6 +131,9 @@ Status check_kernels();
 /// As PlainKernels::fill_flats, however far: without its limit on depth * step.
 void fill_far_flats(const PlainFlats& flats);
 
+/// The texels of flats as they are painted, with their alpha, however far.
+void read_flats(const PlainFlats& flats);
+
 /// The texels of the first of the columns as they are painted, with their alpha, into its rows; what all of them have
 /// in common with ones: 0 in its uppermost byte where nothing of them is to be seen.
 std::uint32_t read_wall(const PlainWalls& walls);

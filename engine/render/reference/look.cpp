@@ -56,7 +56,7 @@ constexpr std::uint32_t kAlpha = 0xFF000000u;
 /// Whether the picture of a wall's middle is shown once. A scrolled one runs through its place, over and over.
 enum class Shown : std::uint8_t { over_and_over, once };
 
-/// ahead: how far, along the course [m]. glow: of point lights.
+/// Before fog. ahead: how far, along the course [m]. glow: of point lights.
 Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, double v, double contrast, double ahead,
              LightCell glow, Shown shown) {
     const double depth = ahead * at.course.depth_scale;
@@ -92,12 +92,22 @@ Seen sky(const Arrival& at, const FlatNow& flat, SurfaceId id) {
     seen.texel = {static_cast<float>(base.u), static_cast<float>(base.v)};
     seen.color = sky_color(at, flat.surface, base) | kAlpha;
     for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
-        const SkyLayer& layer = at.scene.map.sky_layers[flat.first_layer + i];
-        const Surface surface = layer_now(at.scene.map, at.scene.snapshot, layer);
-        const SkyTexel over = sky_texel_of(at, surface);
-        seen.color = laid_over(seen.color, sky_color(at, surface, over));
+        const Surface layer = layer_now(at.scene.map, at.scene.snapshot, flat, i);
+        seen.color = laid_over(seen.color, sky_color(at, layer, sky_texel_of(at, layer)));
     }
     return seen;
+}
+
+/// A place on a floor or ceiling.
+struct FlatPlace {
+    Vec2 from_origin;  ///< of its picture [m]
+    double ahead;      ///< along the course [m]
+    LightCell glow;    ///< of point lights
+};
+
+Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, const FlatPlace& place) {
+    const Vec2 tiles{place.from_origin.x / surface.tile_m.x, place.from_origin.y / surface.tile_m.y};
+    return painted(at, surface, id, tiles.x, tiles.y, 1, place.ahead, place.glow, Shown::over_and_over);
 }
 
 /// `height` above the eye. Of a flat that is seen extended, or from its wrong side, the part that is nearest to where
@@ -105,9 +115,15 @@ Seen sky(const Arrival& at, const FlatNow& flat, SurfaceId id) {
 Seen flat(const Arrival& at, const FlatNow& flat, double height, const LightGrid* grid, SurfaceId id) {
     if (flat.sky) return sky(at, flat, id);
     const double depth = at.course.climb == 0 ? at.hit.depth : std::clamp(height / at.course.climb, 0.0, at.hit.depth);
-    const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth, place = spot - flat.origin;
-    return painted(at, flat.surface, id, place.x / flat.surface.tile_m.x, place.y / flat.surface.tile_m.y, 1, depth,
-                   glow_on(grid, spot.x, spot.y), Shown::over_and_over);
+    const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth;
+    const FlatPlace place{spot - flat.origin, depth, glow_on(grid, spot.x, spot.y)};
+    Seen seen = painted(at, flat.surface, id, place);
+    for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
+        const Surface layer = layer_now(at.scene.map, at.scene.snapshot, flat, i);
+        seen.color = laid_over(seen.color, painted(at, layer, id, place).color);
+    }
+    seen.color = in_fog(at.scene, seen.color, seen.depth);
+    return seen;
 }
 
 /// Height above the eye that the texture hangs from.
@@ -129,8 +145,10 @@ Seen wall(const Arrival& at, LayId at_rest, double peg, WallPart part, Shown sho
     const double z = at.hit.space.eye_z + at.course.climb * at.hit.depth;
     LightGrids* lights = at.scene.lights;
     const LightGrid* grid = lights ? lights->on_wall(at.scene.map, at.scene.snapshot, at.hit.wall) : nullptr;
-    return painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth,
-                   glow_on(grid, at.hit.along * at.wall.length, z), shown);
+    Seen seen = painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth,
+                        glow_on(grid, at.hit.along * at.wall.length, z), shown);
+    seen.color = in_fog(at.scene, seen.color, seen.depth);
+    return seen;
 }
 
 Seen wall(const Arrival& at, LayId surface, WallPart part) {

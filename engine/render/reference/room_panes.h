@@ -46,17 +46,21 @@ inline Texel texel(const Texture& texture, TilePlace u, TilePlace v) {
     return texel;
 }
 
-/// A texel's colour in this light, that of point lights and the map's fog; its alpha is kept.
+/// A texel's colour in this light and that of point lights; its alpha is kept.
 inline std::uint32_t lit(const Scene& scene, const Texel& texel, const Lighting& lighting, double depth,
                          LightCell glow) {
-    const RenderRecord& render = scene.map.render;
     const Shade shade = shade_at(lighting, depth);
-    const std::uint32_t clear =
+    const std::uint32_t bright =
         texel.number
             ? lit_above(darkened_colors(scene.textures.color_table, shade)[*texel.number], texel.color, shade, glow)
             : lit(texel.color, shade, glow);
-    return (texel.color & 0xFF000000u) |
-           (misted(clear, pixel_of(render.fog_color), mist_at(render.fog_reach, depth)) & 0x00FFFFFFu);
+    return (texel.color & 0xFF000000u) | (bright & 0x00FFFFFFu);
+}
+
+/// The colour behind the map's fog; its alpha is kept.
+inline std::uint32_t in_fog(const Scene& scene, std::uint32_t color, double depth) {
+    const RenderRecord& render = scene.map.render;
+    return misted(color, pixel_of(render.fog_color), mist_at(render.fog_reach, depth));
 }
 
 /// What point lights throw onto a place of a surface. grid: null: nothing.

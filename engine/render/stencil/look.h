@@ -13,6 +13,9 @@ inline constexpr std::uint32_t kClassicLight = 1u << 31;
 /// Beside the paint: the picture goes by the map's color table. Known to the shader, too.
 inline constexpr std::uint32_t kByTable = 1u << 30;
 
+/// Beside the paint: layers are laid over the floor or ceiling; its record begins with them.
+inline constexpr std::uint32_t kLayered = 1u << 29;
+
 /// Numbers that change evenly over the picture are given as three: at the point `from`, per column and per row.
 struct Look {
     float from[2]{}, cross = 0;
@@ -37,8 +40,9 @@ inline constexpr Kind kFlats = 1, kSkies = 2, kColors = 3;  ///< one of these, o
 inline constexpr Kind kWithRecords = 4;                     ///< light of lamps, or a sky's layers
 inline constexpr Kind kGoingByTable = 8;                    ///< and others
 inline constexpr Kind kInSmoothLight = 16, kInClassicLight = 32;
-inline constexpr Kind kWithHoles = 64;  ///< pixels that are not there, or hide only a part
-inline constexpr std::size_t kKinds = 128;
+inline constexpr Kind kWithHoles = 64;    ///< pixels that are not there, or hide only a part
+inline constexpr Kind kWithLayers = 128;  ///< over floors and ceilings
+inline constexpr std::size_t kKinds = 256;
 
 inline Kind paints(Kind kind) { return kind & kColors; }
 
@@ -48,6 +52,7 @@ inline Kind kind_of(const Look& look) {
     Kind kind = paint;
     if (look.record != 0) kind |= kWithRecords;
     if ((look.id_and_paint & kByTable) != 0) kind |= kGoingByTable;
+    if ((look.id_and_paint & kLayered) != 0) kind |= kWithLayers;
     const bool is_lit = paint == 0 || paint == kFlats;
     if (is_lit) kind |= (look.id_and_paint & kClassicLight) != 0 ? kInClassicLight : kInSmoothLight;
     return kind;

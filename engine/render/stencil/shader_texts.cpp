@@ -112,6 +112,12 @@ vec2 nearest(vec2 tiles) {
     return round(tiles * steps) / steps;
 }
 
+struct Picture {
+    uvec2 place;  // where it begins in the store, its size
+    bool is_by_table;
+};
+Picture own_picture() { return Picture(what.yz, (what.x >> 30u & 1u) != 0u); }
+
 ivec2 list_place(uint n) { return ivec2(int(n & 2047u), int(n >> 11u)); }
 
 uint texel_place(uvec2 picture, vec2 tile) {  // where it begins, its size
@@ -136,10 +142,10 @@ uniform usampler2D color_table;
 #endif
 
 // What is left of a texel's colour in a shade, without lamps (darkened_colors of render/shade.h).
-uvec3 darkened(uvec3 color, vec2 tile, uint shade) {
+uvec3 darkened(uvec3 color, Picture picture, vec2 tile, uint shade) {
 #ifdef BY_TABLE
-    if ((what.x >> 30u & 1u) != 0u) {
-        uint number = texelFetch(color_numbers, list_place(texel_place(what.yz, tile)), 0).x;
+    if (picture.is_by_table) {
+        uint number = texelFetch(color_numbers, list_place(texel_place(picture.place, tile)), 0).x;
         uint level = min((256u - min(shade, 256u)) / 8u, 31u);
         return texelFetch(color_table, list_place(level * 256u + number), 0).rgb;
     }
@@ -203,25 +209,38 @@ vec2 sky_tile(float turns, float elevation, vec2 tile, vec2 offset) {
     return vec2(part(spot.x), spot.y);
 }
 
+uvec3 laid_over(uvec3 below, uvec4 above) {
+    return (above.rgb * above.a + below * (255u - above.a) + 127u) / 255u;
+}
+
 #ifdef LAYERED_SKY
 uvec4 with_layers(uvec4 color, float turns, float elevation) {
     uint count = record(what.w).x;
     for (uint i = 0u; i < count; ++i) {
         uint n = what.w + 1u + 3u * i;
         uvec4 over = texel_of(record(n), sky_tile(turns, elevation, numbers(n + 1u), numbers(n + 2u)));
-        color.rgb = (over.rgb * over.a + color.rgb * (255u - over.a) + 127u) / 255u;
+        color.rgb = laid_over(color.rgb, over);
     }
     return color;
 }
 #endif
 
 #ifdef LIT
+uint glow_record() {
+#ifdef LAYERED_FLAT
+    return record(what.w).y;
+#else
+    return what.w;
+#endif
+}
+
 // Positions count the points of the grid, by column.
 uvec3 glow_at(vec2 known) {
-    if (what.w == 0u) return uvec3(0u);
-    uvec2 place = record(what.w);
+    uint own = glow_record();
+    if (own == 0u) return uvec3(0u);
+    uvec2 place = record(own);
     uvec2 count = uvec2(place.y & 65535u, place.y >> 16u);
-    vec2 at = clamp(numbers(what.w + 1u) * known + numbers(what.w + 2u), vec2(0.0), vec2(count - 1u));
+    vec2 at = clamp(numbers(own + 1u) * known + numbers(own + 2u), vec2(0.0), vec2(count - 1u));
     uvec2 cell = min(uvec2(at), count - 2u);
     uvec2 part = uvec2((at - vec2(cell)) * 256.0);
     uint n = place.x + cell.x * count.y + cell.y;
@@ -233,10 +252,25 @@ uvec3 glow_at(vec2 known) {
     return (low * (256u - part.y) + high * part.y >> 8u) / 16u;
 }
 
-uvec3 lit_by(uvec3 glow, uvec3 color, vec2 tile, uint shade) {
-    bool is_by_table = (what.x >> 30u & 1u) != 0u;
-    if (!is_by_table) return min(color * min(glow + shade, 512u) >> 8u, 255u);
-    return min(darkened(color, tile, shade) + (color * min(glow, 512u - shade) >> 8u), 255u);
+uvec3 lit_by(uvec3 glow, uvec3 color, Picture picture, vec2 tile, uint shade) {
+    if (!picture.is_by_table) return min(color * min(glow + shade, 512u) >> 8u, 255u);
+    return min(darkened(color, picture, tile, shade) + (color * min(glow, 512u - shade) >> 8u), 255u);
+}
+#endif
+
+#ifdef LAYERED_FLAT
+// known: tiles of the flat's own picture from where the eye is.
+uvec3 with_layers(uvec3 color, vec2 known, uvec3 glow, uint shade) {
+    uint count = record(what.w).x;
+    for (uint i = 0u; i < count; ++i) {
+        uint n = what.w + 1u + 4u * i;
+        Picture picture = Picture(record(n), record(n + 3u).x != 0u);
+        vec2 spot = nearest(known * numbers(n + 1u) + numbers(n + 2u));
+        vec2 tile = vec2(part(spot.x), part(spot.y));
+        uvec4 over = texel_of(picture.place, tile);
+        color = laid_over(color, uvec4(lit_by(glow, over.rgb, picture, tile, shade), over.a));
+    }
+    return color;
 }
 #endif
 
@@ -284,9 +318,13 @@ void main() {
     uint alpha = 255u;
 #endif
 #ifdef LIT
-    uvec3 lit = lit_by(glow_at(known), color.rgb, tile, shade);
+    uvec3 glow = glow_at(known);
+    uvec3 lit = lit_by(glow, color.rgb, own_picture(), tile, shade);
 #else
-    uvec3 lit = darkened(color.rgb, tile, shade);
+    uvec3 lit = darkened(color.rgb, own_picture(), tile, shade);
+#endif
+#ifdef LAYERED_FLAT
+    lit = with_layers(lit, known, glow, shade);
 #endif
 #if defined WALLS || defined FLATS
     if (fog.w > 0.0) lit = in_fog(lit, depth);

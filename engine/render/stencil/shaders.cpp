@@ -55,7 +55,8 @@ std::string parts_of(Kind kind) {
     constexpr const char* kPaints[] = {"WALLS", "FLATS", "SKIES", "COLORS"};
     std::string parts = part(kPaints[paints(kind)]);
     if (kind & kWithRecords) parts += part("WITH_RECORDS") + part(paints(kind) == kSkies ? "LAYERED_SKY" : "LIT");
-    if (kind & kGoingByTable) parts += part("BY_TABLE");
+    if (kind & kWithLayers) parts += part("LAYERED_FLAT");
+    if (kind & (kGoingByTable | kWithLayers)) parts += part("BY_TABLE");
     if (kind & kInSmoothLight) parts += part("SMOOTH");
     if (kind & kInClassicLight) parts += part("CLASSIC");
     if (kind & kWithHoles) parts += part("WITH_HOLES");

@@ -96,6 +96,10 @@ void set_direction(Look& look, const RayField& rays, const Pose& pose, Vec2 unit
     set(look.b, look, (rays.ahead * pose.forward.y + rays.right * pose.right.y) * (1 / unit.y), 0);
 }
 
+LayerSource layers_from(const Scene& scene) {
+    return {scene.map(), scene.input.snapshot, scene.input.textures, scene.store};
+}
+
 Look sky_look(const Scene& scene, const SeenWall& wall, const FlatNow& flat, SurfaceId id) {
     const Surface& surface = flat.surface;
     Look look = plain_look(scene, wall.place);
@@ -105,7 +109,7 @@ Look sky_look(const Scene& scene, const SeenWall& wall, const FlatNow& flat, Sur
     look.c[1] = f(surface.tile_m.y);
     look.c[2] = f(surface.offset_tiles.x);
     look.c[3] = f(surface.offset_tiles.y);
-    look.record = scene.records.sky(scene.map(), scene.input.snapshot, scene.input.textures, scene.store, flat);
+    look.record = scene.records.sky(layers_from(scene), flat);
     return look;
 }
 
@@ -201,6 +205,9 @@ Look flat_look(const Scene& scene, const SeenWall& wall, const FlatNow& flat, do
     if (grid)
         look.record = scene.records.glow(*grid, surface.tile_m * (1 / kLightCell),
                                          (wall.pose.eye - Vec2{grid->u, grid->v}) * (1 / kLightCell));
+    if (flat.layer_count == 0) return look;
+    look.record = scene.records.level(layers_from(scene), flat, wall.pose.eye, look.record);
+    look.id_and_paint |= kLayered;
     return look;
 }
 

@@ -77,6 +77,10 @@ Records::Pair pair_of(Vec2 v) {
             std::bit_cast<std::uint32_t>(static_cast<float>(v.y))};
 }
 
+Records::Pair picture_of(const LayerSource& from, const Surface& layer) {
+    return {from.store.place_of(layer.texture), size_of(from.textures[layer.texture])};
+}
+
 }  // namespace
 
 void Records::clear() {
@@ -91,17 +95,29 @@ std::uint32_t Records::add(std::span<const Pair> pairs) {
     return place;
 }
 
-std::uint32_t Records::sky(const Map& map, const Snapshot& snapshot, const TextureSet& textures,
-                           const TexelStore& store, const FlatNow& sky) {
+std::uint32_t Records::sky(const LayerSource& from, const FlatNow& sky) {
     if (sky.layer_count == 0) return 0;
-    skies_.resize(map.sky_layers.size());
+    skies_.resize(from.map.flat_layers.size());
     std::uint32_t& place = skies_[sky.first_layer];
     if (place != 0) return place;
     place = add(std::array<Pair, 1>{{{sky.layer_count, 0}}});
     for (std::uint32_t i = 0; i < sky.layer_count; ++i) {
-        const Surface layer = layer_now(map, snapshot, map.sky_layers[sky.first_layer + i]);
-        const Pair picture{store.place_of(layer.texture), size_of(textures[layer.texture])};
-        add(std::array{picture, pair_of(layer.tile_m), pair_of(layer.offset_tiles)});
+        const Surface layer = layer_now(from.map, from.snapshot, sky, i);
+        add(std::array{picture_of(from, layer), pair_of(layer.tile_m), pair_of(layer.offset_tiles)});
+    }
+    return place;
+}
+
+std::uint32_t Records::level(const LayerSource& from, const FlatNow& flat, Vec2 eye, std::uint32_t glow) {
+    const std::uint32_t place = add(std::array<Pair, 1>{{{flat.layer_count, glow}}});
+    for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
+        const Surface layer = layer_now(from.map, from.snapshot, flat, i);
+        const Vec2 tile = layer.tile_m, own_tile = flat.surface.tile_m, from_origin = eye - flat.origin;
+        const Vec2 start{fraction(from_origin.x / tile.x - layer.offset_tiles.x),
+                         fraction(from_origin.y / tile.y - layer.offset_tiles.y)};
+        const Pair way{from.textures[layer.texture].numbers.empty() ? 0u : 1u, 0};
+        add(std::array{picture_of(from, layer), pair_of({own_tile.x / tile.x, own_tile.y / tile.y}), pair_of(start),
+                       way});
     }
     return place;
 }

@@ -79,6 +79,14 @@ private:
 // What few surfaces need beyond their look, in one texture of the graphics card: pairs of numbers, found by their
 // place.
 
+/// Where layers over flats are found.
+struct LayerSource {
+    const Map& map;
+    const Snapshot& snapshot;
+    const TextureSet& textures;
+    const TexelStore& store;
+};
+
 /// The records of one frame. The first pair is not used, so that 0 is no record.
 class Records {
 public:
@@ -90,8 +98,11 @@ public:
     std::uint32_t add(std::span<const Pair> pairs);
 
     /// The layers over a sky, how many first; 0: it has none. The same sky has the same record.
-    std::uint32_t sky(const Map& map, const Snapshot& snapshot, const TextureSet& textures, const TexelStore& store,
-                      const FlatNow& sky);
+    std::uint32_t sky(const LayerSource& from, const FlatNow& sky);
+
+    /// Those over a floor or ceiling, how many first, and the record `glow` of its point lights, or 0. eye: in its
+    /// space [m].
+    std::uint32_t level(const LayerSource& from, const FlatNow& flat, Vec2 eye, std::uint32_t glow);
 
     /// Point lights on a surface: their grid, and how its points are counted: scale * what the shader knows + start.
     std::uint32_t glow(const LightGrid& grid, Vec2 scale, Vec2 start);

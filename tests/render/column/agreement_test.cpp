@@ -81,18 +81,45 @@ TEST(ColumnRenderer, AgreesWithTheReferenceWhateverMoves) {
 TEST(ColumnRenderer, AgreesWithTheReferenceUnderSkiesWithLayers) {
     MapFile file = palace();
     sector(file, "yard").ceiling.scroll = {1.7, 0};
-    sector(file, "yard").ceiling.layers = {{TextureSpec{"lattice", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}},
-                                           {TextureSpec{"lattice", Vec2{-2, 1.3}, {9.1, -4.7}, {}}, -5.9, {}}};
+    sector(file, "yard").ceiling.layers = {{TextureSpec{"lattice", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}, {}},
+                                           {TextureSpec{"lattice", Vec2{-2, 1.3}, {9.1, -4.7}, {}}, -5.9, {}, {}}};
     World world(file);
     world.textures.textures[world.textures.find("lattice").index] = lattice();
     world.snapshot.time_s = 17.3;
     expect_agreement(world, 9, 100);
 }
 
+/// Layers over every floor and ceiling but skies, each with a way of its own.
+void lay_layers(MapFile& file, const char* picture) {
+    for (SectorRecord& s : file.sectors) {
+        s.floor.scroll = {0.7, -1.3};
+        s.floor.layers = {{TextureSpec{picture, Vec2{1.7, 2.3}, {3.3, 1.7}, {}}, 0, {-0.9, 0.4}, {}},
+                          {TextureSpec{picture, Vec2{0.6, 0.6}, {}, {}}, 0, {0.3, 0.8}, {}}};
+        if (!s.ceiling.parallax)
+            s.ceiling.layers = {{TextureSpec{picture, Vec2{-2, 1}, {9.1, -4.7}, {}}, 0, {2, 1}, {}}};
+    }
+}
+
+TEST(ColumnRenderer, AgreesWithTheReferenceOnFlatsWithLayers) {
+    for (const LightModel model : {LightModel::smooth, LightModel::classic})
+        for (const bool is_by_table : {false, true})
+            for (const double fog_reach : {0.0, 6.0}) {
+                MapFile file = palace();
+                file.render.light = model;
+                file.render.fog_reach = fog_reach;
+                lay_layers(file, "lattice");
+                World world(file);
+                if (is_by_table) paint_by_table(world.textures);
+                world.textures.textures[world.textures.find("lattice").index] = lattice();
+                world.snapshot.time_s = 17.3;
+                expect_agreement(world, 9, 40);
+            }
+}
+
 TEST(ColumnRenderer, AgreesWithTheReferenceUnderASkyWithStraightRows) {
     MapFile file = palace();
     file.render.sky = SkyRows::straight;
-    sector(file, "yard").ceiling.layers = {{TextureSpec{"haze", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}}};
+    sector(file, "yard").ceiling.layers = {{TextureSpec{"haze", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}, {}}};
     expect_agreement(World(file), 10, 100);
 }
 

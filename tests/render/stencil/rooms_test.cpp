@@ -109,8 +109,8 @@ Texture haze() {
 TEST(StencilSky, HasTheColumnRenderersLayers) {
     MapFile file = open_steps();
     for (SectorRecord& sector : file.sectors)
-        sector.ceiling.layers = {{TextureSpec{"haze", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}},
-                                 {TextureSpec{"haze", Vec2{-2, 1.3}, {9.1, -4.7}, {}}, -5.9, {}}};
+        sector.ceiling.layers = {{TextureSpec{"haze", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}, {}},
+                                 {TextureSpec{"haze", Vec2{-2, 1.3}, {9.1, -4.7}, {}}, -5.9, {}, {}}};
     const Map map = built(file);
     TextureSet textures = textures_for(file);
     textures.textures[textures.find("haze").index] = haze();
@@ -119,11 +119,34 @@ TEST(StencilSky, HasTheColumnRenderersLayers) {
     expect_agreement(sight.compare_poses(10, {160, 100}, 4));
 }
 
+TEST(StencilFlats, HaveTheColumnRenderersLayers) {
+    for (const bool has_lamps : {false, true})
+        for (const bool is_by_table : {false, true}) {
+            MapFile file = open_steps();
+            file.render.light = is_by_table ? LightModel::classic : LightModel::smooth;
+            file.render.fog_reach = has_lamps ? 6 : 0;
+            if (has_lamps) scatter_lights(file, 6, 1);
+            for (SectorRecord& sector : file.sectors) {
+                sector.ceiling.parallax = false;
+                sector.floor.layers = {{TextureSpec{"haze", Vec2{3, 1.7}, {3.3, 1.7}, {}}, 0, {0.9, -0.4}, {}},
+                                       {TextureSpec{"haze", Vec2{-2, 1.3}, {9.1, -4.7}, {}}, 0, {}, {}}};
+                sector.ceiling.layers = {{TextureSpec{"haze", Vec2{4, 4}, {}, {}}, 0, {1, 1}, {}}};
+            }
+            const Map map = built(file);
+            TextureSet textures = textures_for(file);
+            if (is_by_table) paint_by_table(textures);
+            textures.textures[textures.find("haze").index] = haze();
+            Sight sight(map, textures);
+            sight.snapshot().time_s = 17.3;
+            expect_agreement(sight.compare_poses(10, {160, 100}, 4));
+        }
+}
+
 TEST(StencilSky, HasTheColumnRenderersStraightRows) {
     MapFile file = open_steps();
     file.render.sky = SkyRows::straight;
     for (SectorRecord& sector : file.sectors)
-        sector.ceiling.layers = {{TextureSpec{"haze", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}}};
+        sector.ceiling.layers = {{TextureSpec{"haze", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}, {}}};
     const Map map = built(file);
     TextureSet textures = textures_for(file);
     textures.textures[textures.find("haze").index] = haze();
