@@ -116,7 +116,7 @@ std::size_t sum(const std::map<int, std::size_t>& counts) {
     return sum;
 }
 
-/// What the README names: teleports of monsters, and what Boom added.
+/// What wadconv/README.md names: teleports of monsters, and what Boom added.
 TEST_P(FreeDoom, TurnsTheSpecialsOfAllLinesAndSectorsIntoWords) {
     Report total;
     for (const DoomMap& map : wad_->maps) {
