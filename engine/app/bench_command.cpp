@@ -87,15 +87,14 @@ Result<BenchChoices> choices_of(const BenchRequest& request) {
 
 /// What is measured of a picture, and nothing else: by time, and by valgrind, which finds it by its name
 /// (kMeasuredFunction).
-[[gnu::noinline]] Status draw_measured(Renderer& renderer, Frame& picture, const BenchSubject& subject,
-                                       const FlightFrame& shown) {
-    return renderer.render(picture, nullptr, subject.map(), subject.textures(), shown.snapshot, shown.view);
+[[gnu::noinline]] Status draw_measured(Renderer& renderer, Frame& picture, const FlightFrame& shown) {
+    return renderer.render(picture, nullptr, shown.snapshot, shown.view);
 }
 
 Result<std::int64_t> time_picture(Renderer& renderer, Frame& picture, const BenchSubject& subject, int number) {
     const FlightFrame shown = subject.frame(number);
     const std::int64_t began_ns = now_ns();
-    Status failed = draw_measured(renderer, picture, subject, shown);
+    Status failed = draw_measured(renderer, picture, shown);
     const std::int64_t took_ns = now_ns() - began_ns;
     if (failed) return *failed;
     return took_ns;
@@ -105,8 +104,8 @@ Result<std::int64_t> time_picture(Renderer& renderer, Frame& picture, const Benc
 std::size_t count_viewports(Renderer& renderer, RendererKind kind, Frame& picture, const BenchSubject& subject,
                             const FlightFrame& shown) {
     if (kind != RendererKind::column) return renderer.viewports().size();
-    ColumnRenderer whole;
-    whole.render(picture, nullptr, subject.map(), subject.textures(), shown.snapshot, shown.view);
+    ColumnRenderer whole(subject.map(), subject.textures());
+    whole.render(picture, nullptr, shown.snapshot, shown.view);
     return whole.counts().viewports;
 }
 
@@ -115,8 +114,9 @@ using Renderers = std::vector<std::unique_ptr<Renderer>>;
 
 Result<Renderers> renderers_for(const std::vector<BenchSubject>& subjects, const BenchChoices& choices) {
     Renderers renderers;
-    for (std::size_t i = 0; i < subjects.size(); ++i) {
-        auto renderer = make_renderer(choices.renderer, choices.threads, open_gl_for_pictures);
+    for (const BenchSubject& subject : subjects) {
+        auto renderer =
+            make_renderer(choices.renderer, subject.map(), subject.textures(), choices.threads, open_gl_for_pictures);
         if (!renderer.ok()) return renderer.error();
         renderers.push_back(std::move(renderer).value());
     }
@@ -132,9 +132,7 @@ Status count_frames(const Renderers& renderers, RendererKind kind, Frame& pictur
         Renderer& renderer = *renderers[frame.subject];
         const FlightFrame shown = subject.frame(frame.number);
         reset(facts, picture.width, picture.height);
-        if (Status failed =
-                renderer.render(picture, &facts, subject.map(), subject.textures(), shown.snapshot, shown.view))
-            return failed;
+        if (Status failed = renderer.render(picture, &facts, shown.snapshot, shown.view)) return failed;
         frame.counts = counts_of(subject.map(), picture, facts);
         frame.counts.viewports = count_viewports(renderer, kind, picture, subject, shown);
     }

@@ -54,7 +54,7 @@ std::vector<View> looks_at(const Map& map, const View& start) {
 /// A map ready to be drawn, by a renderer of its own that keeps what it works out from it, and what drawing its looks
 /// gave.
 struct Sample {
-    Map map;
+    std::unique_ptr<const Map> map;  ///< stays where it is
     Snapshot snapshot;
     ColumnRenderer renderer;
     std::vector<std::vector<std::int64_t>> took_ns;  ///< by look and round
@@ -82,10 +82,12 @@ public:
         Findings findings;
         std::optional<Map> map = build_map(file, textures_, findings);
         if (!map) return {};
-        Sample sample{std::move(*map), {}, {}, {}, {}};
+        auto kept = std::make_unique<const Map>(std::move(*map));
+        ColumnRenderer renderer(*kept, textures_);
+        Sample sample{std::move(kept), {}, std::move(renderer), {}, {}};
         sample.took_ns.assign(looks_.size(), std::vector<std::int64_t>(rounds_));
         sample.hashes.resize(looks_.size());
-        sample.snapshot = at_rest(sample.map);
+        sample.snapshot = at_rest(*sample.map);
         sample.snapshot.time_s = kTime;
         return sample;
     }
@@ -102,7 +104,7 @@ public:
 private:
     void draw(Sample& sample, std::size_t look, std::size_t round) {
         const std::int64_t began = thread_time_ns();
-        sample.renderer.render(frame_, nullptr, sample.map, textures_, sample.snapshot, looks_[look]);
+        sample.renderer.render(frame_, nullptr, sample.snapshot, looks_[look]);
         sample.took_ns[look][round] = thread_time_ns() - began;
         if (round == 0) sample.hashes[look] = hash_of(frame_);
     }

@@ -30,7 +30,7 @@ struct Desk {
     std::unique_ptr<Renderer> renderer;
     Frame frame;
     FrameFacts facts;
-    OutsideRenderer outside;
+    std::unique_ptr<OutsideRenderer> outside;
     Frame outside_frame;
     Status failed;
 };
@@ -77,9 +77,10 @@ public:
 private:
     Status furnish_desks() {
         for (Desk& desk : desks_) {
-            auto renderer = make_renderer(job_.renderer, threads_each_, open_gl_for_pictures);
+            auto renderer = make_renderer(job_.renderer, map_.map, map_.textures, threads_each_, open_gl_for_pictures);
             if (!renderer.ok()) return renderer.error();
             desk.renderer = std::move(renderer).value();
+            desk.outside = std::make_unique<OutsideRenderer>(map_.map, map_.textures);
             desk.frame.resize(job_.size.width, job_.size.height);
         }
         return {};
@@ -89,8 +90,7 @@ private:
         const bool want_facts = !job_.ids.empty();
         if (want_facts) reset(desk.facts, job_.size.width, job_.size.height);
         const std::int64_t before = now_ns();
-        Status failed = desk.renderer->render(desk.frame, want_facts ? &desk.facts : nullptr, map_.map, map_.textures,
-                                              snapshot_, job_.views[i]);
+        Status failed = desk.renderer->render(desk.frame, want_facts ? &desk.facts : nullptr, snapshot_, job_.views[i]);
         times_ns_[i] = now_ns() - before;
         return failed;
     }
@@ -105,8 +105,8 @@ private:
         if (out.empty()) return {};
         const auto [width, height] = job_.size;
         desk.outside_frame.resize(width, height);
-        desk.outside.render(desk.outside_frame, map_.map, map_.textures, snapshot_, job_.views[i],
-                            {from, job_.reach_m, width, height}, threads_each_);
+        desk.outside->render(desk.outside_frame, snapshot_, job_.views[i], {from, job_.reach_m, width, height},
+                             threads_each_);
         return write(out, i, image_of(desk.outside_frame));
     }
 

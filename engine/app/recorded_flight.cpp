@@ -75,7 +75,7 @@ Status other_frames(const std::vector<FrameHash>& recorded, int frames, const st
 }
 
 Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPlan& plan, int number) {
-    const auto renderer = make_renderer(kind, plan.workers, plan.open_gl);
+    const auto renderer = make_renderer(kind, scene.map, scene.textures, plan.workers, plan.open_gl);
     if (!renderer.ok()) return renderer.error();
     Frame frame;
     frame.resize(plan.width, plan.height);
@@ -148,7 +148,7 @@ Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan&
     };
     std::vector<Desk> desks(plan.workers);
     for (Desk& desk : desks) {
-        auto renderer = make_renderer(other, 1, plan.open_gl);
+        auto renderer = make_renderer(other, scene.map, scene.textures, 1, plan.open_gl);
         if (!renderer.ok()) return renderer.error();
         desk.renderer = std::move(renderer).value();
     }

@@ -17,7 +17,7 @@ constexpr std::size_t kWaitingPerWorker = 4;
 
 Status draw_frame(const FlightScene& scene, int number, Renderer& renderer, Frame& frame) {
     const FlightFrame shown = scene.flight.at(scene.map, number);
-    return renderer.render(frame, nullptr, scene.map, scene.textures, shown.snapshot, shown.view);
+    return renderer.render(frame, nullptr, shown.snapshot, shown.view);
 }
 
 Status draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& take) {
@@ -28,7 +28,7 @@ Status draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTa
     };
     std::vector<Desk> desks(plan.workers);
     for (Desk& desk : desks) {
-        auto renderer = make_renderer(plan.renderer, 1, plan.open_gl);
+        auto renderer = make_renderer(plan.renderer, scene.map, scene.textures, 1, plan.open_gl);
         if (!renderer.ok()) return renderer.error();
         desk.renderer = std::move(renderer).value();
         desk.frame.resize(plan.width, plan.height);

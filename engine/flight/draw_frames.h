@@ -27,7 +27,7 @@ struct DrawPlan {
 /// Takes a finished frame; an error ends the drawing. The frame is valid during the call.
 using FrameTaker = std::function<Status(int number, const Frame& frame, std::size_t worker)>;
 
-/// Draws one frame.
+/// Draws one frame. renderer: of the scene's map.
 Status draw_frame(const FlightScene& scene, int number, Renderer& renderer, Frame& frame);
 
 /// Draws each frame once and hands it to `take`, in any order, from several threads, but never two at a time with the

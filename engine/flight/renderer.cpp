@@ -37,11 +37,10 @@ void add_strip(std::vector<ViewportShape> strip, std::vector<ViewportShape>& sha
 
 class Column final : public Renderer {
 public:
-    explicit Column(std::size_t threads) : strips_(threads) {}
+    Column(const Map& map, const TextureSet& textures, std::size_t threads) : strips_(map, textures, threads) {}
 
-    Status render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-                  const View& view) override {
-        strips_.render(frame, facts, map, textures, snapshot, view);
+    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
+        strips_.render(frame, facts, snapshot, view);
         return {};
     }
 
@@ -65,16 +64,18 @@ private:
 
 class Reference final : public Renderer {
 public:
-    explicit Reference(std::size_t threads) : threads_(threads) {}
+    Reference(const Map& map, const TextureSet& textures, std::size_t threads)
+        : map_(map), textures_(textures), threads_(threads), lights_(map) {}
 
-    Status render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-                  const View& view) override {
-        render_reference(frame, facts, map, textures, snapshot, view,
+    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
+        render_reference(frame, facts, map_, textures_, snapshot, view,
                          {.workers = static_cast<int>(threads_), .lights = &lights_});
         return {};
     }
 
 private:
+    const Map& map_;
+    const TextureSet& textures_;
     std::size_t threads_;
     LightGrids lights_;
 };
@@ -83,9 +84,8 @@ class Stencil final : public Renderer {
 public:
     explicit Stencil(std::unique_ptr<StencilRenderer> renderer) : renderer_(std::move(renderer)) {}
 
-    Status render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-                  const View& view) override {
-        return renderer_->render(frame, facts, map, textures, snapshot, view);
+    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
+        return renderer_->render(frame, facts, snapshot, view);
     }
 
     std::vector<ViewportShape> viewports() const override {
@@ -100,17 +100,18 @@ private:
     std::unique_ptr<StencilRenderer> renderer_;
 };
 
-Result<std::unique_ptr<Renderer>> make_stencil(const GlContextOpener& open_gl) {
+Result<std::unique_ptr<Renderer>> make_stencil(const Map& map, const TextureSet& textures,
+                                               const GlContextOpener& open_gl) {
     auto context = open_gl();
     if (!context.ok()) return context.error();
-    auto renderer = StencilRenderer::make(std::move(context).value());
+    auto renderer = StencilRenderer::make(std::move(context).value(), map, textures);
     if (!renderer.ok()) return renderer.error();
     return std::unique_ptr<Renderer>(std::make_unique<Stencil>(std::move(renderer).value()));
 }
 
-Result<std::unique_ptr<Renderer>> make_column(std::size_t threads) {
+Result<std::unique_ptr<Renderer>> make_column(const Map& map, const TextureSet& textures, std::size_t threads) {
     if (const Status wrong = column::check_kernels()) return *wrong;
-    return std::unique_ptr<Renderer>(std::make_unique<Column>(threads));
+    return std::unique_ptr<Renderer>(std::make_unique<Column>(map, textures, threads));
 }
 
 }  // namespace
@@ -124,14 +125,14 @@ Result<RendererKind> parse_renderer(const std::string& name) {
 
 std::string name_of(RendererKind kind) { return std::string(to_word(kind)); }
 
-Result<std::unique_ptr<Renderer>> make_renderer(RendererKind kind, std::size_t threads,
-                                                const GlContextOpener& open_gl) {
+Result<std::unique_ptr<Renderer>> make_renderer(RendererKind kind, const Map& map, const TextureSet& textures,
+                                                std::size_t threads, const GlContextOpener& open_gl) {
     switch (kind) {
-        case RendererKind::column: return make_column(threads);
-        case RendererKind::stencil: return make_stencil(open_gl);
+        case RendererKind::column: return make_column(map, textures, threads);
+        case RendererKind::stencil: return make_stencil(map, textures, open_gl);
         case RendererKind::reference: break;
     }
-    return std::unique_ptr<Renderer>(std::make_unique<Reference>(threads));
+    return std::unique_ptr<Renderer>(std::make_unique<Reference>(map, textures, threads));
 }
 
 }  // namespace enfilade

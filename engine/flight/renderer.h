@@ -30,15 +30,15 @@ struct ViewportShape {
     std::vector<int> top, bottom;  ///< rows [top, bottom) by column [end - begin]
 };
 
-/// Draws pictures, one at a time. The same arguments give the same picture, whichever renderer of its kind draws it.
+/// Draws pictures of one map, one at a time. The same arguments give the same picture, whichever renderer of its kind
+/// draws it.
 class Renderer {
 public:
     virtual ~Renderer() = default;
 
     /// Sets every pixel of the frame, whose size is the picture's. facts: null, or reset() to the same size.
     /// An error where a graphics card fails; the frame may then hold anything.
-    virtual Status render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
-                          const Snapshot& snapshot, const View& view) = 0;
+    virtual Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) = 0;
 
     /// The viewports of the last picture; empty where the renderer has none. Cost: allocates.
     virtual std::vector<ViewportShape> viewports() const { return {}; }
@@ -47,9 +47,11 @@ public:
     virtual std::string_view kernels() const { return {}; }
 };
 
+/// map, textures: outlive it, and stay as they are.
 /// threads: how many may draw one picture together, >= 1. The picture does not depend on it.
 /// open_gl: asked for an OpenGL context where the kind is drawn by one, and by no other.
 /// An error where there is no such context, or none that will do.
-Result<std::unique_ptr<Renderer>> make_renderer(RendererKind kind, std::size_t threads, const GlContextOpener& open_gl);
+Result<std::unique_ptr<Renderer>> make_renderer(RendererKind kind, const Map& map, const TextureSet& textures,
+                                                std::size_t threads, const GlContextOpener& open_gl);
 
 }  // namespace enfilade

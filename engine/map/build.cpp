@@ -43,7 +43,6 @@ std::optional<Map> build_map(const MapFile& file, const TextureSet& textures, Fi
     place_suns(draft);
     note_picture_changes(draft);
     if (has_errors(findings)) return std::nullopt;
-    take_fingerprint(draft);
     return std::move(draft.map);
 }
 

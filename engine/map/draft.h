@@ -116,7 +116,4 @@ void place_suns(Draft& draft);
 /// Animations and switches (surfaces.cpp).
 void note_picture_changes(Draft& draft);
 
-/// Last of all (fingerprint.cpp).
-void take_fingerprint(Draft& draft);
-
 }  // namespace enfilade

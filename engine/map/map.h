@@ -256,7 +256,6 @@ struct Map {
     PictureChanges pictures;
     std::optional<PlayerStart> player;
     RenderRecord render;
-    std::uint64_t fingerprint = 0;  ///< of its shapes, portals and lights; 0: not made by build_map
 
     const Sector& operator[](SectorId id) const { return sectors[id.index]; }
     const Wall& operator[](WallId id) const { return walls[id.index]; }
@@ -290,15 +289,5 @@ void each_of_group(const Map& map, SectorId sector, Visit visit) {
         member = map[member].next_of_group;
     } while (member != sector);
 }
-
-/// Which map something was worked out from. Another map differs, also one that was loaded into the same memory.
-struct MapIdentity {
-    const Wall* walls = nullptr;
-    std::uint64_t fingerprint = 0;
-
-    bool operator==(const MapIdentity&) const = default;
-};
-
-inline MapIdentity identity_of(const Map& map) { return {map.walls.data(), map.fingerprint}; }
 
 }  // namespace enfilade

@@ -157,10 +157,10 @@ constexpr auto fields(Some<RenderRecord> auto& whole, auto visit) {
 constexpr auto fields(Some<Map> auto& whole, auto visit) {
     auto& [name, sectors, walls, surfaces, links, grid_links, flat_layers, panels, things, sprites, lights, suns,
            solid_things, widest_solid_m, touchables, triggers, targets, at_start, sounds, sounding_things,
-           has_ways_back, farthest_sound_m, has_bobs, keys, pictures, player, render, fingerprint] = whole;
+           has_ways_back, farthest_sound_m, has_bobs, keys, pictures, player, render] = whole;
     return visit(name, sectors, walls, surfaces, links, grid_links, flat_layers, panels, things, sprites, lights, suns,
                  solid_things, widest_solid_m, touchables, triggers, targets, at_start, sounds, sounding_things,
-                 has_ways_back, farthest_sound_m, has_bobs, keys, pictures, player, render, fingerprint);
+                 has_ways_back, farthest_sound_m, has_bobs, keys, pictures, player, render);
 }
 
 }  // namespace enfilade

@@ -223,7 +223,6 @@ void TextureLoader::unpack(std::size_t i) {
             picture.texture = by_columns(image.value());
         else
             picture.fault = image.error().what;
-        picture.texture.fingerprint = hash_of_text(as_text(*picture.bytes));
         picture.bytes = Bytes();
     }
     picture.texture.missing = !picture.bytes;

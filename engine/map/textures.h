@@ -25,7 +25,6 @@ struct Texture {
                                         ///< darkened; empty: there is none, or it lacks one of the colours
     bool has_holes = false;             ///< some pixel is not opaque
     bool missing = false;               ///< a placeholder for a file that was not found
-    std::uint64_t fingerprint = 0;      ///< of the file it was read from
 
     std::uint32_t at(std::uint32_t x, std::uint32_t y) const { return pixels[std::size_t{x} * height + y]; }
 };

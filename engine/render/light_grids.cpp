@@ -5,17 +5,10 @@
 #include "render/lighting.h"
 
 namespace enfilade {
-bool LightGrids::start(const Map& map) {
-    if (map.lights.empty() && map.suns.empty()) return false;
-    const Held held(lock_);
-    if (map_ != identity_of(map)) forget(map);
-    map_ = identity_of(map);
-    return true;
-}
 
-void LightGrids::forget(const Map& map) {
+LightGrids::LightGrids(const Map& map) : map_(map) {
+    if (map.lights.empty() && map.suns.empty()) return;
     images_ = LightImages(map);
-    memos_.clear();
     memos_.resize(map.walls.size() + map.panels.size() + map.things.size() + map.sectors.size());
 }
 
@@ -25,13 +18,13 @@ LightGrids::Memo& LightGrids::memo(std::size_t number) {
     return *memos_[number];
 }
 
-void LightGrids::note_sectors(const Map& map, SectorId home, Memo& memo) {
+void LightGrids::note_sectors(SectorId home, Memo& memo) const {
     memo.sectors = {home};
     for (const LampOnSurface& lamp : memo.lamps) {
-        const SectorId lit_from = map.lights[lamp.image.light].sector;
+        const SectorId lit_from = map_.lights[lamp.image.light].sector;
         if (std::find(memo.sectors.begin(), memo.sectors.end(), lit_from) == memo.sectors.end())
             memo.sectors.push_back(lit_from);
-        lamp.rays.add_sectors(map, memo.sectors);
+        lamp.rays.add_sectors(map_, memo.sectors);
     }
 }
 
@@ -53,11 +46,11 @@ bool LightGrids::heights_changed(const Snapshot& snapshot, Memo& memo, double ow
     return changed;
 }
 
-bool LightGrids::colors_changed(const Moment& now, Memo& memo) {
+bool LightGrids::colors_changed(const Snapshot& snapshot, Memo& memo) const {
     bool changed = memo.colors.size() != memo.lamps.size();
     memo.colors.resize(memo.lamps.size());
     for (std::size_t i = 0; i < memo.lamps.size(); ++i) {
-        const LampColor color = lamp_color(now.map, now.snapshot, memo.lamps[i].image.light);
+        const LampColor color = lamp_color(map_, snapshot, memo.lamps[i].image.light);
         changed |= memo.colors[i] != color;
         memo.colors[i] = color;
     }
@@ -66,8 +59,8 @@ bool LightGrids::colors_changed(const Moment& now, Memo& memo) {
 
 /// make(image): the lamp on this surface. patch(lamp, side): what arrives of it now.
 template <class Make, class Patch>
-const LightGrid* LightGrids::grid(const Moment& now, std::size_t number, SectorId home, int side, double own_height,
-                                  const Suns& suns, Make make, Patch patch) {
+const LightGrid* LightGrids::grid(const Snapshot& snapshot, std::size_t number, SectorId home, int side,
+                                  double own_height, const Suns& suns, Make make, Patch patch) {
     const auto images = images_.in(home);
     if (images.empty() && suns == Suns{}) return nullptr;
     Memo& memo = this->memo(number);
@@ -75,12 +68,12 @@ const LightGrid* LightGrids::grid(const Moment& now, std::size_t number, SectorI
     if (memo.is_new) {
         for (const LightImage& image : images) memo.lamps.push_back(make(image));
         std::erase_if(memo.lamps, [](const LampOnSurface& lamp) { return lamp.box.columns == 0; });
-        note_sectors(now.map, home, memo);
+        note_sectors(home, memo);
         memo.is_new = false;
     }
     if (memo.lamps.empty() && suns == Suns{}) return nullptr;
-    const bool moved = heights_changed(now.snapshot, memo, own_height);
-    const bool recolored = colors_changed(now, memo);
+    const bool moved = heights_changed(snapshot, memo, own_height);
+    const bool recolored = colors_changed(snapshot, memo);
     for (int s = 0; s < 2 && (moved || recolored); ++s) {
         if (moved) memo.patches[s].clear();
         for (const LampOnSurface& lamp : memo.lamps)
@@ -109,60 +102,60 @@ auto one_sided(Patch patch) {
 
 }  // namespace
 
-const LightGrid* LightGrids::on_wall(const Map& map, const Snapshot& snapshot, WallId id) {
-    const UprightSurface surface = upright(map, id);
+const LightGrid* LightGrids::on_wall(const Snapshot& snapshot, WallId id) {
+    const UprightSurface surface = upright(map_, id);
     const Heights room = heights_at(snapshot, surface.sector);
-    const auto make = [&](const LightImage& image) { return lamp_on(map, surface, image); };
+    const auto make = [&](const LightImage& image) { return lamp_on(map_, surface, image); };
     const auto patch = [&](const LampOnSurface& lamp) {
-        return patch_on(map, snapshot, surface, lamp, room.floor_z, room.ceiling_z);
+        return patch_on(map_, snapshot, surface, lamp, room.floor_z, room.ceiling_z);
     };
-    return grid({map, snapshot}, id.index, surface.sector, 0, 0, {sunlight_on(map, map[id])}, make, one_sided(patch));
+    return grid(snapshot, id.index, surface.sector, 0, 0, {sunlight_on(map_, map_[id])}, make, one_sided(patch));
 }
 
-const LightGrid* LightGrids::on_panel(const Map& map, const Snapshot& snapshot, PanelId id) {
-    const UprightSurface surface = upright(map, id);
+const LightGrid* LightGrids::on_panel(const Snapshot& snapshot, PanelId id) {
+    const UprightSurface surface = upright(map_, id);
     const Heights room = heights_at(snapshot, surface.sector);
-    const double bottom = std::max(map[id].bottom, room.floor_z), top = std::min(map[id].top, room.ceiling_z);
-    const auto make = [&](const LightImage& image) { return lamp_on(map, surface, image); };
-    const auto patch = [&](const LampOnSurface& lamp) { return patch_on(map, snapshot, surface, lamp, bottom, top); };
-    return grid({map, snapshot}, map.walls.size() + id.index, surface.sector, 0, 0, {sunlight_on(map, map[id])}, make,
+    const double bottom = std::max(map_[id].bottom, room.floor_z), top = std::min(map_[id].top, room.ceiling_z);
+    const auto make = [&](const LightImage& image) { return lamp_on(map_, surface, image); };
+    const auto patch = [&](const LampOnSurface& lamp) { return patch_on(map_, snapshot, surface, lamp, bottom, top); };
+    return grid(snapshot, map_.walls.size() + id.index, surface.sector, 0, 0, {sunlight_on(map_, map_[id])}, make,
                 one_sided(patch));
 }
 
-const LightGrid* LightGrids::on_thing(const Map& map, const Snapshot& snapshot, ThingId id) {
-    const Thing& thing = map[id];
-    const double z = thing_at(map, snapshot, id).z + thing.height / 2;
-    const auto make = [&](const LightImage& image) { return lamp_on(map, thing.sector, thing.position, image); };
-    const auto patch = [&](const LampOnSurface& lamp) { return patch_at(map, snapshot, thing.position, z, lamp); };
-    const std::size_t number = map.walls.size() + map.panels.size() + id.index;
-    return grid({map, snapshot}, number, thing.sector, 0, z, {sunlight_on(map, thing)}, make, one_sided(patch));
+const LightGrid* LightGrids::on_thing(const Snapshot& snapshot, ThingId id) {
+    const Thing& thing = map_[id];
+    const double z = thing_at(map_, snapshot, id).z + thing.height / 2;
+    const auto make = [&](const LightImage& image) { return lamp_on(map_, thing.sector, thing.position, image); };
+    const auto patch = [&](const LampOnSurface& lamp) { return patch_at(map_, snapshot, thing.position, z, lamp); };
+    const std::size_t number = map_.walls.size() + map_.panels.size() + id.index;
+    return grid(snapshot, number, thing.sector, 0, z, {sunlight_on(map_, thing)}, make, one_sided(patch));
 }
 
 namespace {
 constexpr int kFloor = 0, kCeiling = 1;  ///< sides
 }
 
-const LightGrid* LightGrids::on_floor(const Map& map, const Snapshot& snapshot, SectorId sector) {
-    return on_flat(map, snapshot, sector, kFloor);
+const LightGrid* LightGrids::on_floor(const Snapshot& snapshot, SectorId sector) {
+    return on_flat(snapshot, sector, kFloor);
 }
 
-const LightGrid* LightGrids::on_ceiling(const Map& map, const Snapshot& snapshot, SectorId sector) {
-    return on_flat(map, snapshot, sector, kCeiling);
+const LightGrid* LightGrids::on_ceiling(const Snapshot& snapshot, SectorId sector) {
+    return on_flat(snapshot, sector, kCeiling);
 }
 
-const LightGrid* LightGrids::on_flat(const Map& map, const Snapshot& snapshot, SectorId sector, int side) {
+const LightGrid* LightGrids::on_flat(const Snapshot& snapshot, SectorId sector, int side) {
     const Heights room = heights_at(snapshot, sector);
     const auto flat = [&](int which) -> const Flat& {
-        return which == kFloor ? map[sector].floor : map[sector].ceiling;
+        return which == kFloor ? map_[sector].floor : map_[sector].ceiling;
     };
     if (flat(side).sky) return nullptr;
-    const auto make = [&](const LightImage& image) { return lamp_on(map, sector, image); };
+    const auto make = [&](const LightImage& image) { return lamp_on(map_, sector, image); };
     const auto patch = [&](const LampOnSurface& lamp, int which) {
         if (flat(which).sky) return LightPatch{};
-        return patch_on(map, snapshot, which == kFloor ? room.floor_z : room.ceiling_z, lamp);
+        return patch_on(map_, snapshot, which == kFloor ? room.floor_z : room.ceiling_z, lamp);
     };
-    const std::size_t number = map.walls.size() + map.panels.size() + map.things.size() + sector.index;
-    return grid({map, snapshot}, number, sector, side, 0, {sunlight_on_floor(map, sector)}, make, patch);
+    const std::size_t number = map_.walls.size() + map_.panels.size() + map_.things.size() + sector.index;
+    return grid(snapshot, number, sector, side, 0, {sunlight_on_floor(map_, sector)}, make, patch);
 }
 
 }  // namespace enfilade

@@ -18,20 +18,22 @@ namespace enfilade {
 /// without lights and suns costs nothing: no memory, no time.
 class LightGrids {
 public:
-    /// Before each picture, by each thread: forgets all if the map is another one. False: the map has no lights and no
-    /// suns, do not ask for any.
-    bool start(const Map& map);
+    /// Nothing is worked out yet. The map outlives this.
+    explicit LightGrids(const Map& map);
 
-    // What falls on a surface, or null: nothing, as on a sky. Valid until another moment or map is asked about.
+    /// These, or null: the map has no lights and no suns, so there is nothing to ask for.
+    LightGrids* where_lit() { return memos_.empty() ? nullptr : this; }
+
+    // What falls on a surface, or null: nothing, as on a sky. Valid until another moment is asked about.
     // Cost: of the first look at a surface, a look for each quarter of a metre that a light's reach covers; when
     // something moves on the way of its light, a comparison for each; else one for each sector on the way.
 
-    const LightGrid* on_wall(const Map& map, const Snapshot& snapshot, WallId wall);
-    const LightGrid* on_panel(const Map& map, const Snapshot& snapshot, PanelId panel);
-    const LightGrid* on_floor(const Map& map, const Snapshot& snapshot, SectorId sector);
-    const LightGrid* on_ceiling(const Map& map, const Snapshot& snapshot, SectorId sector);
+    const LightGrid* on_wall(const Snapshot& snapshot, WallId wall);
+    const LightGrid* on_panel(const Snapshot& snapshot, PanelId panel);
+    const LightGrid* on_floor(const Snapshot& snapshot, SectorId sector);
+    const LightGrid* on_ceiling(const Snapshot& snapshot, SectorId sector);
     /// The same everywhere on the thing's picture: what arrives in the middle of its body.
-    const LightGrid* on_thing(const Map& map, const Snapshot& snapshot, ThingId thing);
+    const LightGrid* on_thing(const Snapshot& snapshot, ThingId thing);
 
 private:
     /// A wall, a panel, a thing, or a sector's floor and ceiling.
@@ -45,24 +47,19 @@ private:
         std::vector<LightPatch> patches[2];  ///< by lamp; of a sector: floor, ceiling
         LightGrid grids[2];
     };
-    struct Moment {
-        const Map& map;
-        const Snapshot& snapshot;
-    };
 
-    void forget(const Map& map);
-    const LightGrid* on_flat(const Map& map, const Snapshot& snapshot, SectorId sector, int side);
+    const LightGrid* on_flat(const Snapshot& snapshot, SectorId sector, int side);
     Memo& memo(std::size_t number);
-    static void note_sectors(const Map& map, SectorId home, Memo& memo);
+    void note_sectors(SectorId home, Memo& memo) const;
     static bool heights_changed(const Snapshot& snapshot, Memo& memo, double own_height);
-    static bool colors_changed(const Moment& now, Memo& memo);
+    bool colors_changed(const Snapshot& snapshot, Memo& memo) const;
     using Suns = std::array<LampColor, 2>;  ///< that falls on each side of a memo
     template <class Make, class Patch>
-    const LightGrid* grid(const Moment& now, std::size_t number, SectorId home, int side, double own_height,
+    const LightGrid* grid(const Snapshot& snapshot, std::size_t number, SectorId home, int side, double own_height,
                           const Suns& suns, Make make, Patch patch);
 
+    const Map& map_;
     Lock lock_;
-    MapIdentity map_;
     LightImages images_;
     std::vector<std::unique_ptr<Memo>> memos_;  ///< of walls, then panels, things, sectors
 };

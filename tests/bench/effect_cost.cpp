@@ -37,7 +37,7 @@ View view_of(const World& world) {
 [[gnu::noinline]] std::uint64_t draw_rounds(const Map& map, const TextureSet& textures, long rounds) {
     const World world = *start_of(map);
     Snapshot snapshot = at_rest(map);
-    ColumnRenderer renderer;
+    ColumnRenderer renderer(map, textures);
     Frame frame;
     frame.resize(kWidth, kHeight);
     View view = view_of(world);
@@ -46,7 +46,7 @@ View view_of(const World& world) {
         for (int look = 0; look < kLooks; ++look) {
             view.forward = direction(Angle::from_degrees(360.0 / kLooks * look));
             show(now(map, world), snapshot);
-            renderer.render(frame, nullptr, map, textures, snapshot, view);
+            renderer.render(frame, nullptr, snapshot, view);
             if (round + 1 == rounds) hash.add(hash_of(frame));
         }
     return hash.value();

@@ -19,7 +19,7 @@ TEST(ParseRenderer, KnowsWhatThereIs) {
 Result<std::unique_ptr<GlContext>> no_gl() { return Error{"OpenGL", "none here"}; }
 
 TEST(MakeRenderer, SaysWhyThereIsNoContext) {
-    const auto stencil = make_renderer(RendererKind::stencil, 1, no_gl);
+    const auto stencil = make_renderer(RendererKind::stencil, Map(), TextureSet(), 1, no_gl);
     ASSERT_FALSE(stencil.ok());
     EXPECT_EQ(stencil.error().text(), "OpenGL: none here");
 }
@@ -31,7 +31,7 @@ TEST(MakeRenderer, AsksForAContextWhereItDrawsByOpenGlAndNowhereElse) {
             ++asked;
             return no_gl();
         };
-        (void)make_renderer(kind, 2, counting);
+        (void)make_renderer(kind, Map(), TextureSet(), 2, counting);
         EXPECT_EQ(asked, kind == RendererKind::stencil ? 1 : 0) << name_of(kind);
     }
 }
@@ -47,8 +47,8 @@ protected:
     Frame picture(RendererKind kind, std::size_t threads) {
         Frame frame;
         frame.resize(64, 40);
-        auto renderer = std::move(make_renderer(kind, threads, no_gl)).value();
-        EXPECT_FALSE(renderer->render(frame, nullptr, map_, textures_, at_rest(map_), view()));
+        auto renderer = std::move(make_renderer(kind, map_, textures_, threads, no_gl)).value();
+        EXPECT_FALSE(renderer->render(frame, nullptr, at_rest(map_), view()));
         viewports_ = renderer->viewports();
         return frame;
     }

@@ -35,7 +35,8 @@ TEST_F(ShowcaseFrames, AreTheSameInRandomOrder) {
     std::iota(order.begin(), order.end(), 0);
     Random random(26);
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-    auto renderer = make_renderer(RendererKind::column, 1, {});
+    const FlightScene flown = scene(*flight_);
+    auto renderer = make_renderer(RendererKind::column, flown.map, flown.textures, 1, {});
     ASSERT_TRUE(renderer.ok());
     Hashes shuffled(order.size());
     Frame frame;

@@ -174,9 +174,9 @@ Comparison compare(const Subject& subject, const Snapshot& snapshot, const View&
     both.column.resize(size.width, size.height);
     both.reference.resize(size.width, size.height);
     reset(both.column_facts, size.width, size.height);
-    LightGrids lights;
-    ColumnRenderer renderer(lights);
-    renderer.render(both.column, &both.column_facts, subject.map, subject.textures, snapshot, view);
+    LightGrids lights(subject.map);
+    ColumnRenderer renderer(subject.map, subject.textures, lights);
+    renderer.render(both.column, &both.column_facts, snapshot, view);
     render_reference(both.reference, &both.reference_facts, subject.map, subject.textures, snapshot, view,
                      {.lights = &lights});
     Comparison result;

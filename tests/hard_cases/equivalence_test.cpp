@@ -22,7 +22,7 @@ struct Picture {
         reset(facts, kSize.width, kSize.height);
         const Snapshot snapshot = at_rest(map);
         if (by_columns)
-            ColumnRenderer().render(frame, &facts, map, textures, snapshot, view);
+            ColumnRenderer(map, textures).render(frame, &facts, snapshot, view);
         else
             render_reference(frame, &facts, map, textures, snapshot, view);
     }

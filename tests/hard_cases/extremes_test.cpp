@@ -145,14 +145,14 @@ TEST(DoorWithoutHeight, IsAWallFromBothSides) {  // R18
 TEST(DoorOpenByAHair, IsLookedThroughOnlyWhereARowIsOpen) {  // R19
     World world(rooms_with_a_door(0x1p-16));
     Random random(19);
-    ColumnRenderer renderer;
+    ColumnRenderer renderer(world.map, world.textures);
     Frame frame;
     frame.resize(160, 100);
     for (int i = 0; i < 50; ++i) {
         const View view = random_pose(world.map, random);
         const Comparison result = world.compare_with_reference(view, {160, 100});
         ASSERT_TRUE(result.is_faultless()) << describe(result);
-        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        renderer.render(frame, nullptr, world.snapshot, view);
         for (const ViewportOutline& viewport : renderer.viewports()) {
             bool any_open = false;
             for (std::size_t k = 0; k < viewport.top.size(); ++k) any_open |= viewport.top[k] < viewport.bottom[k];

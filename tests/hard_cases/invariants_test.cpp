@@ -56,13 +56,13 @@ TEST(TurningTheWorld, ByAQuarterChangesNoSurfaceAndNoDepth) {  // I7
 
 TEST(PartsOfAPicture, EqualThoseOfTheWhole) {  // I8
     const World world(linked_rooms());
-    ColumnRenderer renderer;
+    ColumnRenderer renderer(world.map, world.textures);
     for (const View& view : random_poses(world.map, 8)) {
         const Drawn whole = world.draw(view, kSize);
         Frame parts;
         parts.resize(kSize.width, kSize.height);
         for (ColumnRange range : {ColumnRange{0, 77}, ColumnRange{77, 78}, ColumnRange{78, kSize.width}})
-            renderer.render_columns(parts, nullptr, world.map, world.textures, world.snapshot, view, range);
+            renderer.render_columns(parts, nullptr, world.snapshot, view, range);
         ASSERT_EQ(parts.pixels, whole.frame.pixels);
     }
 }

@@ -42,8 +42,8 @@ Work work_of(LoadedMap& loaded, const Vista& vista, int max_depth) {
     view.forward = vista.forward;
     Frame frame;
     frame.resize(kWidth, kHeight);
-    ColumnRenderer renderer;
-    renderer.render(frame, nullptr, map, loaded.textures, at_rest(map), view);
+    ColumnRenderer renderer(map, loaded.textures);
+    renderer.render(frame, nullptr, at_rest(map), view);
     Work work{renderer.counts().viewports, 0, renderer.counts().deepest, renderer.counts().cut};
     for (const ViewportOutline& outline : renderer.viewports())
         for (std::size_t i = 0; i < outline.top.size(); ++i)

@@ -74,7 +74,7 @@ public:
         frame.resize(kSize.width, kSize.height);
         FrameFacts facts;
         reset(facts, kSize.width, kSize.height);
-        ColumnRenderer().render(frame, &facts, map_, loaded_.textures, at_rest(map_), view);
+        ColumnRenderer(map_, loaded_.textures).render(frame, &facts, at_rest(map_), view);
         return facts.ids;
     }
 

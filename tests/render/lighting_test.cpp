@@ -62,12 +62,11 @@ MapFile sunny_octagon() {
 }
 
 struct SunnyMap {
-    explicit SunnyMap(const MapFile& file) : map(built(file)), snapshot(at_rest(map)), shines(grids.start(map)) {}
+    explicit SunnyMap(const MapFile& file) : map(built(file)), snapshot(at_rest(map)), grids(map) {}
 
     Map map;
     Snapshot snapshot;
     LightGrids grids;
-    bool shines;
 };
 
 /// As many parts of full light as the grid has everywhere; 0 where there is none. channel: as lane()'s.
@@ -80,29 +79,29 @@ double light_of(const LightGrid* grid, int channel = 0) {
 
 TEST(Sun, FallsOnWallsByTheAngleToTheirNormal) {
     SunnyMap sunny(sunny_octagon());
-    ASSERT_TRUE(sunny.shines);
+    ASSERT_TRUE(sunny.grids.where_lit());
     const double level = std::cos(30 * 3.14159265358979 / 180), aslant = level * std::sqrt(0.5);
     const double expected[] = {0, 0, 0, 0, 0, aslant, level, aslant};  // the last ones look towards +x
     for (std::uint32_t i = 0; i < 8; ++i)
-        EXPECT_NEAR(light_of(sunny.grids.on_wall(sunny.map, sunny.snapshot, WallId(i))), expected[i], 1e-3) << i;
+        EXPECT_NEAR(light_of(sunny.grids.on_wall(sunny.snapshot, WallId(i))), expected[i], 1e-3) << i;
 }
 
 TEST(Sun, FallsOnFloorsByItsHeightAndOnCeilingsNot) {
     SunnyMap sunny(sunny_octagon());
-    EXPECT_NEAR(light_of(sunny.grids.on_floor(sunny.map, sunny.snapshot, SectorId(0u))), 0.5, 1e-3);
-    EXPECT_EQ(sunny.grids.on_ceiling(sunny.map, sunny.snapshot, SectorId(0u)), nullptr);
+    EXPECT_NEAR(light_of(sunny.grids.on_floor(sunny.snapshot, SectorId(0u))), 0.5, 1e-3);
+    EXPECT_EQ(sunny.grids.on_ceiling(sunny.snapshot, SectorId(0u)), nullptr);
 }
 
 TEST(Sun, FallsOnBothSidesOfPanelsAndWhollyOnThings) {
     SunnyMap sunny(sunny_octagon());
-    EXPECT_EQ(sunny.grids.on_panel(sunny.map, sunny.snapshot, PanelId(0u)), nullptr);
-    EXPECT_NEAR(light_of(sunny.grids.on_panel(sunny.map, sunny.snapshot, PanelId(1u))), std::sqrt(0.75), 1e-3);
-    EXPECT_NEAR(light_of(sunny.grids.on_thing(sunny.map, sunny.snapshot, ThingId(0u))), 1, 1e-3);
+    EXPECT_EQ(sunny.grids.on_panel(sunny.snapshot, PanelId(0u)), nullptr);
+    EXPECT_NEAR(light_of(sunny.grids.on_panel(sunny.snapshot, PanelId(1u))), std::sqrt(0.75), 1e-3);
+    EXPECT_NEAR(light_of(sunny.grids.on_thing(sunny.snapshot, ThingId(0u))), 1, 1e-3);
 }
 
 TEST(Sun, HasItsColour) {
     SunnyMap sunny(sunny_octagon());
-    const LightGrid* grid = sunny.grids.on_thing(sunny.map, sunny.snapshot, ThingId(0u));
+    const LightGrid* grid = sunny.grids.on_thing(sunny.snapshot, ThingId(0u));
     EXPECT_NEAR(light_of(grid, 1), 128.0 / 255, 1e-3);
     EXPECT_EQ(light_of(grid, 2), 0);
 }
@@ -116,9 +115,9 @@ TEST(Sun, IsAddedToLampsWhereTheyAre) {
     SunnyMap both(file), sunny(sunny_octagon());
     file.sectors[0].sun.clear();
     SunnyMap lamp(file);
-    const LightGrid* sum = both.grids.on_floor(both.map, both.snapshot, SectorId(0u));
-    const LightGrid* only_lamp = lamp.grids.on_floor(lamp.map, lamp.snapshot, SectorId(0u));
-    const LightGrid* only_sun = sunny.grids.on_floor(sunny.map, sunny.snapshot, SectorId(0u));
+    const LightGrid* sum = both.grids.on_floor(both.snapshot, SectorId(0u));
+    const LightGrid* only_lamp = lamp.grids.on_floor(lamp.snapshot, SectorId(0u));
+    const LightGrid* only_sun = sunny.grids.on_floor(sunny.snapshot, SectorId(0u));
     ASSERT_TRUE(sum && only_lamp && only_sun);
     for (const Vec2 at : {Vec2{0, 0}, Vec2{0.9, 0.4}, Vec2{-1.7, 0}, Vec2{2.9, 0.3}})
         EXPECT_NEAR(lane(light_on(*sum, at.x, at.y), 0),
@@ -131,7 +130,7 @@ TEST(Sun, ThatShinesOnNoSectorCostsNoGrid) {
     MapFile file = sunny_octagon();
     file.sectors[0].sun.clear();
     SunnyMap sunny(file);
-    EXPECT_EQ(sunny.grids.on_floor(sunny.map, sunny.snapshot, SectorId(0u)), nullptr);
+    EXPECT_EQ(sunny.grids.on_floor(sunny.snapshot, SectorId(0u)), nullptr);
 }
 
 }  // namespace

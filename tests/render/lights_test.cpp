@@ -24,7 +24,7 @@ struct LitMap {
     Snapshot snapshot;
     LightGrids grids;
 
-    explicit LitMap(const MapFile& file) : map(built(file)), snapshot(at_rest(map)) { grids.start(map); }
+    explicit LitMap(const MapFile& file) : map(built(file)), snapshot(at_rest(map)), grids(map) {}
 
     SectorId sector(const std::string& name) const {
         for (std::size_t i = 0; i < map.sectors.size(); ++i)
@@ -32,7 +32,7 @@ struct LitMap {
         return {};
     }
     LightCell on_floor(const std::string& name, Vec2 at) {
-        const LightGrid* grid = grids.on_floor(map, snapshot, sector(name));
+        const LightGrid* grid = grids.on_floor(snapshot, sector(name));
         return grid ? light_on(*grid, at.x, at.y) : 0;
     }
     std::uint32_t red_on_floor(const std::string& name, Vec2 at) { return lane(on_floor(name, at), 0); }
@@ -101,11 +101,11 @@ TEST(PointLight, HasItsColor) {
 
 TEST(PointLight, LightsWallsAtTheHeightWhereItIs) {
     LitMap lit(hall_with({lamp(4, 1, 3, 3)}));
-    const LightGrid* north = lit.grids.on_wall(lit.map, lit.snapshot, WallId(0u));
+    const LightGrid* north = lit.grids.on_wall(lit.snapshot, WallId(0u));
     ASSERT_NE(north, nullptr);
     EXPECT_GT(lane(light_on(*north, 4, 3), 0), lane(light_on(*north, 4, 1), 0));
     EXPECT_GT(lane(light_on(*north, 4, 3), 0), lane(light_on(*north, 6, 3), 0));
-    EXPECT_EQ(lit.grids.on_wall(lit.map, lit.snapshot, WallId(2u)), nullptr) << "the south wall is too far away";
+    EXPECT_EQ(lit.grids.on_wall(lit.snapshot, WallId(2u)), nullptr) << "the south wall is too far away";
 }
 
 TEST(PointLight, ThrowsTheShadowOfAPillar) {
@@ -154,7 +154,7 @@ TEST(PointLight, ThrowsTheShadowOfALintelOntoTheWallFarBehind) {
     LitMap lit(file);
     for (std::size_t i = 0; i < lit.map.walls.size(); ++i) {
         if (lit.map.walls[i].a != Vec2{8, 0}) continue;
-        const LightGrid* east = lit.grids.on_wall(lit.map, lit.snapshot, WallId(i));
+        const LightGrid* east = lit.grids.on_wall(lit.snapshot, WallId(i));
         ASSERT_NE(east, nullptr);
         EXPECT_GT(lane(light_on(*east, 2, 1.5), 0), 0u);
         EXPECT_EQ(lane(light_on(*east, 2, 1.9), 0), 0u);
@@ -220,10 +220,10 @@ TEST(PointLight, LightsThingsUnlessSomethingIsBefore) {
     file.things[1].position = {6, 4};
     for (ThingRecord& thing : file.things) thing.frames = {{"figure", 0, {}}};
     LitMap lit(file);
-    const LightGrid* near = lit.grids.on_thing(lit.map, lit.snapshot, ThingId(0u));
+    const LightGrid* near = lit.grids.on_thing(lit.snapshot, ThingId(0u));
     ASSERT_TRUE(near);
     EXPECT_GT(lane(light_on(*near, 0, 0), 0), 0u);
-    EXPECT_FALSE(lit.grids.on_thing(lit.map, lit.snapshot, ThingId(1u)));
+    EXPECT_FALSE(lit.grids.on_thing(lit.snapshot, ThingId(1u)));
 }
 
 TEST(PointLight, LightsPanelsFromBothSides) {
@@ -239,7 +239,7 @@ TEST(PointLight, LightsPanelsFromBothSides) {
     file.sectors[0].panels.push_back(panel);
     LitMap lit(file);
     for (const PanelId id : {PanelId(0u), PanelId(1u)}) {
-        const LightGrid* grid = lit.grids.on_panel(lit.map, lit.snapshot, id);
+        const LightGrid* grid = lit.grids.on_panel(lit.snapshot, id);
         ASSERT_NE(grid, nullptr);
         EXPECT_GT(lane(light_on(*grid, 2, 1), 0), 0u);
     }
@@ -266,29 +266,23 @@ TEST(LightGrids, AreAlikeWhateverWasAskedBefore) {
         used.red_on_floor("east", {6, 2});
     }
     fresh.snapshot.sectors[fresh.sector("door").index].ceiling_z = 0.5;
-    const LightGrid *a = used.grids.on_floor(used.map, used.snapshot, used.sector("east")),
-                    *b = fresh.grids.on_floor(fresh.map, fresh.snapshot, fresh.sector("east"));
+    const LightGrid *a = used.grids.on_floor(used.snapshot, used.sector("east")),
+                    *b = fresh.grids.on_floor(fresh.snapshot, fresh.sector("east"));
     ASSERT_TRUE(a && b);
     EXPECT_EQ(a->cells, b->cells);
 }
 
-TEST(LightGrids, AskNothingOfAMapWithoutLights) { EXPECT_FALSE(LightGrids().start(built(hall_with({})))); }
+TEST(LightGrids, AskNothingOfAMapWithoutLights) {
+    EXPECT_FALSE(LitMap(hall_with({})).grids.where_lit());
+    EXPECT_TRUE(LitMap(hall_with({lamp(1, 1)})).grids.where_lit());
+}
 
 TEST(LightGrids, AreNoneWhereNothingArrives) {
     LitMap lit(hall_with({lamp(1, 1, 1, 2)}));
-    ASSERT_TRUE(lit.grids.on_floor(lit.map, lit.snapshot, lit.sector("hall")));
+    ASSERT_TRUE(lit.grids.on_floor(lit.snapshot, lit.sector("hall")));
     lit.map.lights[0].brightness = 0;
-    LightGrids fresh;
-    fresh.start(lit.map);
-    EXPECT_FALSE(fresh.on_floor(lit.map, lit.snapshot, lit.sector("hall")));
-}
-
-TEST(LightGrids, NoticeAnotherMap) {
-    LitMap lit(hall_with({lamp(4, 4)}));
-    EXPECT_GT(lit.red_on_floor("hall", {4, 4}), 0u);
-    lit.map = built(hall_with({lamp(4, 4, 1, 2), lamp(1, 1)}));
-    lit.grids.start(lit.map);
-    EXPECT_EQ(lit.red_on_floor("hall", {7, 7}), 0u);
+    LightGrids fresh(lit.map);
+    EXPECT_FALSE(fresh.on_floor(lit.snapshot, lit.sector("hall")));
 }
 
 }  // namespace

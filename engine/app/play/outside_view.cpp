@@ -108,17 +108,17 @@ void OutsideView::show_next() {
 
 void OutsideView::zoom(int steps) { zoom_steps_ = std::clamp(zoom_steps_ + steps, -kMostZoom, kMostZoom); }
 
-void OutsideView::draw(Overlay& overlay, Frame& frame, const Map& map, const TextureSet& textures,
-                       const Snapshot& snapshot, const View& view, std::size_t threads) {
+void OutsideView::draw(Overlay& overlay, Frame& frame, OutsideRenderer& renderer, const Snapshot& snapshot,
+                       const View& view, std::size_t threads) {
     if (shown_ == Shown::nowhere) return;
     const Box box = inset_box(frame);
     inset_.resize(box.width, box.height);
     const OutsideLook look{from_, kUsualReach / std::pow(kZoomFactor, zoom_steps_), frame.width, frame.height};
     if (shown_ == Shown::inset) {
-        renderer_.render(inset_, map, textures, snapshot, view, look, threads);
+        renderer.render(inset_, snapshot, view, look, threads);
     } else {
         large_.resize(frame.width, frame.height);
-        renderer_.render(large_, map, textures, snapshot, view, look, threads);
+        renderer.render(large_, snapshot, view, look, threads);
         shrink(frame, inset_);
         frame.pixels.swap(large_.pixels);
     }

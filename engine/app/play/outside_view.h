@@ -56,14 +56,13 @@ public:
 
     /// Puts it into the frame, which holds the player's view. Draws nothing where it is shown nowhere.
     /// threads: to draw with, >= 1. Cost: that of OutsideRenderer.
-    void draw(Overlay& overlay, Frame& frame, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-              const View& view, std::size_t threads);
+    void draw(Overlay& overlay, Frame& frame, OutsideRenderer& renderer, const Snapshot& snapshot, const View& view,
+              std::size_t threads);
 
 private:
     Shown shown_ = Shown::nowhere;
     OutsideFrom from_ = OutsideFrom::above;
     int zoom_steps_ = 0;
-    OutsideRenderer renderer_;
     Frame large_, inset_;
 };
 

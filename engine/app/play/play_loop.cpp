@@ -21,7 +21,11 @@ constexpr std::size_t kRewindSpeed = 2;
 }  // namespace
 
 PlayLoop::PlayLoop(Game& game, Window& window, const PlayOptions& options, std::unique_ptr<Renderer> renderer)
-    : game_(game), window_(window), options_(options), renderer_(std::move(renderer)) {
+    : game_(game),
+      window_(window),
+      options_(options),
+      renderer_(std::move(renderer)),
+      outside_renderer_(std::make_unique<OutsideRenderer>(game.map(), game.textures())) {
     settings_.fullscreen = options.fullscreen;
     settings_.true_pitch = options.true_pitch;
 }

@@ -28,6 +28,7 @@ struct PlayOptions {
 /// Plays until the player quits. Fixed ticks; drawing is interpolated between them and as often as the display shows.
 class PlayLoop {
 public:
+    /// renderer: of the game's map.
     PlayLoop(Game& game, Window& window, const PlayOptions& options, std::unique_ptr<Renderer> renderer);
 
     /// Runs until the end; an error where the window fails or the tape cannot be written. Where the game cannot go on,
@@ -66,6 +67,10 @@ private:
     void leave_map();
     /// From the column to the stencil renderer or back; false, with a notice, where there is no OpenGL.
     bool change_renderer();
+    /// Draws the map that is played now by a renderer of this kind.
+    Status use_renderer(RendererKind kind);
+    /// After another map was loaded: by a renderer of the same kind or, with a notice, by the column renderer.
+    void draw_another_map();
     View view_now(double part) const;
     /// Leaves the body, or comes back to it.
     void fly_or_land();
@@ -98,7 +103,8 @@ private:
     Game& game_;
     Window& window_;
     PlayOptions options_;
-    std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<Renderer> renderer_;                 ///< of the map that is played; null: none could be made
+    std::unique_ptr<OutsideRenderer> outside_renderer_;  ///< of the same map
     Font font_;
     Frame frame_;
     PlaySettings settings_;
@@ -107,7 +113,6 @@ private:
     Notices notices_;
     OutsideView outside_;
     std::optional<FreeCamera> free_camera_;  ///< while one flies
-    OutsideRenderer surroundings_;           ///< draws what one sees outside the rooms
     bool was_cut_short_ = false;             ///< the last picture was
     Soundscape sounds_;
     FrameTimes times_;

@@ -46,6 +46,7 @@ void PlayLoop::reload() {
         return notices_.pin(std::move(lines));
     }
     free_camera_.reset();
+    draw_another_map();
     begin_sounds();
     notices_.pin({});
     tell("The map was changed and loaded again.");
@@ -84,6 +85,7 @@ void PlayLoop::leave_map() {
         return notices_.pin(split_lines(failed->text()));
     }
     options_.save = saved_game_of(game_.path());
+    draw_another_map();
     begin_sounds();
     tell(fmt::format("{} lies behind you. This is {}.", left, game_.map().name));
 }

@@ -22,21 +22,36 @@ constexpr double kSeenFromOutside = 200;
 void PlayLoop::remember_seen(std::int64_t now) {
     if (free_camera_ || now - remembered_ns_ < kBetweenLooks) return;
     remembered_ns_ = now;
+    if (!renderer_) return;
     for (const ViewportShape& shape : renderer_->viewports()) game_.automap().see(shape.sector);
 }
 
 bool PlayLoop::change_renderer() {
     const auto other = options_.renderer == RendererKind::stencil ? RendererKind::column : RendererKind::stencil;
+    if (const Status failed = use_renderer(other)) return tell(failed->text()), false;
+    tell("Drawn by the " + name_of(other) + " renderer.");
+    return true;
+}
+
+Status PlayLoop::use_renderer(RendererKind kind) {
     Status failed;
     const Status broken = attempt([&] {
-        auto renderer = make_renderer(other, hardware_threads(), open_gl_for_play);
+        auto renderer = make_renderer(kind, game_.map(), game_.textures(), hardware_threads(), open_gl_for_play);
         if (!renderer.ok()) failed = renderer.error();
         if (!failed) renderer_ = std::move(renderer).value();
     });
-    if (broken || failed) return tell(broken ? broken->text() : failed->text()), false;
-    options_.renderer = other;
-    tell("Drawn by the " + name_of(other) + " renderer.");
-    return true;
+    if (broken || failed) return broken ? broken : failed;
+    options_.renderer = kind;
+    return {};
+}
+
+void PlayLoop::draw_another_map() {
+    renderer_.reset();
+    outside_renderer_ = std::make_unique<OutsideRenderer>(game_.map(), game_.textures());
+    const Status failed = use_renderer(options_.renderer);
+    if (!failed) return;
+    tell(failed->text());
+    if (const Status still = use_renderer(RendererKind::column)) tell(still->text());
 }
 
 View PlayLoop::view_now(double part) const {
@@ -59,15 +74,15 @@ void PlayLoop::draw_surroundings(double part) {
     look.reach_m = kSeenFromOutside;
     look.seen_width = frame_.width;
     look.seen_height = frame_.height;
-    surroundings_.render(frame_, game_.map(), game_.textures(), game_.snapshot(part), body, look, hardware_threads());
+    outside_renderer_->render(frame_, game_.snapshot(part), body, look, hardware_threads());
 }
 
 Status PlayLoop::try_to_draw(double part) {
     Status failed;
     const Status broken = attempt([&] {
         if (!is_in_room(part)) return draw_surroundings(part);
-        failed =
-            renderer_->render(frame_, nullptr, game_.map(), game_.textures(), game_.snapshot(part), view_now(part));
+        failed = renderer_ ? renderer_->render(frame_, nullptr, game_.snapshot(part), view_now(part))
+                           : Error{"", "there is nothing to draw the map with"};
     });
     return broken ? broken : failed;
 }
@@ -100,7 +115,7 @@ void PlayLoop::draw_over(double part) {
     const View view = view_now(part);
     Overlay overlay(frame_, font_, comfortable_scale(frame_.height));
     if (is_in_room(part))
-        outside_.draw(overlay, frame_, game_.map(), game_.textures(), game_.snapshot(part), view, hardware_threads());
+        outside_.draw(overlay, frame_, *outside_renderer_, game_.snapshot(part), view, hardware_threads());
     game_.automap().draw(overlay, game_.map(), {view.sector, view.eye}, view.forward);
     if (readout_open_) {
         const double degrees_per_step = 360 / 4294967296.0;

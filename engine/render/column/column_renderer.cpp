@@ -15,6 +15,8 @@ namespace enfilade {
 using namespace column;
 
 struct ColumnRenderer::Scratch {
+    const Map& map;
+    const TextureSet& textures;
     Screen screen;
     Canvas own_canvas;  ///< without memory as long as others are given
     FrameState state;
@@ -25,8 +27,9 @@ struct ColumnRenderer::Scratch {
     PlainKernels kernels = chosen_kernels();
     Passes passes = passes_beside(kernels);
 
-    Scratch() : lights(own_lights.emplace()) {}
-    explicit Scratch(LightGrids& of_several) : lights(of_several) {}
+    Scratch(const Map& of, const TextureSet& pictures) : map(of), textures(pictures), lights(own_lights.emplace(of)) {}
+    Scratch(const Map& of, const TextureSet& pictures, LightGrids& of_several)
+        : map(of), textures(pictures), lights(of_several) {}
 };
 
 namespace {
@@ -55,35 +58,37 @@ void start_frame(FrameState& state, const Map& map, const View& view, ColumnRang
 
 }  // namespace
 
-ColumnRenderer::ColumnRenderer() : scratch_(std::make_unique<Scratch>()) {}
-ColumnRenderer::ColumnRenderer(LightGrids& lights) : scratch_(std::make_unique<Scratch>(lights)) {}
+ColumnRenderer::ColumnRenderer(const Map& map, const TextureSet& textures)
+    : scratch_(std::make_unique<Scratch>(map, textures)) {}
+ColumnRenderer::ColumnRenderer(const Map& map, const TextureSet& textures, LightGrids& lights)
+    : scratch_(std::make_unique<Scratch>(map, textures, lights)) {}
 ColumnRenderer::~ColumnRenderer() = default;
 ColumnRenderer::ColumnRenderer(ColumnRenderer&&) noexcept = default;
 ColumnRenderer& ColumnRenderer::operator=(ColumnRenderer&&) noexcept = default;
 
-void ColumnRenderer::render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
-                            const Snapshot& snapshot, const View& view) {
-    render_columns(frame, facts, map, textures, snapshot, view, {0, frame.width});
+void ColumnRenderer::render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) {
+    render_columns(frame, facts, snapshot, view, {0, frame.width});
     frame.is_cut_short = scratch_->state.is_cut_short;
 }
 
-void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
-                                    const Snapshot& snapshot, const View& view, ColumnRange columns) {
-    render_columns(frame, facts, map, textures, snapshot, view, columns, scratch_->own_canvas);
+void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
+                                    ColumnRange columns) {
+    render_columns(frame, facts, snapshot, view, columns, scratch_->own_canvas);
 }
 
-void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
-                                    const Snapshot& snapshot, const View& view, ColumnRange columns, Canvas& canvas) {
-    ENFILADE_CHECK(view.sector.index < map.sectors.size() && snapshot.sectors.size() == map.sectors.size());
+void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
+                                    ColumnRange columns, Canvas& canvas) {
+    Scratch& s = *scratch_;
+    const std::size_t sectors = s.map.sectors.size();
+    ENFILADE_CHECK(view.sector.index < sectors && snapshot.sectors.size() == sectors);
     ENFILADE_CHECK(0 <= columns.begin && columns.begin < columns.end && columns.end <= frame.width);
     ENFILADE_CHECK(!view.tilt);  // columns stay upright
-    Scratch& s = *scratch_;
     s.screen.set(Projection(view, frame.width, frame.height));
     canvas.set(columns.begin, columns.end, frame.height);
     s.column.start_frame(frame.width, frame.height);
-    LightGrids* lights = built_in::kPointLights && s.lights.start(map) ? &s.lights : nullptr;
-    const Scene scene{map, textures, snapshot, s.screen, canvas, facts, lights, s.column, s.kernels, s.passes};
-    start_frame(s.state, map, view, columns, frame.height);
+    LightGrids* lights = built_in::kPointLights ? s.lights.where_lit() : nullptr;
+    const Scene scene{s.map, s.textures, snapshot, s.screen, canvas, facts, lights, s.column, s.kernels, s.passes};
+    start_frame(s.state, s.map, view, columns, frame.height);
     while (!s.state.stack.empty()) {
         Viewport& next = *s.state.stack.back();
         s.state.stack.pop_back();
@@ -153,19 +158,23 @@ void cut_into_strips(int width, int first_line, std::size_t most, std::vector<Co
     }
 }
 
-ColumnStrips::ColumnStrips(std::size_t threads)
-    : threads_(threads), lights_(std::make_unique<LightGrids>()), canvases_(threads), pool_(threads) {}
+ColumnStrips::ColumnStrips(const Map& map, const TextureSet& textures, std::size_t threads)
+    : map_(map),
+      textures_(textures),
+      threads_(threads),
+      lights_(std::make_unique<LightGrids>(map)),
+      canvases_(threads),
+      pool_(threads) {}
 
-void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
-                          const Snapshot& snapshot, const View& view) {
+void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) {
     cut_into_strips(frame.width, first_line_of(frame), most_strips(frame, threads_), strips_);
-    while (renderers_.size() < strips_.size()) renderers_.emplace_back(*lights_);
+    while (renderers_.size() < strips_.size()) renderers_.emplace_back(map_, textures_, *lights_);
     const std::size_t strips = strips_.size();
     if (is_taken_.size() < strips) is_taken_ = std::vector<std::atomic_flag>(strips);
     for (std::atomic_flag& is_taken : is_taken_) is_taken.clear();
     const auto draw = [&](std::size_t i, std::size_t worker) {
         if (is_taken_[i].test_and_set()) return;
-        renderers_[i].render_columns(frame, facts, map, textures, snapshot, view, strips_[i], canvases_[worker]);
+        renderers_[i].render_columns(frame, facts, snapshot, view, strips_[i], canvases_[worker]);
     };
     const auto draw_some = [&](std::size_t, std::size_t worker) {
         for (std::size_t i = strips * worker / threads_; i < strips * (worker + 1) / threads_; ++i) draw(i, worker);

@@ -51,14 +51,15 @@ struct ColumnCounts {
     bool is_cut_short = false;  ///< that was kLookBudget for at least one of them (render/look_budget.h)
 };
 
-/// Draws pictures of a map. Keeps its scratch memory from frame to frame: once the hardest view has been drawn, drawing
-/// allocates nothing. One renderer draws one picture at a time; different renderers may draw different columns of the
-/// same frame at the same time.
+/// Draws pictures of one map. Keeps its scratch memory from frame to frame: once the hardest view has been drawn,
+/// drawing allocates nothing. One renderer draws one picture at a time; different renderers may draw different columns
+/// of the same frame at the same time.
 class ColumnRenderer {
 public:
-    ColumnRenderer();
-    /// lights: kept for several renderers that draw parts of the same pictures; outlives them.
-    explicit ColumnRenderer(LightGrids& lights);
+    /// map, textures: outlive it.
+    ColumnRenderer(const Map& map, const TextureSet& textures);
+    /// lights: of the map, kept for several renderers that draw parts of the same pictures; outlives them.
+    ColumnRenderer(const Map& map, const TextureSet& textures, LightGrids& lights);
     ~ColumnRenderer();
     ColumnRenderer(ColumnRenderer&&) noexcept;
     ColumnRenderer& operator=(ColumnRenderer&&) noexcept;
@@ -69,17 +70,16 @@ public:
     /// facts    : null, or what each pixel shows, of the same size after reset(); noted at some cost in time
     /// snapshot : heights and lights of the moment, one for each sector of the map
     /// view     : view.sector contains view.eye under the tie rule; not tilted
-    void render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-                const View& view);
+    void render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view);
 
     /// The same for some columns only; they are bit-equal to those of the whole picture. Frame::is_cut_short is not
     /// set, for that is about all columns.
-    void render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
-                        const Snapshot& snapshot, const View& view, ColumnRange columns);
+    void render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
+                        ColumnRange columns);
 
     /// The same by way of a canvas that renderers share which draw one after another.
-    void render_columns(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
-                        const Snapshot& snapshot, const View& view, ColumnRange columns, column::Canvas& canvas);
+    void render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
+                        ColumnRange columns, column::Canvas& canvas);
 
     ColumnCounts counts() const;
 
@@ -109,17 +109,18 @@ inline constexpr int kLinePixels = 16;
 /// own column and row.
 class ColumnStrips {
 public:
-    /// threads >= 1. They end with this.
-    explicit ColumnStrips(std::size_t threads);
+    /// map, textures: outlive it. threads >= 1: they end with this.
+    ColumnStrips(const Map& map, const TextureSet& textures, std::size_t threads);
 
     /// As ColumnRenderer::render.
-    void render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-                const View& view);
+    void render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view);
 
     /// The viewports of each strip of the last frame, left to right. Allocates; for overlays and tests.
     std::vector<std::vector<ViewportOutline>> viewports() const;
 
 private:
+    const Map& map_;
+    const TextureSet& textures_;
     std::size_t threads_;
     std::unique_ptr<LightGrids> lights_;
     std::vector<ColumnRenderer> renderers_;   ///< by strip: each remembers its viewports

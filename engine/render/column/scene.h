@@ -101,15 +101,11 @@ struct Scene {
     const Passes& passes;
 
     // What point lights throw on a surface, or null: nothing. Asked once for each surface.
-    const LightGrid* light_on(WallId id) const { return lights ? lights->on_wall(map, snapshot, id) : nullptr; }
-    const LightGrid* light_on(PanelId id) const { return lights ? lights->on_panel(map, snapshot, id) : nullptr; }
-    const LightGrid* light_on(ThingId id) const { return lights ? lights->on_thing(map, snapshot, id) : nullptr; }
-    const LightGrid* light_on_floor(SectorId id) const {
-        return lights ? lights->on_floor(map, snapshot, id) : nullptr;
-    }
-    const LightGrid* light_on_ceiling(SectorId id) const {
-        return lights ? lights->on_ceiling(map, snapshot, id) : nullptr;
-    }
+    const LightGrid* light_on(WallId id) const { return lights ? lights->on_wall(snapshot, id) : nullptr; }
+    const LightGrid* light_on(PanelId id) const { return lights ? lights->on_panel(snapshot, id) : nullptr; }
+    const LightGrid* light_on(ThingId id) const { return lights ? lights->on_thing(snapshot, id) : nullptr; }
+    const LightGrid* light_on_floor(SectorId id) const { return lights ? lights->on_floor(snapshot, id) : nullptr; }
+    const LightGrid* light_on_ceiling(SectorId id) const { return lights ? lights->on_ceiling(snapshot, id) : nullptr; }
 };
 
 /// Notes that something with holes covers what the pixel showed. Only where facts are wanted.

@@ -27,17 +27,21 @@ struct OutsideLook {
     const View* camera = nullptr;              ///< not null: from there instead, with what is around its sector
 };
 
-/// Draws pictures from outside, one at a time. What is seen is bright, the rest of the rooms dim; where rooms lie on
-/// one another, what is seen comes before what is not. Roofs and walls that face away are left out.
+/// Draws pictures of one map from outside, one at a time. What is seen is bright, the rest of the rooms dim; where
+/// rooms lie on one another, what is seen comes before what is not. Roofs and walls that face away are left out.
 class OutsideRenderer {
 public:
+    /// map, textures: outlive it.
+    OutsideRenderer(const Map& map, const TextureSet& textures);
+
     /// Sets every pixel of the frame, whose size is the picture's. `view` is what the eye sees.
     /// workers: threads, >= 1; the picture does not depend on them.
     /// Cost: SeenRooms::look(), the walls of the rooms around, and the pixels that they cover.
-    void render(Frame& frame, const Map& map, const TextureSet& textures, const Snapshot& snapshot, const View& view,
-                const OutsideLook& look, std::size_t workers);
+    void render(Frame& frame, const Snapshot& snapshot, const View& view, const OutsideLook& look, std::size_t workers);
 
 private:
+    const Map& map_;
+    const TextureSet& textures_;
     MapPieces pieces_;
     SeenRooms rooms_;
     std::vector<Facet> facets_;

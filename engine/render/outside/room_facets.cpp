@@ -41,7 +41,7 @@ public:
     void add_flats() {
         const FlatNow floor = floor_now(scene_.map, scene_.snapshot, room_.sector);
         const FlatNow ceiling = ceiling_now(scene_.map, scene_.snapshot, room_.sector);
-        for (const Triangle& triangle : scene_.pieces.triangles(scene_.map, room_.sector)) {
+        for (const Triangle& triangle : scene_.pieces.triangles(room_.sector)) {
             add_flat(triangle, floor, own_.bottom);
             add_flat({triangle[2], triangle[1], triangle[0]}, ceiling, own_.top);
         }
@@ -165,7 +165,7 @@ private:
 
     FacetLook look_of(const Surface& surface, double contrast) const {
         FacetLook look;
-        look.texture = &scene_.pieces.pyramid(scene_.textures, surface.texture);
+        look.texture = &scene_.pieces.pyramid(surface.texture);
         look.shade = shade_of(light_, contrast);
         look.texels_per_m = scene_.textures[surface.texture].width / surface.tile_m.x;
         look.unseen_layer = room_.to_eye.is_identity() ? FacetLayer::around : FacetLayer::unfolded;
@@ -188,24 +188,18 @@ private:
 
 }  // namespace
 
-void MapPieces::start(const Map& map, const TextureSet& textures) {
-    if (map_ == identity_of(map) && textures_ == textures.textures.data()) return;
-    map_ = identity_of(map);
-    textures_ = textures.textures.data();
-    triangles_.assign(map.sectors.size(), {});
-    pyramids_.clear();
-    pyramids_.resize(textures.textures.size() + 1);
-}
+MapPieces::MapPieces(const Map& map, const TextureSet& textures)
+    : map_(map), textures_(textures), triangles_(map.sectors.size()), pyramids_(textures.textures.size() + 1) {}
 
-const std::vector<Triangle>& MapPieces::triangles(const Map& map, SectorId sector) {
+const std::vector<Triangle>& MapPieces::triangles(SectorId sector) {
     std::vector<Triangle>& known = triangles_[sector.index];
-    if (known.empty()) known = triangulate(map, sector);
+    if (known.empty()) known = triangulate(map_, sector);
     return known;
 }
 
-const TexturePyramid& MapPieces::pyramid(const TextureSet& textures, TextureId id) {
+const TexturePyramid& MapPieces::pyramid(TextureId id) {
     std::unique_ptr<TexturePyramid>& known = id ? pyramids_[id.index] : pyramids_.back();
-    if (!known) known = std::make_unique<TexturePyramid>(textures[id]);
+    if (!known) known = std::make_unique<TexturePyramid>(textures_[id]);
     return *known;
 }
 

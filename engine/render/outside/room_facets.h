@@ -12,17 +12,17 @@ namespace enfilade {
 /// What is worked out once for a map: floors as triangles, pictures made smaller.
 class MapPieces {
 public:
-    /// Forgets everything where it is another map than before.
-    void start(const Map& map, const TextureSet& textures);
+    /// map, textures: outlive it.
+    MapPieces(const Map& map, const TextureSet& textures);
 
     /// Cost: that of triangulate(), the first time.
-    const std::vector<Triangle>& triangles(const Map& map, SectorId sector);
+    const std::vector<Triangle>& triangles(SectorId sector);
     /// Cost: that of a TexturePyramid, the first time. id: none: the placeholder
-    const TexturePyramid& pyramid(const TextureSet& textures, TextureId id);
+    const TexturePyramid& pyramid(TextureId id);
 
 private:
-    MapIdentity map_;
-    const Texture* textures_ = nullptr;
+    const Map& map_;
+    const TextureSet& textures_;
     std::vector<std::vector<Triangle>> triangles_;           ///< by sector; empty: not asked for yet
     std::vector<std::unique_ptr<TexturePyramid>> pyramids_;  ///< by texture, the placeholder last
 };

@@ -144,7 +144,7 @@ Seen wall(const Arrival& at, LayId at_rest, double peg, WallPart part, Shown sho
     const double v = (peg - at.course.climb * at.hit.depth) / surface.tile_m.y;
     const double z = at.hit.space.eye_z + at.course.climb * at.hit.depth;
     LightGrids* lights = at.scene.lights;
-    const LightGrid* grid = lights ? lights->on_wall(at.scene.map, at.scene.snapshot, at.hit.wall) : nullptr;
+    const LightGrid* grid = lights ? lights->on_wall(at.scene.snapshot, at.hit.wall) : nullptr;
     Seen seen = painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth,
                         glow_on(grid, at.hit.along * at.wall.length, z), shown);
     seen.color = in_fog(at.scene, seen.color, seen.depth);
@@ -198,10 +198,10 @@ std::optional<Seen> end_of_ray(const Arrival& at) {
     LightGrids* lights = at.scene.lights;
     if (reaches(at, at.own.ceiling))
         return flat(at, ceiling_now(at.scene.map, at.scene.snapshot, sector), at.own.ceiling,
-                    lights ? lights->on_ceiling(at.scene.map, at.scene.snapshot, sector) : nullptr, ceiling_id(sector));
+                    lights ? lights->on_ceiling(at.scene.snapshot, sector) : nullptr, ceiling_id(sector));
     if (!reaches(at, at.own.floor))
         return flat(at, floor_now(at.scene.map, at.scene.snapshot, sector), at.own.floor,
-                    lights ? lights->on_floor(at.scene.map, at.scene.snapshot, sector) : nullptr, floor_id(sector));
+                    lights ? lights->on_floor(at.scene.snapshot, sector) : nullptr, floor_id(sector));
     if (at.kind == WallKind::solid) return wall(at, at.wall.texture, WallPart::middle);
     if (at.kind == WallKind::portal) {
         const bool above = reaches(at, at.behind.ceiling), below = !above && !reaches(at, at.behind.floor);

@@ -124,8 +124,8 @@ void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const Tex
     ENFILADE_CHECK(options.samples >= 1 && options.workers >= 1 && snapshot.sectors.size() == map.sectors.size());
     const Projection projection(view, frame.width, frame.height);
     const Projection fine(view, frame.width * options.samples, frame.height * options.samples);
-    LightGrids own_lights, &lights = options.lights ? *options.lights : own_lights;
-    const Scene scene{map, textures, snapshot, lights.start(map) ? &lights : nullptr, view.tilt.has_value()};
+    LightGrids own_lights(map), &lights = options.lights ? *options.lights : own_lights;
+    const Scene scene{map, textures, snapshot, lights.where_lit(), view.tilt.has_value()};
     frame.resize(frame.width, frame.height);
     if (facts) reset(*facts, frame.width, frame.height);
     std::vector<char> cut_short(static_cast<std::size_t>(frame.width));

@@ -14,7 +14,7 @@ struct ReferenceOptions {
     /// >= 1; samples times the frame's sides must not be over kMaxPictureSide.
     int samples = 1;
     int workers = 1;               ///< threads, >= 1; the picture does not depend on them
-    LightGrids* lights = nullptr;  ///< kept from picture to picture; null: worked out anew for this one
+    LightGrids* lights = nullptr;  ///< of the map, kept from picture to picture; null: worked out anew for this one
 };
 
 /// Draws the whole frame, whose size is set. What a pixel shows is decided in whole numbers, but for its height at a

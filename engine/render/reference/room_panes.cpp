@@ -83,7 +83,7 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
     pane.seen.depth = depth;
     pane.seen.texel = {static_cast<float>(fraction(u)), static_cast<float>(fraction(v))};
     pane.alpha = shown.color >> 24;
-    const LightGrid* grid = scene.lights ? scene.lights->on_panel(scene.map, scene.snapshot, at.panel) : nullptr;
+    const LightGrid* grid = scene.lights ? scene.lights->on_panel(scene.snapshot, at.panel) : nullptr;
     const double z = ray.hit.space.eye_z + ray.course.climb * at.depth;
     pane.seen.color =
         in_fog(scene, lit(scene, shown, lighting, depth, glow_on(grid, at.along * panel.length, z)), depth);
@@ -199,7 +199,7 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const SpritePicture& pictur
     pane.seen.depth = depth;
     pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
     pane.alpha = shown.color >> 24;
-    const LightGrid* grid = scene.lights ? scene.lights->on_thing(scene.map, scene.snapshot, at.thing) : nullptr;
+    const LightGrid* grid = scene.lights ? scene.lights->on_thing(scene.snapshot, at.thing) : nullptr;
     pane.seen.color = in_fog(scene, lit(scene, shown, picture.lighting, depth, glow_on(grid, 0, 0)), depth);
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, picture.size_m);
     return pane;

@@ -119,9 +119,9 @@ private:
         return {layer_.pose, place, parts_of(scene_.map(), scene_.input.snapshot, place.wall, layer_.pose.eye_z)};
     }
 
-    using Ask = const LightGrid* (LightGrids::*)(const Map&, const Snapshot&, SectorId);
+    using Ask = const LightGrid* (LightGrids::*)(const Snapshot&, SectorId);
     const LightGrid* glow_on(Ask flat, SectorId sector) const {
-        return scene_.lights ? (scene_.lights->*flat)(scene_.map(), scene_.input.snapshot, sector) : nullptr;
+        return scene_.lights ? (scene_.lights->*flat)(scene_.input.snapshot, sector) : nullptr;
     }
 
     void add_wall(const WallOnScreen& place) {

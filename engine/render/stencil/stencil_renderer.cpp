@@ -21,15 +21,19 @@ struct StencilRenderer::State {
         LayerPainter painter;
     };
 
+    const Map& map;
+    const TextureSet& textures;
     std::unique_ptr<GlContext> context;
     std::unique_ptr<Objects> objects;
     Mesh mesh;
     LightGrids lights;
     MapFacts facts;
-    MapIdentity facts_of;
     StencilCounts counts;
     std::vector<SeenRoom> rooms;  ///< of the last frame
     bool was_tilted = false;      ///< the last frame
+
+    State(std::unique_ptr<GlContext> drawn_by, const Map& of, const TextureSet& pictures)
+        : map(of), textures(pictures), context(std::move(drawn_by)), lights(of), facts{overlapping_sectors(of)} {}
 
     ~State() {
         if (context->make_current()) static_cast<void>(objects.release());  // they were lost with the context
@@ -37,8 +41,8 @@ struct StencilRenderer::State {
         context->release();
     }
 
-    Status draw(Frame& frame, FrameFacts* frame_facts, const Map& map, const TextureSet& textures,
-                const Snapshot& snapshot, const View& view);
+    Status prepare();
+    Status draw(Frame& frame, FrameFacts* frame_facts, const Snapshot& snapshot, const View& view);
 };
 
 namespace {
@@ -68,10 +72,18 @@ Status gl_failure() {
 
 }  // namespace
 
-Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const Map& map, const TextureSet& textures,
-                                    const Snapshot& snapshot, const View& view) {
-    const bool with_facts = frame_facts != nullptr;
+/// In the current context.
+Status StencilRenderer::State::prepare() {
+    if (Status failed = check_version()) return failed;
+    objects = std::make_unique<Objects>();
+    if (Status failed = objects->painter.prepare()) return failed;
+    if (Status failed = objects->target.prepare(1, 1, false)) return failed;
     if (Status failed = objects->store.hold(textures)) return failed;
+    return gl_failure();
+}
+
+Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const Snapshot& snapshot, const View& view) {
+    const bool with_facts = frame_facts != nullptr;
     const Projection projection(view, frame.width, frame.height);
     const RayField rays(view, projection);
     const Screen screen = view.tilt ? panorama_screen() : Screen(projection);
@@ -80,7 +92,7 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
     if (Status failed = objects->target.prepare(frame.width, frame.height, with_facts, times_kept(plan.deepest)))
         return failed;
     objects->records.clear();
-    const Scene scene{input, objects->store, screen, rays, objects->records, lights.start(map) ? &lights : nullptr};
+    const Scene scene{input, objects->store, screen, rays, objects->records, lights.where_lit()};
     mesh.clear();
     const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
     if (Status failed = objects->records.upload()) return failed;
@@ -101,28 +113,23 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
 StencilRenderer::StencilRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 StencilRenderer::~StencilRenderer() = default;
 
-Result<std::unique_ptr<StencilRenderer>> StencilRenderer::make(std::unique_ptr<GlContext> context) {
-    auto state = std::make_unique<State>();
-    state->context = std::move(context);
+Result<std::unique_ptr<StencilRenderer>> StencilRenderer::make(std::unique_ptr<GlContext> context, const Map& map,
+                                                               const TextureSet& textures) {
+    auto state = std::make_unique<State>(std::move(context), map, textures);
     if (Status failed = state->context->make_current()) return *failed;
-    if (Status failed = check_version()) return *failed;
-    state->objects = std::make_unique<State::Objects>();
-    if (Status failed = state->objects->painter.prepare()) return *failed;
-    if (Status failed = state->objects->target.prepare(1, 1, false)) return *failed;
-    if (Status failed = gl_failure()) return *failed;
+    const Status failed = state->prepare();
     state->context->release();
+    if (failed) return *failed;
     return std::unique_ptr<StencilRenderer>(new StencilRenderer(std::move(state)));
 }
 
-Status StencilRenderer::render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
-                               const Snapshot& snapshot, const View& view) {
-    ENFILADE_CHECK(view.sector.index < map.sectors.size() && snapshot.sectors.size() == map.sectors.size());
+Status StencilRenderer::render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) {
     State& state = *state_;
+    const std::size_t sectors = state.map.sectors.size();
+    ENFILADE_CHECK(view.sector.index < sectors && snapshot.sectors.size() == sectors);
     if (Status failed = state.context->make_current()) return failed;
     frame.resize(frame.width, frame.height);
-    if (state.facts_of != identity_of(map)) state.facts.overlaps = overlapping_sectors(map);
-    state.facts_of = identity_of(map);
-    const Status failed = state.draw(frame, facts, map, textures, snapshot, view);
+    const Status failed = state.draw(frame, facts, snapshot, view);
     state.context->release();
     return failed;
 }

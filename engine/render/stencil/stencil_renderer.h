@@ -59,12 +59,14 @@ struct StencilViewport {
     std::vector<int> top, bottom;  ///< open rows by column [end - begin]; empty in tilted pictures
 };
 
-/// Draws pictures of a map. Keeps the map's pictures on the graphics card from frame to frame and notices when they are
-/// others. One renderer draws one picture at a time, on any thread.
+/// Draws pictures of one map, whose pictures it keeps on the graphics card. One renderer draws one picture at a time,
+/// on any thread.
 class StencilRenderer {
 public:
-    /// An error where the context is too old or has no stencil buffer.
-    static Result<std::unique_ptr<StencilRenderer>> make(std::unique_ptr<GlContext> context);
+    /// map, textures: outlive it. An error where the context is too old or has no stencil buffer, or the graphics card
+    /// has no room for the pictures. Cost: the pictures' texels, and overlapping_sectors().
+    static Result<std::unique_ptr<StencilRenderer>> make(std::unique_ptr<GlContext> context, const Map& map,
+                                                         const TextureSet& textures);
     ~StencilRenderer();
 
     /// Draws the whole picture. An error where the context was lost or the graphics card has no room.
@@ -74,8 +76,7 @@ public:
     /// facts    : null, or what each pixel shows, of the same size after reset()
     /// snapshot : heights and lights of the moment, one for each sector of the map
     /// view     : view.sector contains view.eye under the tie rule
-    Status render(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures, const Snapshot& snapshot,
-                  const View& view);
+    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view);
 
     StencilCounts counts() const;
 

@@ -145,8 +145,7 @@ Look wall_look(const Scene& scene, const SeenWall& wall, LayId at_rest, WallPart
     set_surface(look, scene, wall.place, surface, w.length, peg_height(wall.parts, surface.peg),
                 wall_id(scene.map(), wall.place.wall, part));
     if (scene.lights)
-        set_glow(look, scene, scene.lights->on_wall(scene.map(), scene.input.snapshot, wall.place.wall), w.length,
-                 wall.pose.eye_z);
+        set_glow(look, scene, scene.lights->on_wall(scene.input.snapshot, wall.place.wall), w.length, wall.pose.eye_z);
     return look;
 }
 
@@ -170,8 +169,7 @@ Look panel_look(const Scene& scene, const PanelOnScreen& shown, const Pose& pose
     set_surface(look, scene, shown.place, picture_now(scene.input.snapshot, panel), panel.length,
                 panel.top - pose.eye_z, panel_id(scene.map(), shown.panel));
     if (scene.lights)
-        set_glow(look, scene, scene.lights->on_panel(scene.map(), scene.input.snapshot, shown.panel), panel.length,
-                 pose.eye_z);
+        set_glow(look, scene, scene.lights->on_panel(scene.input.snapshot, shown.panel), panel.length, pose.eye_z);
     move(look, shown.is_in_doorway ? kBehindDoorway : kBeforeWall);
     return look;
 }
@@ -182,8 +180,7 @@ Look thing_look(const Scene& scene, const ThingOnScreen& thing) {
     set_light(look, thing.lighting);
     set_along(look, scene, thing.place, kBelowOne, 0);
     if (!scene.rays.is_tilted) look.farthest = f(thing.place.cross / (thing.place.right_v.x - thing.place.left_v.x));
-    if (scene.lights)
-        set_glow(look, scene, scene.lights->on_thing(scene.map(), scene.input.snapshot, thing.thing), 0, 0);
+    if (scene.lights) set_glow(look, scene, scene.lights->on_thing(scene.input.snapshot, thing.thing), 0, 0);
     look.b[1] = f(thing.top / thing.height);
     look.b[2] = f(1 / thing.height);
     return look;

@@ -56,7 +56,7 @@ inline std::uint32_t size_of(const Texture& picture) { return picture.width | pi
 /// back, so nearest sampling is the same arithmetic as in the other renderers.
 class TexelStore {
 public:
-    /// Loads the pictures unless the same ones are there already. An error where they do not fit.
+    /// Loads the pictures. An error where they do not fit.
     Status hold(const TextureSet& textures);
 
     std::uint32_t place_of(TextureId id) const { return places_[id ? id.index : places_.size() - 1]; }
@@ -68,12 +68,10 @@ public:
     GLuint color_table() const { return color_table_.id(); }
 
 private:
-    Status upload(const TextureSet& textures);
-    void upload_color_table(const TextureSet& textures);
+    void hold_color_table(const TextureSet& textures);
 
     ListTexture texture_, color_numbers_, color_table_;
     std::vector<std::uint32_t> places_;  ///< by TextureId; the placeholder comes last
-    std::uint64_t held_ = 0;             ///< what hold() loaded last
 };
 
 // What few surfaces need beyond their look, in one texture of the graphics card: pairs of numbers, found by their

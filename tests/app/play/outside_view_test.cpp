@@ -15,9 +15,6 @@ constexpr std::uint32_t kOwnView = 0xFF123456;
 class OutsideViewOfARoom : public ::testing::Test {
 protected:
     OutsideViewOfARoom() {
-        const MapFile file = test::map_of({test::box_room("room", 0, 0, 8, 4)});
-        map_ = test::built(file);
-        textures_ = test::textures_for(file);
         view_.sector = SectorId(0u);
         view_.eye = {2, 2};
         view_.eye_z = 1;
@@ -28,14 +25,16 @@ protected:
     const Frame& drawn() {
         std::ranges::fill(frame_.pixels, kOwnView);
         Overlay overlay(frame_, font_);
-        outside_.draw(overlay, frame_, map_, textures_, at_rest(map_), view_, 1);
+        outside_.draw(overlay, frame_, renderer_, at_rest(map_), view_, 1);
         return frame_;
     }
 
     std::uint32_t at(int x, int y) const { return frame_.pixels[std::size_t(y * frame_.width + x)]; }
 
-    Map map_;
-    TextureSet textures_;
+    MapFile file_ = test::map_of({test::box_room("room", 0, 0, 8, 4)});
+    Map map_ = test::built(file_);
+    TextureSet textures_ = test::textures_for(file_);
+    OutsideRenderer renderer_{map_, textures_};
     View view_;
     Frame frame_;
     Font font_;

@@ -1,6 +1,9 @@
 // What keys and wheel do while one plays: pressed at a real window, seen in its pictures.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "app/play/driven_window.h"
 #include "app/play/play_loop.h"
 #include "base/files.h"
@@ -25,7 +28,7 @@ protected:
 
     void play_until(int pictures) {
         window_.quit_after(pictures);
-        auto renderer = make_renderer(RendererKind::column, 1, {});
+        auto renderer = make_renderer(RendererKind::column, game_->map(), game_->textures(), 1, {});
         PlayLoop loop(*game_, window_, options_, std::move(renderer).value());
         const Status failed = loop.run();
         EXPECT_FALSE(failed) << failed->text();
@@ -46,6 +49,31 @@ protected:
     PlayOptions options_;
     testing::DrivenWindow window_;
 };
+
+/// The room, with a wall where there was none, and another room behind it.
+MapFile changed_map() {
+    MapFile file = test::map_of({test::box_room("room", 0, 0, 5, 4, 0, 3), test::box_room("far", 5, 0, 9, 4, 1, 2)});
+    test::join_all(file);
+    test::place_player(file, "room", {2, 2}, 1.55);
+    return file;
+}
+
+TEST_F(KeysOfPlay, LookIntoTheMapAsItIsNowWhereItsFileWasChanged) {
+    constexpr auto kUntilItIsLookedAt = std::chrono::milliseconds(300);
+    window_.press_after(2, SDL_SCANCODE_F4);
+    window_.after(5, [&] {
+        EXPECT_FALSE(write_file(dir_.path("map.toml"), std::string_view(write_map(changed_map()))));
+        std::this_thread::sleep_for(kUntilItIsLookedAt);
+    });
+    play_until(12);
+    EXPECT_EQ(game_->map().sectors.size(), 2u);
+    const auto part = [&](int number, int y, int begin, int end) {
+        const Frame& frame = window_.picture(number);
+        return std::vector(frame.pixels.begin() + y * 320 + begin, frame.pixels.begin() + y * 320 + end);
+    };
+    EXPECT_NE(part(11, 120, 0, 180), part(4, 120, 0, 180)) << "the player's view";
+    EXPECT_NE(part(11, 135, 200, 300), part(4, 135, 200, 300)) << "the view from outside";
+}
 
 constexpr std::uint32_t kRim = 0xFFE0E0E0;  ///< of the inset
 

@@ -43,7 +43,7 @@ private:
 
 class BrokenRenderer : public Renderer {
 public:
-    Status render(Frame&, FrameFacts*, const Map&, const TextureSet&, const Snapshot&, const View&) override {
+    Status render(Frame&, FrameFacts*, const Snapshot&, const View&) override {
         ENFILADE_CHECK(1 == 2);
         return {};
     }

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "math/grid.h"
-#include "render/column/column_renderer.h"
 #include "render/reference/reference_renderer.h"
 #include "space/locate.h"
 #include "support/count_allocations.h"
@@ -70,17 +69,17 @@ View random_view(const Map& map, Random& random) {
     return view;
 }
 
-void compare(const World& world, const View& view, int width, int height, Comparison& sum) {
-    static ColumnRenderer columns;
+Comparer::Comparer(const World& world) : world_(world), lights_(world.map), columns_(world.map, world.textures) {}
+
+void Comparer::compare(const View& view, int width, int height, Comparison& sum) {
     Frame a, b;
     FrameFacts facts_a, facts_b;
     a.resize(width, height);
     b.resize(width, height);
     reset(facts_a, width, height);
     reset(facts_b, width, height);
-    columns.render(a, &facts_a, world.map, world.textures, world.snapshot, view);
-    static LightGrids lights;
-    render_reference(b, &facts_b, world.map, world.textures, world.snapshot, view, {.lights = &lights});
+    columns_.render(a, &facts_a, world_.snapshot, view);
+    render_reference(b, &facts_b, world_.map, world_.textures, world_.snapshot, view, {.lights = &lights_});
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         sum.not_once += facts_a.writes[i] != 1;
         sum.ambiguous += facts_b.ambiguous[i];
@@ -94,11 +93,12 @@ void compare(const World& world, const View& view, int width, int height, Compar
 
 void expect_agreement(const World& world, std::uint64_t seed, int poses) {
     Random random(seed);
+    Comparer renderers(world);
     Comparison sum;
     for (int trial = 0; trial < poses; ++trial) {
         const View view = random_view(world.map, random);
         const Comparison before = sum;
-        compare(world, view, 160, 100, sum);
+        renderers.compare(view, 160, 100, sum);
         EXPECT_TRUE(sum.not_once == before.not_once && sum.wrong_ids == before.wrong_ids)
             << "trial " << trial << ": sector " << world.map[view.sector].name << " eye " << view.eye.x << ","
             << view.eye.y << "," << view.eye_z << " forward " << view.forward.x << "," << view.forward.y << " fov "
@@ -118,27 +118,27 @@ void expect_strips_equal_the_whole(const World& world, std::uint64_t seed, int p
         const int width = 3 + static_cast<int>(random.below(200));
         Frame whole, cut, shared;
         for (Frame* frame : {&whole, &cut, &shared}) frame->resize(width, 90);
-        ColumnRenderer renderer;
-        renderer.render(whole, nullptr, world.map, world.textures, world.snapshot, view);
+        ColumnRenderer renderer(world.map, world.textures);
+        renderer.render(whole, nullptr, world.snapshot, view);
         const int x = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(width - 2)));
         for (ColumnRange range : {ColumnRange{0, x}, ColumnRange{x, x + 1}, ColumnRange{x + 1, width}})
-            renderer.render_columns(cut, nullptr, world.map, world.textures, world.snapshot, view, range);
+            renderer.render_columns(cut, nullptr, world.snapshot, view, range);
         ASSERT_EQ(whole.pixels, cut.pixels) << "trial " << trial;
-        ColumnStrips(4).render(shared, nullptr, world.map, world.textures, world.snapshot, view);
+        ColumnStrips(world.map, world.textures, 4).render(shared, nullptr, world.snapshot, view);
         ASSERT_EQ(whole.pixels, shared.pixels) << "trial " << trial;
     }
 }
 
 void expect_no_allocations(const World& world, std::uint64_t seed, int poses) {
     Random random(seed);
-    ColumnRenderer renderer;
+    ColumnRenderer renderer(world.map, world.textures);
     Frame frame;
     frame.resize(320, 200);
     for (int trial = 0; trial < poses; ++trial) {
         const View view = random_view(world.map, random);
-        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        renderer.render(frame, nullptr, world.snapshot, view);
         const std::size_t before = allocations();
-        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        renderer.render(frame, nullptr, world.snapshot, view);
         EXPECT_EQ(allocations(), before) << "trial " << trial;
     }
 }

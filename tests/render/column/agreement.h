@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "base/random.h"
+#include "render/column/column_renderer.h"
 #include "render/frame.h"
 #include "render/view.h"
 #include "support/furnish.h"
@@ -34,8 +35,20 @@ struct Comparison {
     std::size_t pixels = 0;
 };
 
-/// Draws a view with both renderers and adds up how they differ.
-void compare(const World& world, const View& view, int width, int height, Comparison& sum);
+/// The column renderer and the reference, of one world.
+class Comparer {
+public:
+    /// The world outlives it; its snapshot may change from view to view.
+    explicit Comparer(const World& world);
+
+    /// Draws a view with both and adds up how they differ.
+    void compare(const View& view, int width, int height, Comparison& sum);
+
+private:
+    const World& world_;
+    LightGrids lights_;  ///< of the reference
+    ColumnRenderer columns_;
+};
 
 /// Fails where any of `poses` random views differs.
 void expect_agreement(const World& world, std::uint64_t seed, int poses);

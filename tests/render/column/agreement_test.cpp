@@ -139,7 +139,7 @@ std::pair<float, float> range_of_sky_in_row_0(SkyRows rows) {
     frame.resize(160, 100);
     FrameFacts facts;
     reset(facts, 160, 100);
-    ColumnRenderer().render(frame, &facts, world.map, world.textures, world.snapshot, view);
+    ColumnRenderer(world.map, world.textures).render(frame, &facts, world.snapshot, view);
     std::pair<float, float> range{1, 0};
     for (std::size_t x = 0; x < 160; ++x) {
         EXPECT_EQ(facts.depths[x], std::numeric_limits<double>::infinity());
@@ -239,8 +239,8 @@ TEST(ColumnRenderer, DrawsTheSameBitsWhereLampsReachNothingInView) {
     b.resize(160, 100);
     for (int trial = 0; trial < 5; ++trial) {
         const View view = random_view(dark.map, random);
-        ColumnRenderer().render(a, nullptr, dark.map, dark.textures, dark.snapshot, view);
-        ColumnRenderer().render(b, nullptr, lit.map, lit.textures, lit.snapshot, view);
+        ColumnRenderer(dark.map, dark.textures).render(a, nullptr, dark.snapshot, view);
+        ColumnRenderer(lit.map, lit.textures).render(b, nullptr, lit.snapshot, view);
         ASSERT_EQ(a.pixels, b.pixels) << "trial " << trial;
     }
 }
@@ -254,11 +254,11 @@ TEST(ColumnRenderer, AllocatesNothingOnceItHasDrawnTheView) { expect_no_allocati
 TEST(ColumnRenderer, SeesEachPixelThroughOneChainOfEverDeeperViewports) {
     const World world(palace());
     Random random(8);
-    ColumnRenderer renderer;
+    ColumnRenderer renderer(world.map, world.textures);
     Frame frame;
     frame.resize(96, 60);
     for (int trial = 0; trial < 100; ++trial) {
-        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, random_view(world.map, random));
+        renderer.render(frame, nullptr, world.snapshot, random_view(world.map, random));
         std::vector<std::vector<const ViewportOutline*>> chains(96 * 60);
         const std::vector<ViewportOutline> viewports = renderer.viewports();
         for (const ViewportOutline& v : viewports)
@@ -276,11 +276,11 @@ TEST(ColumnRenderer, SeesEachPixelThroughOneChainOfEverDeeperViewports) {
 TEST(ColumnRenderer, NeverMovesABoundaryNearerAlongAChain) {
     const World world(palace());
     Random random(9);
-    ColumnRenderer renderer;
+    ColumnRenderer renderer(world.map, world.textures);
     Frame frame;
     frame.resize(96, 60);
     for (int trial = 0; trial < 100; ++trial) {
-        renderer.render(frame, nullptr, world.map, world.textures, world.snapshot, random_view(world.map, random));
+        renderer.render(frame, nullptr, world.snapshot, random_view(world.map, random));
         std::vector<double> boundary(96 * 60, std::numeric_limits<double>::infinity());
         std::vector<ViewportOutline> viewports = renderer.viewports();
         std::stable_sort(viewports.begin(), viewports.end(), [](auto& a, auto& b) { return a.depth < b.depth; });

@@ -95,7 +95,7 @@ TEST(PanelColumns, AgreeWithTheReferenceInClassicLight) {
 /// Draws the view and fails where the renderers differ. Marked pixels are not compared: at most a part of them may be.
 void expect_same(const World& world, const View& view, double most_marked = 0.5) {
     Comparison sum;
-    compare(world, view, 97, 61, sum);
+    Comparer(world).compare(view, 97, 61, sum);
     EXPECT_EQ(sum.not_once, 0u);
     EXPECT_EQ(sum.wrong_ids, 0u);
     EXPECT_EQ(sum.wrong_colors, 0u);
@@ -140,7 +140,7 @@ SurfaceId seen_at(const World& world, const View& view, int x, int y) {
     FrameFacts facts;
     frame.resize(64, 64);
     reset(facts, 64, 64);
-    ColumnRenderer().render(frame, &facts, world.map, world.textures, world.snapshot, view);
+    ColumnRenderer(world.map, world.textures).render(frame, &facts, world.snapshot, view);
     return facts.ids[static_cast<std::size_t>(y * 64 + x)];
 }
 

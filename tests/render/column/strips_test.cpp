@@ -57,9 +57,9 @@ TEST(ColumnStrips, DrawTheSamePictureOnAnyNumberOfThreads) {
         Frame one, many;
         one.resize(211, 97);
         many.resize(211, 97);
-        ColumnStrips(1).render(one, nullptr, world.map, world.textures, world.snapshot, view);
+        ColumnStrips(world.map, world.textures, 1).render(one, nullptr, world.snapshot, view);
         for (std::size_t threads : {2u, 3u, 8u, 211u, 500u}) {
-            ColumnStrips(threads).render(many, nullptr, world.map, world.textures, world.snapshot, view);
+            ColumnStrips(world.map, world.textures, threads).render(many, nullptr, world.snapshot, view);
             ASSERT_EQ(one.pixels, many.pixels) << threads << " threads";
         }
     }
@@ -68,14 +68,14 @@ TEST(ColumnStrips, DrawTheSamePictureOnAnyNumberOfThreads) {
 TEST(ColumnStrips, DrawFrameAfterFrameOfAnyWidth) {
     const World world(palace());
     Random random(9);
-    ColumnStrips shared(3), alone(1);
+    ColumnStrips shared(world.map, world.textures, 3), alone(world.map, world.textures, 1);
     for (int trial = 0; trial < 60; ++trial) {
         const View view = random_view(world.map, random);
         Frame one, many;
         const int width = 1 + static_cast<int>(random.below(300));
         for (Frame* frame : {&one, &many}) frame->resize(width, 60);
-        alone.render(one, nullptr, world.map, world.textures, world.snapshot, view);
-        shared.render(many, nullptr, world.map, world.textures, world.snapshot, view);
+        alone.render(one, nullptr, world.snapshot, view);
+        shared.render(many, nullptr, world.snapshot, view);
         ASSERT_EQ(one.pixels, many.pixels) << width << " columns";
     }
 }
@@ -83,33 +83,33 @@ TEST(ColumnStrips, DrawFrameAfterFrameOfAnyWidth) {
 TEST(ColumnStrips, CutALargePictureForOneThreadTooAndDrawTheSame) {
     const World world(palace());
     Random random(11);
-    ColumnStrips strips(1);
-    ColumnRenderer whole;
+    ColumnStrips strips(world.map, world.textures, 1);
+    ColumnRenderer whole(world.map, world.textures);
     Frame one, many;
     for (Frame* frame : {&one, &many}) frame->resize(400, 800);
     for (int trial = 0; trial < 5; ++trial) {
         const View view = random_view(world.map, random);
-        whole.render(one, nullptr, world.map, world.textures, world.snapshot, view);
-        strips.render(many, nullptr, world.map, world.textures, world.snapshot, view);
+        whole.render(one, nullptr, world.snapshot, view);
+        strips.render(many, nullptr, world.snapshot, view);
         EXPECT_EQ(strips.viewports().size(), 3u);  // 1.25 MB in canvases of at most 512 KiB
         ASSERT_EQ(one.pixels, many.pixels) << "trial " << trial;
     }
     many.resize(320, 200);
-    strips.render(many, nullptr, world.map, world.textures, world.snapshot, random_view(world.map, random));
+    strips.render(many, nullptr, world.snapshot, random_view(world.map, random));
     EXPECT_EQ(strips.viewports().size(), 1u);
 }
 
 TEST(ColumnStrips, AllocateNothingOnceTheyHaveDrawnTheView) {
     const World world(palace());
     Random random(10);
-    ColumnStrips strips(1);
+    ColumnStrips strips(world.map, world.textures, 1);
     Frame frame;
     frame.resize(320, 600);
     for (int trial = 0; trial < 20; ++trial) {
         const View view = random_view(world.map, random);
-        strips.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        strips.render(frame, nullptr, world.snapshot, view);
         const std::size_t before = test::allocations();
-        strips.render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+        strips.render(frame, nullptr, world.snapshot, view);
         EXPECT_EQ(test::allocations(), before) << "trial " << trial;
     }
 }

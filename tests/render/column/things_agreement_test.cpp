@@ -142,7 +142,7 @@ TEST(ThingColumns, EndWithTheLastRowOfTheirPicture) {
         Frame frame;
         frame.resize(320, 200);
         if (is_column)
-            ColumnRenderer().render(frame, nullptr, world.map, world.textures, world.snapshot, view);
+            ColumnRenderer(world.map, world.textures).render(frame, nullptr, world.snapshot, view);
         else
             render_reference(frame, nullptr, world.map, world.textures, world.snapshot, view);
         EXPECT_EQ(frame.pixels[120 * 320 + 150] & 0xFF, 63u) << is_column;

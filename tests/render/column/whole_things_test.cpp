@@ -42,7 +42,7 @@ std::size_t shown(const MapFile& file, Vec2 eye = {2, 4}) {
     frame.resize(160, 100);
     FrameFacts facts;
     reset(facts, 160, 100);
-    ColumnRenderer().render(frame, &facts, world.map, world.textures, world.snapshot, view);
+    ColumnRenderer(world.map, world.textures).render(frame, &facts, world.snapshot, view);
     return static_cast<std::size_t>(std::ranges::count(facts.ids, thing_id(world.map, ThingId(std::size_t{0}))));
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "support/map_builder.h"
 
@@ -24,6 +25,7 @@ protected:
         map_ = test::built(file);
         textures_ = test::textures_for(file);
         for (Texture& texture : textures_.textures) std::ranges::fill(texture.pixels, color_of(texture.name));
+        renderer_.emplace(map_, textures_);
         view_.sector = SectorId(0u);
         view_.eye = {2, 2};
         view_.eye_z = 1;
@@ -37,7 +39,7 @@ protected:
     }
 
     void draw(OutsideFrom from = OutsideFrom::above, std::size_t workers = 1) {
-        renderer_.render(frame_, map_, textures_, at_rest(map_), view_, {from, 24, 320, 200}, workers);
+        renderer_->render(frame_, at_rest(map_), view_, {from, 24, 320, 200}, workers);
     }
 
     /// The pixel that shows a point.
@@ -55,7 +57,7 @@ protected:
     TextureSet textures_;
     View view_;
     Frame frame_;
-    OutsideRenderer renderer_;
+    std::optional<OutsideRenderer> renderer_;  ///< of the map that was loaded last
 };
 
 TEST_F(FromOutside, LooksThroughTheRoofAndLightsWhatTheEyeSees) {
@@ -158,7 +160,7 @@ TEST_F(FromOutside, LooksAtTheHouseFromAnotherPlace) {
     camera.pitch_tangent = -8.0 / 12;  // at the middle of the far floor, over its near wall
     OutsideLook look;
     look.camera = &camera;
-    renderer_.render(frame_, map_, textures_, at_rest(map_), view_, look, 1);
+    renderer_->render(frame_, at_rest(map_), view_, look, 1);
     EXPECT_EQ(frame_.pixels[std::size_t(180 * 480 + 240)], dim(kFarFloor));
     EXPECT_GT(std::ranges::count(frame_.pixels, dim(kFloor)), 0) << "the room of the eye";
 }
@@ -182,7 +184,7 @@ TEST_F(FromOutside, ShowsThingsFromTheSideOnWhichItIs) {
     camera.forward = {-1, 0};
     OutsideLook look;
     look.camera = &camera;
-    renderer_.render(frame_, map_, textures_, at_rest(map_), view_, look, 1);
+    renderer_->render(frame_, at_rest(map_), view_, look, 1);
     EXPECT_GT(std::ranges::count(frame_.pixels, 0xFFFF00FFu), 0);
 }
 

@@ -138,17 +138,21 @@ std::string describe(const Agreement& a) {
     return text.str();
 }
 
-std::unique_ptr<StencilRenderer> software_stencil(GlApi api) {
+std::unique_ptr<StencilRenderer> software_stencil(const Map& map, const TextureSet& textures, GlApi api) {
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     auto context = open_headless_gl(api);
     if (!context.ok()) stop("no OpenGL to test with: " + context.error().text());
-    auto renderer = StencilRenderer::make(std::move(context).value());
+    auto renderer = StencilRenderer::make(std::move(context).value(), map, textures);
     if (!renderer.ok()) stop("no stencil renderer to test: " + renderer.error().text());
     return std::move(renderer).value();
 }
 
 Sight::Sight(const Map& map, const TextureSet& textures, GlApi api)
-    : map_(map), textures_(textures), snapshot_(at_rest(map)), stencil_(software_stencil(api)) {}
+    : map_(map),
+      textures_(textures),
+      snapshot_(at_rest(map)),
+      stencil_(software_stencil(map, textures, api)),
+      lights_(map) {}
 
 namespace {
 Picture blank(PictureSize size) {
@@ -161,14 +165,13 @@ Picture blank(PictureSize size) {
 
 Picture Sight::by_stencil(const View& view, PictureSize size) {
     Picture picture = blank(size);
-    if (Status failed = stencil_->render(picture.frame, &picture.facts, map_, textures_, snapshot_, view))
-        stop(failed->text());
+    if (Status failed = stencil_->render(picture.frame, &picture.facts, snapshot_, view)) stop(failed->text());
     return picture;
 }
 
 Picture Sight::by_column(const View& view, PictureSize size) const {
     Picture picture = blank(size);
-    ColumnRenderer(lights_).render(picture.frame, &picture.facts, map_, textures_, snapshot_, view);
+    ColumnRenderer(map_, textures_, lights_).render(picture.frame, &picture.facts, snapshot_, view);
     return picture;
 }
 

@@ -32,7 +32,8 @@ std::string describe(const Agreement& agreement);
 
 /// A renderer in a headless context drawn by the CPU (Mesa's llvmpipe), whatever graphics card there is. Where there is
 /// no such context the test program stops: a machine that cannot test this must not pass.
-std::unique_ptr<StencilRenderer> software_stencil(GlApi api = GlApi::desktop);
+std::unique_ptr<StencilRenderer> software_stencil(const Map& map, const TextureSet& textures,
+                                                  GlApi api = GlApi::desktop);
 
 /// What one renderer drew.
 struct Picture {

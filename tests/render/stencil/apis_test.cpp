@@ -29,11 +29,11 @@ TEST(StencilApis, DrawTheSamePicture) {
 
 TEST(StencilRenderer, DrawsTheSameWithAndWithoutFacts) {
     const Hall hall;
-    const auto renderer = software_stencil();
+    const auto renderer = software_stencil(hall.map, hall.textures);
     const Picture with_facts = Sight(hall.map, hall.textures).by_stencil(hall.view, kSize);
     Frame frame;
     frame.resize(kSize.width, kSize.height);
-    EXPECT_FALSE(renderer->render(frame, nullptr, hall.map, hall.textures, at_rest(hall.map), hall.view));
+    EXPECT_FALSE(renderer->render(frame, nullptr, at_rest(hall.map), hall.view));
     EXPECT_EQ(frame.pixels, with_facts.frame.pixels);
 }
 
@@ -44,26 +44,6 @@ TEST(StencilRenderer, DrawsOnAnyThread) {
     Picture there;
     std::thread([&] { there = sight.by_stencil(hall.view, kSize); }).join();
     EXPECT_EQ(here.frame.pixels, there.frame.pixels);
-}
-
-TEST(StencilRenderer, NoticesAnotherMap) {
-    const Hall hall;
-    const auto renderer = software_stencil();
-    const auto draw = [&](const Hall& drawn) {
-        Frame frame;
-        frame.resize(kSize.width, kSize.height);
-        EXPECT_FALSE(renderer->render(frame, nullptr, drawn.map, drawn.textures, at_rest(drawn.map), drawn.view));
-        return frame.pixels;
-    };
-    const auto before = draw(hall);
-    Hall other;
-    other.file = overlapping_rooms();
-    other.map = built(other.file);
-    other.textures = textures_for(other.file);
-    other.view = look_from(other.map, {-2, -2}, 1.5, 30);
-    const auto fresh = Sight(other.map, other.textures).by_stencil(other.view, kSize).frame.pixels;
-    EXPECT_EQ(draw(other), fresh);
-    EXPECT_EQ(draw(hall), before);
 }
 
 TEST(StencilRenderer, ChangesItsSize) {
@@ -87,7 +67,8 @@ public:
 };
 
 TEST(StencilRenderer, SaysThatTheContextWasLost) {
-    const auto renderer = StencilRenderer::make(std::make_unique<LostContext>());
+    const Hall hall;
+    const auto renderer = StencilRenderer::make(std::make_unique<LostContext>(), hall.map, hall.textures);
     ASSERT_FALSE(renderer.ok());
     EXPECT_EQ(renderer.error().text(), "OpenGL: the context was lost");
 }

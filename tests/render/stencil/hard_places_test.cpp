@@ -137,11 +137,12 @@ TEST(StencilCorridor, ShowsMoreLevelsThanTheStencilBufferHolds) {
     link(file, "hall", {kLength, 0}, {kLength, 4}, "hall", {0, 4}, {0, 0});
     wall(file, "hall", {kLength, 0}, {kLength, 4}).middle = spec("bar");
     file.render.max_depth = 1024;
-    Place place(file);
-    Texture& texture = place.textures.textures[place.textures.find("bar").index];
-    texture = bar();
-    expect_agreement(place.sight.compare(look_from(place.map, {kLength / 2, 2}, 1.5, 0), {320, 200}));
-    EXPECT_EQ(place.sight.counts().deepest, 1024);
+    const Map map = built(file);
+    TextureSet textures = textures_for(file);
+    textures.textures[textures.find("bar").index] = bar();
+    Sight sight(map, textures);
+    expect_agreement(sight.compare(look_from(map, {kLength / 2, 2}, 1.5, 0), {320, 200}));
+    EXPECT_EQ(sight.counts().deepest, 1024);
 }
 
 TEST(StencilCorridor, EndsBeyondTheLevelsOfTheStencilBufferToo) {
@@ -193,10 +194,10 @@ TEST(StencilCrossing, IsDrawnOnceForEachViewportAndNotFourToTheSixteenth) {
     const View view = look_from(place.map, {4, 4}, 1.5, 40);
     expect_agreement(place.sight.compare(view, {160, 100}));
     EXPECT_EQ(place.sight.counts().deepest, 16);
-    ColumnRenderer column;
+    ColumnRenderer column(place.map, place.textures);
     Frame frame;
     frame.resize(160, 100);
-    column.render(frame, nullptr, place.map, place.textures, place.sight.snapshot(), view);
+    column.render(frame, nullptr, place.sight.snapshot(), view);
     EXPECT_LE(double(place.sight.counts().layers), 1.05 * double(column.counts().viewports));
 }
 

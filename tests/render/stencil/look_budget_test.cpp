@@ -114,8 +114,8 @@ TEST(LookBudget, BoundsTheWallsLookedAtByTheColumnsOfThePicture) {
         Place place = hall(walls, 1024);
         Frame frame;
         frame.resize(kSize.width, kSize.height);
-        ColumnRenderer renderer;
-        renderer.render(frame, nullptr, place.map, place.textures, at_rest(place.map), place.view);
+        ColumnRenderer renderer(place.map, place.textures);
+        renderer.render(frame, nullptr, at_rest(place.map), place.view);
         const std::size_t each = cost_of_look_into(place.map.sectors[0]);
         EXPECT_LE(renderer.counts().viewports * each, std::size_t(kSize.width) * (kLookBudget + each)) << walls;
         EXPECT_GT(renderer.counts().viewports, std::size_t(kSize.width)) << walls;
@@ -126,10 +126,10 @@ TEST(LookBudget, IsTheSameForAnyNumberOfThreads) {
     Place place = hall(500, 1024);
     Frame whole, parts;
     for (Frame* frame : {&whole, &parts}) frame->resize(kSize.width, kSize.height);
-    ColumnStrips(1).render(whole, nullptr, place.map, place.textures, at_rest(place.map), place.view);
+    ColumnStrips(place.map, place.textures, 1).render(whole, nullptr, at_rest(place.map), place.view);
     EXPECT_TRUE(whole.is_cut_short);
     for (const std::size_t threads : {2u, 7u}) {
-        ColumnStrips(threads).render(parts, nullptr, place.map, place.textures, at_rest(place.map), place.view);
+        ColumnStrips(place.map, place.textures, threads).render(parts, nullptr, at_rest(place.map), place.view);
         EXPECT_EQ(parts.pixels, whole.pixels) << threads;
         EXPECT_TRUE(parts.is_cut_short);
     }
@@ -141,12 +141,12 @@ TEST(LookBudget, IsForgottenInTheNextFrame) {
     wall.forward = {1, 0};
     wall.eye = {124.75, 2};
     wall.fov_degrees = 10;
-    ColumnRenderer column;
+    ColumnRenderer column(place.map, place.textures);
     Frame frame;
     frame.resize(kSize.width, kSize.height);
     for (const bool to_links : {true, false}) {
         const View& view = to_links ? place.view : wall;
-        column.render(frame, nullptr, place.map, place.textures, at_rest(place.map), view);
+        column.render(frame, nullptr, at_rest(place.map), view);
         EXPECT_EQ(frame.is_cut_short, to_links);
         EXPECT_EQ(place.sight.by_stencil(view, kSize).frame.is_cut_short, to_links);
         EXPECT_EQ(place.sight.by_reference(view, kSize).frame.is_cut_short, to_links);

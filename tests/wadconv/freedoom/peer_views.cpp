@@ -99,7 +99,7 @@ std::optional<double> compare_picture(const Walk& walk, const std::string& path,
     frame.resize(static_cast<int>(theirs.value().width), static_cast<int>(theirs.value().height));
     Snapshot snapshot = at_rest(*walk.loaded.map);
     leave_out({!with_things, true}, snapshot);
-    ColumnRenderer().render(frame, nullptr, *walk.loaded.map, walk.loaded.textures, snapshot, view);
+    ColumnRenderer(*walk.loaded.map, walk.loaded.textures).render(frame, nullptr, snapshot, view);
     return likeness(frame, theirs.value());
 }
 
