@@ -171,12 +171,8 @@ void LayerPainter::use_layer(const Layer& layer, int level) {
 
 /// is_far: at an infinite depth, instead of where the portal is.
 void LayerPainter::use_masks(bool is_far) const {
-    const MaskProgram& masks = programs_->masks;
-    glUseProgram(masks.program.id());
-    if (masks.is_far >= 0)
-        glUniform1i(masks.is_far, is_far);
-    else
-        depth_range(is_far ? 0 : 1);
+    glUseProgram(programs_->masks.program.id());
+    depth_range(is_far ? 0 : 1);
 }
 
 void LayerPainter::look_through(const Job& job, const Layer& layer, const LayerRanges& ranges, int level) {

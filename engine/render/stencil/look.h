@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kLayered = 1u << 29;
 /// Numbers that change evenly over the picture are given as three: at the point `from`, per column and per row.
 struct Look {
     float from[2]{}, cross = 0;
-    float order = 0;                  ///< the nearer the larger; tilted pictures go by their depth instead
+    float order = 0;                  ///< the nearer the larger
     float span[3]{};                  ///< depth = cross / span
     float nearest = 0, farthest = 0;  ///< bounds of that depth [m]
     float light = 1, contrast = 1;

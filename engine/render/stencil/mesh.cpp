@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "render/sprite.h"
+#include "render/stencil/tilted_order.h"
 
 namespace enfilade::stencil {
 
@@ -72,43 +73,27 @@ public:
 
     void build() {
         const std::size_t begin = mesh_.index_count();
-        walls_ = layer_.walls;
-        if (scene_.rays.is_tilted) gather_walls();
-        for (const WallOnScreen& place : walls_) add_wall(place);
+        if (scene_.rays.is_tilted) tilted_ = tilted_order(layer_, scene_.input);
+        for (const WallOnScreen& place : walls()) add_wall(place);
         for (const Exit& exit : layer_.exits)
             if (exit.layer == Exit::kCut) add_opening(exit.wall, true);
         out_.surfaces = mesh_.sort_by_kind(begin);
         for (const Exit& exit : layer_.exits) out_.exits.push_back(added([&] { add_opening(exit.wall, false); }));
         out_.panes = mesh_.with_holes(added([&] {
-            for (auto pane = layer_.panes.rbegin(); pane != layer_.panes.rend(); ++pane)
+            for (auto pane = panes().rbegin(); pane != panes().rend(); ++pane)
                 std::visit([&](const auto& it) { add_pane(it); }, *pane);
         }));
     }
 
 private:
+    const std::vector<WallOnScreen>& walls() const { return scene_.rays.is_tilted ? tilted_.walls : layer_.walls; }
+    const std::vector<Pane>& panes() const { return scene_.rays.is_tilted ? tilted_.panes : layer_.panes; }
+
     template <class Add>
     Range added(Add add) {
         const std::size_t begin = mesh_.index_count();
         add();
         return {begin, mesh_.index_count()};
-    }
-
-    /// All walls of a tilted picture that may be in sight: their depth decides.
-    void gather_walls() {
-        for (const SectorId seen : layer_.sectors) {
-            const Sector& sector = scene_.map()[seen];
-            for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i)
-                if (const auto place = place_in_layer(WallId(i))) walls_.push_back(*place);
-        }
-    }
-
-    /// none: the wall does not face the eye, or is before the doorway one looks in through.
-    std::optional<WallOnScreen> place_in_layer(WallId id) const {
-        const Map& map = scene_.map();
-        if (layer_.entry && (layer_.entry == id || !is_beyond(map[id], map[layer_.entry]))) return {};
-        auto place = in_view(map, id, layer_.pose);
-        if (place && layer_.entry) extend_beyond(*place, layer_.opened);
-        return place;
     }
 
     void add_strip(const WallOnScreen& place, const RelativeHeights& heights, const Look& look) {
@@ -150,7 +135,7 @@ private:
 
     /// What one sees through a portal: as a mask, or filled where its chain ends.
     void add_opening(WallId portal, bool filled) {
-        for (const WallOnScreen& place : walls_) {
+        for (const WallOnScreen& place : walls()) {
             if (place.wall != portal) continue;
             const SeenWall wall = seen(place);
             add_strip(place, wall.parts.opening, filled ? end_look(scene_, wall) : plain_look(scene_, place));
@@ -175,7 +160,7 @@ private:
     const Scene& scene_;
     const Layer& layer_;
     LayerRanges& out_;
-    std::vector<WallOnScreen> walls_;
+    TiltedLayer tilted_;  ///< where the picture is
 };
 
 }  // namespace

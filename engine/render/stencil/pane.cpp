@@ -8,9 +8,6 @@ namespace enfilade::stencil {
 
 namespace {
 
-/// What is as deep as a thing hides it, as walls do that a thing stands against; in the depth buffer's floats, too.
-constexpr double kBehindEquals = 1 + 0x1p-20;
-
 /// A picture behind the eye, seen when one looks down past one's feet, has its left end to the right.
 WallOnScreen place_of(double left_x, double width, double depth, bool mirrored) {
     WallOnScreen place;
@@ -19,7 +16,7 @@ WallOnScreen place_of(double left_x, double width, double depth, bool mirrored) 
     if (depth < 0) std::swap(place.left_v, place.right_v);
     place.shown_left_v = place.left_v;
     place.shown_right_v = place.right_v;
-    place.cross = width * std::fabs(depth) * kBehindEquals;
+    place.cross = width * std::fabs(depth);
     place.swapped = mirrored != (depth < 0);
     return place;
 }

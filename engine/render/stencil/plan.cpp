@@ -7,7 +7,6 @@
 #include "render/stencil/panorama.h"
 #include "render/stencil/room_look.h"
 #include "render/stencil/room_panes.h"
-#include "render/stencil/tilted_panes.h"
 
 namespace enfilade::stencil {
 namespace {
@@ -58,7 +57,7 @@ private:
         }
     }
 
-    /// Finds the layer's sectors, panes and, in exits_, its exits.
+    /// Finds the layer's sectors and, in exits_, its exits; upright, its walls and panes.
     void fill(Layer& layer, std::vector<Visit> visits) {
         exits_.clear();
         visits_ = std::move(visits);
@@ -69,7 +68,6 @@ private:
             look_into(layer, visit);
             plan_.rooms.push_back({visit.sector, visit.depth, std::move(visit.window)});
         }
-        if (rays_.is_tilted) note_tilted_panes(layer, input_);
     }
 
     void look_into(Layer& layer, const Visit& visit) {

@@ -31,7 +31,7 @@ struct Layer {
     std::vector<SectorId> sectors;    ///< looked into
     std::vector<WallOnScreen> walls;  ///< upright: by runs of columns, which meet one in each room they go through
     std::vector<Exit> exits;          ///< nearest first
-    std::vector<Pane> panes;          ///< along every ray the nearer before the farther
+    std::vector<Pane> panes;          ///< upright: along every ray the nearer before the farther
 };
 
 /// The stencil buffer holds 8 bits: so many levels it tells apart from level 0.

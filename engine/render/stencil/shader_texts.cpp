@@ -4,8 +4,7 @@ namespace enfilade::stencil {
 
 // Nothing is interpolated: a pixel computes what it shows from its own place, as the other renderers do, and every
 // value a polygon has is the same in all of its vertices. Rows count from the top because the picture is drawn upside
-// down. The depth buffer holds how many rooms one looks through (surfaces.cpp), or of tilted pictures 1 / (1 + metres):
-// the nearer the larger, evenly fine in proportion at any distance in a float buffer.
+// down. The depth buffer holds no depths, but ranks that the CPU has decided exactly (surfaces.cpp).
 
 const char* const kVertexShader = R"(
 layout(location = 0) in vec2 position;
@@ -28,11 +27,7 @@ flat out uvec4 what;
 flat out vec3 left_edge;
 flat out vec3 right_edge;
 void main() {
-#ifdef TILTED
-    gl_Position = vec4(position, 0.0, 1.0);
-#else
     gl_Position = vec4(position, 2.0 * in_place.w - 1.0, 1.0);  // exact, and the same all over the polygon
-#endif
     place = in_place;
     line = in_line;
     bounds = in_bounds;
@@ -61,19 +56,13 @@ float wall_depth(vec2 t) {
 // Tilted there are no columns, between which the edges of polygons are exact: each pixel asks the edge functions of the
 // wall's ends, which neighbours share.
 bool is_beside() { return even(left_edge, gl_FragCoord.xy) < 0.0 || even(right_edge, gl_FragCoord.xy) >= 0.0; }
-// Which of two walls is nearer is asked where the ray meets them. Upright the CPU has decided exactly.
-float tested_depth() { return 1.0 / (1.0 + wall_depth(way())); }
 #endif
 )";
 
 const char* const kMaskShader = R"(
-#ifdef TILTED
-uniform int is_far;
-#endif
 void main() {
 #ifdef TILTED
     if (is_beside()) discard;
-    gl_FragDepth = is_far != 0 ? 0.0 : tested_depth();
 #endif
 }
 )";
@@ -336,9 +325,6 @@ void main() {
     uint depth_bits = floatBitsToUint(depth);
 #endif
     out_facts = uvec4(what.x & 0xFFFFFFu, depth_bits, floatBitsToUint(tile.x), floatBitsToUint(tile.y));
-#ifdef TILTED
-    gl_FragDepth = tested_depth();
-#endif
 }
 )";
 

@@ -83,10 +83,6 @@ Status build(SurfaceProgram& surface, Kind kind, bool is_tilted) {
     return {};
 }
 
-Status build(MaskProgram& mask, bool is_tilted) {
-    if (Status failed = link(mask.program, parts_of(is_tilted), kMaskShader)) return failed;
-    mask.is_far = uniform(mask.program, "is_far");
-    return {};
-}
+Status build(MaskProgram& mask, bool is_tilted) { return link(mask.program, parts_of(is_tilted), kMaskShader); }
 
 }  // namespace enfilade::stencil

@@ -23,7 +23,6 @@ struct SurfaceProgram {
 /// Draws only depth: for masks.
 struct MaskProgram {
     GlProgram program;
-    GLint is_far = -1;  ///< tilted: 1: infinitely far, 0: where the portal is; upright glDepthRangef() does it
 };
 
 /// Compile them for the current context, for upright or tilted pictures. An error says what the driver said.

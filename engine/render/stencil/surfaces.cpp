@@ -10,12 +10,9 @@
 namespace enfilade::stencil {
 namespace {
 
-/// What stands or hangs on a wall's line is before the wall by more than the roundings of both, and seen through a
-/// doorway on that line it is behind whatever is drawn at the doorway's depth [1].
-constexpr float kBeforeWall = 1 - 0x1p-20f, kBehindDoorway = 1 + 0x1p-20f;
-
 /// What the depth buffer is told of a wall: the nearer the larger, in numbers that a float has; there are far fewer
-/// ranks than visits (plan.cpp). What stands or hangs before a wall comes between it and the one before that.
+/// ranks than visits (plan.cpp), and no more than walls and things. What stands or hangs before a wall comes between
+/// it and the one before that.
 float order_of(const WallOnScreen& place) {
     constexpr float kStep = 0x1p-24f;
     return 1 - static_cast<float>(2 * place.rank + (place.is_pane ? 0 : 1)) * kStep;
@@ -84,12 +81,6 @@ void set_glow(Look& look, const Scene& scene, const LightGrid* grid, double leng
                                      Vec2{-grid->u, eye_z - grid->v} * (1 / kLightCell));
 }
 
-void move(Look& look, float factor) {
-    look.cross *= factor;
-    look.nearest *= factor;
-    look.farthest *= factor;
-}
-
 /// The ray's direction in the plane, its components divided by those of `unit`.
 void set_direction(Look& look, const RayField& rays, const Pose& pose, Vec2 unit) {
     set(look.a, look, (rays.ahead * pose.forward.x + rays.right * pose.right.x) * (1 / unit.x), 0);
@@ -156,7 +147,6 @@ Look hanging_look(const Scene& scene, const SeenWall& wall, double top) {
     const bool runs = surface.scroll.y != 0;  // through its place, over and over, as on a wall
     set_picture(look, scene, surface.texture, wall_id(scene.map(), id, WallPart::middle),
                 runs ? Paint::wall : Paint::picture);
-    move(look, kBeforeWall);
     if (!runs) look.b[1] = f(top / surface.tile_m.y);
     return look;
 }
@@ -170,7 +160,6 @@ Look panel_look(const Scene& scene, const PanelOnScreen& shown, const Pose& pose
                 panel.top - pose.eye_z, panel_id(scene.map(), shown.panel));
     if (scene.lights)
         set_glow(look, scene, scene.lights->on_panel(scene.input.snapshot, shown.panel), panel.length, pose.eye_z);
-    move(look, shown.is_in_doorway ? kBehindDoorway : kBeforeWall);
     return look;
 }
 

@@ -7,21 +7,22 @@
 
 namespace enfilade::stencil {
 
-// In which order the rays of a tilted picture meet things, panels and what hangs in portals.
-
 /// A picture with holes, and the room that it stands or hangs in.
 struct PaneInRoom {
     SectorId room;
+    std::size_t number;  ///< parts of one picture have the same; of two that are equally near the smaller is the nearer
     Pane pane;
 };
 
-/// The panes of one layer, along every ray the nearer before the farther, as far as they are shown (shown_left_v,
-/// shown_right_v). One that goes through another, or past the eye, is cut in two, so that there is such an order.
-/// Given: room by room, and within a room the one that counts as nearer first where two are equally near.
-/// Cost: for each pane a look at each other one.
-std::vector<Pane> in_order(const std::vector<PaneInRoom>& panes);
+inline bool is_thing(const Pane& pane) { return std::holds_alternative<ThingOnScreen>(pane); }
 
-/// Adds all that stands or hangs in the layer's sectors, once, each thing in every sector only as far as it is there.
-void note_tilted_panes(Layer& layer, const FrameInput& input);
+/// All that stands or hangs in the layer's sectors, as far as it is shown (shown_left_v, shown_right_v): each thing in
+/// every sector only as far as it is there, and in two where it goes through a panel. So none goes through another.
+/// Cost: for each panel a look at each thing.
+std::vector<PaneInRoom> tilted_panes(const Layer& layer, const FrameInput& input);
+
+/// How deep a thing is inside its room [m]: what stands in the very plane of a doorway is in the room behind it,
+/// whatever rounding did (render/sprite.h).
+double depth_in_room(const ThingOnScreen& thing);
 
 }  // namespace enfilade::stencil

@@ -56,9 +56,9 @@ struct WallOnScreen {
     bool swapped = false;              ///< L is the wall's b: it is seen in a mirror, or a panel from behind
     bool is_open_left = false, is_open_right = false;  ///< tilted pictures show up to a pixel more there
     std::optional<Missed> missed;                      ///< its columns see it there, all at one depth
-    int rank = 0;                                      ///< upright pictures: along a column it grows from room to room
-    bool is_pane = false;                              ///< it stands or hangs before the wall of its rank
-    int begin = 0, end = 0;           ///< columns: those that show it, decided exactly; or of ranges those that may
+    int rank = 0;            ///< grows along every ray: upright from room to room, tilted from each to the next
+    bool is_pane = false;    ///< upright: it stands or hangs before the wall of its rank
+    int begin = 0, end = 0;  ///< columns: those that show it, decided exactly; or of ranges those that may
     double begin_px = 0, end_px = 0;  ///< its ends, within the margin of the picture
 
     /// e_L - e_R: positive where the wall is seen.

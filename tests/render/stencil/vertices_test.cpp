@@ -109,6 +109,15 @@ std::optional<View> vertex_pose(const Map& map, Random& random) {
     return view;
 }
 
+/// The same with true pitch and roll.
+View tilted(View view, Random& random) {
+    const auto turn = [&](double most) { return direction(Angle::from_degrees(random.uniform(-most, most))); };
+    view.pitch_tangent = 0;
+    const Vec2 pitch = turn(90);
+    view.tilt = Tilt{pitch, random.below(2) ? turn(180) : Vec2{1, 0}};
+    return view;
+}
+
 class StencilVertices : public testing::TestWithParam<std::pair<double, int>> {};
 
 TEST_P(StencilVertices, OfRandomMapsAreDrawnAsByAllRenderers) {
@@ -133,12 +142,73 @@ TEST_P(StencilVertices, OfRandomMapsAreDrawnAsByAllRenderers) {
     if (kIsLong) std::printf("stencil and column: %s\n", describe(sum).c_str());
 }
 
+TEST_P(StencilVertices, OfRandomMapsAreDrawnTiltedAsByTheReference) {
+    const auto [size, links] = GetParam();
+    Random random(8);
+    Agreement sum;
+    for (int i = 0; i < kSample.maps; ++i) {
+        const MapFile file = strewn_map(size, links, random);
+        const Map map = built(file);
+        const TextureSet textures = textures_for(file);
+        Sight sight(map, textures);
+        for (int j = 0; j < kSample.views; ++j)
+            if (const auto view = vertex_pose(map, random)) sum += sight.compare(tilted(*view, random), kSample.size);
+    }
+    expect_agreement(sum);
+    if (kIsLong) std::printf("stencil and reference, tilted: %s\n", describe(sum).c_str());
+}
+
 std::string name_of(const testing::TestParamInfo<std::pair<double, int>>& info) {
     return "CellsOf" + std::to_string(int(info.param.first)) + "m" + (info.param.second ? "Linked" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, StencilVertices,
                          testing::Values(std::pair(4.0, 0), std::pair(4.0, 3), std::pair(4096.0, 0)), name_of);
+
+/// From a point that some sector holds, with every pitch and eighth of a turn, yaw degrees on. eye_z [m].
+Agreement tilted_all_around(const MapFile& file, Vec2 eye, double eye_z, double yaw = 0) {
+    const Map map = built(file);
+    const TextureSet textures = textures_for(file);
+    Sight sight(map, textures);
+    Agreement sum;
+    View view;
+    view.sector = locate(map, eye);
+    view.eye = eye;
+    view.eye_z = eye_z;
+    if (!view.sector) return sum;  // on the outer side of an outer wall, under the tie rule
+    for (std::uint32_t eighth = 0; eighth < 8; ++eighth)
+        for (const double pitch : {-89.0, -45.0, -20.0, 0.0, 20.0, 45.0, 90.0}) {
+            view.forward = direction(Angle::from_degrees(yaw + 45 * eighth));
+            view.tilt = Tilt{direction(Angle::from_degrees(pitch)), {1, 0}};
+            sum += sight.compare(view, {160, 100});
+        }
+    return sum;
+}
+
+/// Two outlines of one sector touch in the eye's place: whole walls of both pass through it.
+TEST(TiltedStencilVertex, IsDrawnRightWhereTwoOutlinesTouchAtTheEye) {
+    const Vec2 pinch{-44.4921875, 90.408203125};
+    SectorRecord a = room(
+        "a", {{-53.626953125, 82.091796875}, {-15.1630859375, 82.763671875}, pinch, {-50.8427734375, 89.4189453125}}, 0,
+        0.064);
+    a.loops.push_back(loop_of({{-15.2568359375, 88.1865234375}, {-15.5185546875, 103.125}, pinch}));
+    const Agreement sum = tilted_all_around(map_of({a}), pinch, 0.022202287266953995);
+    EXPECT_GT(sum.pixels, 0u);
+    expect_agreement(sum);
+}
+
+/// Two rooms whose floors are one level, ten kilometres wide, the eye on that level or above it.
+TEST(TiltedStencilVertex, IsDrawnRightAtTenKilometres) {
+    const Vec2 p{16080.662109375, 13901.3623046875}, q{20820.4208984375, 17521.419921875};
+    MapFile file = map_of({room("a", {p, {25506.8154296875, 21100.7197265625}, q}, 0, 5000),
+                           room("b", {{4523.5625, 15771.65234375}, p, q}, 0, 5000)});
+    join_all(file);
+    for (SectorRecord& sector : file.sectors) sector.ceiling.parallax = true;
+    const Vec2 inside = snap_to_point_grid(Vec2{13610.798128026072, 14608.241249471204});
+    for (const Vec2 eye : {p, q, inside, (p + q) * 0.5, Vec2{21000, 17600}})
+        for (const double z : {0.0, 1.7, 2500.0})
+            for (const double yaw : {0.0, -10.233946047131205}) expect_agreement(tilted_all_around(file, eye, z, yaw));
+}
 
 }  // namespace
 }  // namespace enfilade::test
