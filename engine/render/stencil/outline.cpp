@@ -39,7 +39,10 @@ Even widened(const Even& edge, double px) {
 }  // namespace
 
 Even below(const RayField& rays, const WallOnScreen& wall, double height) {
-    const Even line = span(rays, wall) * height - rays.up * std::max(depth_factor(wall), kAnInstant);
+    Even met = span(rays, wall);
+    // Between its ends all rays meet a wall that passes through the eye, up to the very line where it vanishes.
+    if (rays.is_tilted && wall.cross == 0) met = widened(met, 2 * kMargin);
+    const Even line = met * height - rays.up * std::max(depth_factor(wall), kAnInstant);
     return {line.at_0 - line.per_y * kTieShift, line.per_x, line.per_y};
 }
 

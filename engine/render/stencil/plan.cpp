@@ -1,6 +1,8 @@
 #include "render/stencil/plan.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "render/look_budget.h"
 #include "render/stencil/outline.h"
@@ -60,14 +62,36 @@ private:
     /// Finds the layer's sectors and, in exits_, its exits; upright, its walls and panes.
     void fill(Layer& layer, std::vector<Visit> visits) {
         exits_.clear();
+        seen_through_.clear();
         visits_ = std::move(visits);
         while (!visits_.empty()) {
-            Visit visit = std::move(visits_.back());
-            visits_.pop_back();
-            if (visit.window.is_empty()) continue;
+            const Visit visit = take_visit();
+            if (visit.window.is_empty() || (rays_.is_tilted && was_seen(visit))) continue;
             look_into(layer, visit);
-            plan_.rooms.push_back({visit.sector, visit.depth, std::move(visit.window)});
+            plan_.rooms.push_back({visit.sector, visit.depth, visit.window});
         }
+    }
+
+    /// Tilted: of the looks that are left the one that has spent least, so that of two ways to a doorway the cheaper is
+    /// followed, and only it (was_seen).
+    Visit take_visit() {
+        if (rays_.is_tilted)
+            std::iter_swap(visits_.end() - 1, std::min_element(visits_.begin(), visits_.end(), spent_less));
+        Visit visit = std::move(visits_.back());
+        visits_.pop_back();
+        return visit;
+    }
+
+    static bool spent_less(const Visit& a, const Visit& b) { return a.spent < b.spent; }
+
+    /// Whether a look through the same doorway saw all of it already. Columns that stand for ranges of rays know two
+    /// doorways that are side by side from each other no better than two in a row: without this, chains lead from each
+    /// of them into the other for ever.
+    bool was_seen(const Visit& visit) {
+        ClipWindow& seen = seen_through_[{visit.entry.index, visit.face}];
+        if (seen.holds(visit.window)) return true;
+        seen.open(visit.window);
+        return false;
     }
 
     void look_into(Layer& layer, const Visit& visit) {
@@ -204,6 +228,7 @@ private:
     std::vector<std::vector<Visit>> first_visits_;  ///< by layer
     // Of the layer being filled.
     std::vector<Visit> visits_;
+    std::map<std::pair<std::size_t, std::size_t>, ClipWindow> seen_through_;  ///< tilted: by entry and face
     std::vector<OpenExit> exits_;
 };
 

@@ -24,6 +24,14 @@ void ClipWindow::open(const ClipWindow& other) {
         if (!other.at(x).is_closed()) open(x, other.at(x));
 }
 
+bool ClipWindow::holds(const ClipWindow& other) const {
+    for (int x = other.begin; x < other.end(); ++x) {
+        if (other.at(x).is_closed()) continue;
+        if (x < begin || x >= end() || at(x).top > other.at(x).top || at(x).bottom < other.at(x).bottom) return false;
+    }
+    return true;
+}
+
 Box box_around(const ClipWindow& window) {
     Box box{window.begin, window.end(), 0, 0};
     for (const OpenRows& rows : window.rows) {

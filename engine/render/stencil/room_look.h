@@ -23,6 +23,8 @@ struct ClipWindow {
     void open(int x, OpenRows more);
     /// Opens all that is open in the other.
     void open(const ClipWindow& other);
+    /// Whether all that is open in the other is open here, too.
+    bool holds(const ClipWindow& other) const;
 };
 
 /// Columns and rows [begin, end) [px].
