@@ -23,10 +23,41 @@ void Mesh::add_sheet() {
     indices_.insert(indices_.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
 }
 
+namespace {
+
+constexpr double kEverything = std::numeric_limits<double>::infinity();
+
+/// Seen at an angle of more than a quarter.
+bool is_wide(const WallOnScreen& wall) { return dot(wall.left_v, wall.right_v) < 0; }
+
+}  // namespace
+
 void Mesh::add_strip(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights, const Look& look) {
     if (heights.is_empty()) return;
+    if (rays.is_tilted && is_wide(wall)) {
+        if (heights.ceiling > 0) add_half(rays, wall, {std::max(heights.floor, 0.0), heights.ceiling}, look, 1);
+        if (heights.floor < 0) add_half(rays, wall, {heights.floor, std::min(heights.ceiling, 0.0)}, look, -1);
+        return;
+    }
     set_between_ends(outline_, rays, wall);
     keep_between(outline_, rays, wall, heights);
+    add_outline(rays, look);
+}
+
+/// Only what rays see that lead up (up: 1), which come above the eye alone, or down (-1). The lines of all heights run
+/// on beyond the point where a wall vanishes. If that is at its very ends, as almost all of what is seen from next to a
+/// wall, the graphics card's grid might take a pixel between them for one beyond.
+void Mesh::add_half(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights, const Look& look,
+                    double up) {
+    set_between_ends(outline_, rays, wall);
+    outline_.keep(climb(rays) * up);
+    keep_between(
+        outline_, rays, wall,
+        {heights.floor == 0 ? -kEverything : heights.floor, heights.ceiling == 0 ? kEverything : heights.ceiling});
+    add_outline(rays, look);
+}
+
+void Mesh::add_outline(const RayField& rays, const Look& look) {
     if (outline_.is_empty()) return;
     const auto first = static_cast<std::uint32_t>(vertices_.size());
     for (const Corner& corner : outline_.corners())
@@ -63,8 +94,6 @@ KindRange Mesh::with_holes(const Range& range) {
 }
 
 namespace {
-
-constexpr double kEverything = std::numeric_limits<double>::infinity();
 
 class LayerBuilder {
 public:

@@ -55,6 +55,10 @@ public:
     const std::vector<std::uint32_t>& indices() const { return indices_; }
 
 private:
+    void add_half(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights, const Look& look,
+                  double up);
+    void add_outline(const RayField& rays, const Look& look);
+
     std::vector<Vertex> vertices_;
     std::vector<std::uint32_t> indices_;
     std::array<bool, kKinds> has_{};

@@ -42,9 +42,10 @@ Even below(const RayField& rays, const WallOnScreen& wall, double height) {
     Even met = span(rays, wall);
     // Between its ends all rays meet a wall that passes through the eye, up to the very line where it vanishes.
     if (rays.is_tilted && wall.cross == 0) met = widened(met, 2 * kMargin);
-    const Even line = met * height - rays.up * std::max(depth_factor(wall), kAnInstant);
-    return {line.at_0 - line.per_y * kTieShift, line.per_x, line.per_y};
+    return met * height - climb(rays) * std::max(depth_factor(wall), kAnInstant);
 }
+
+Even climb(const RayField& rays) { return widened(rays.up, kTieShift); }
 
 void set_between_ends(Outline& outline, const RayField& rays, const WallOnScreen& wall) {
     const double top = -kMargin, bottom = rays.height + kMargin;

@@ -45,6 +45,9 @@ inline Even span(const RayField& rays, const WallOnScreen& wall) {
 
 inline double depth_factor(const WallOnScreen& wall) { return wall.missed ? wall.missed->depth : wall.cross; }
 
+/// Positive where rays lead up, under the rule of kTieShift.
+Even climb(const RayField& rays);
+
 /// Positive where a wall is met below a height above the eye.
 Even below(const RayField& rays, const WallOnScreen& wall, double height);
 

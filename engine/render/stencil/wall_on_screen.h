@@ -32,9 +32,9 @@ struct Screen {
     double slope_at(double px) const { return (px - width * 0.5) * slope_per_px; }
 };
 
-/// Graphics cards put vertices on a grid of 1/256 px or finer. Edges between rows are drawn this much lower [px], so
-/// that what goes exactly through a pixel's centre, as often happens where maps and players are lined up, falls on the
-/// side that the other renderers' rule says. Between columns nothing is left to the card.
+/// Graphics cards put vertices on a grid of 1/256 px or finer. Edges between rows are drawn for rays that climb this
+/// much more [px], so that what goes exactly through a pixel's centre, as often happens where maps and players are lined
+/// up, falls on the side that the other renderers' rule says. Between columns nothing is left to the card.
 inline constexpr double kTieShift = 1.0 / 256;
 
 /// How far beyond the picture's edges shapes are kept [px].
