@@ -32,11 +32,6 @@ constexpr double kRangeSlack = 1.0 / 64;
 /// eye is rounded onto its grid, and a wall might stop a rounding short of the doorway.
 constexpr double kSameLine = 0x1p-16;
 
-/// Whether two vertices in view space are in one direction.
-bool are_in_line(Vec2 p, Vec2 q) {
-    return std::fabs(cross(p, q)) <= kSameLine * std::sqrt(dot(p, p) * dot(q, q)) && dot(p, q) > 0;
-}
-
 double column_of(Vec2 v, const Screen& screen) {
     return screen.px_of(v.x / (v.y + 0.0));  // + 0: turns -0, which would be behind, into 0
 }
@@ -107,6 +102,10 @@ std::optional<WallOnScreen> on_screen(const Map& map, WallId id, const Pose& pos
     if (doorway && screen.has_ranges) extend_beyond(*wall, *doorway);
     if (wall->begin >= wall->end) return {};
     return wall;
+}
+
+bool are_in_line(Vec2 p, Vec2 q) {
+    return std::fabs(cross(p, q)) <= kSameLine * std::sqrt(dot(p, p) * dot(q, q)) && dot(p, q) > 0;
 }
 
 void extend_beyond(WallOnScreen& wall, const WallOnScreen& doorway) {

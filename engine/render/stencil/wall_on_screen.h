@@ -88,6 +88,9 @@ bool put_on_screen(WallOnScreen& wall, const Pose& pose, const Screen& screen);
 std::optional<WallOnScreen> on_screen(const Map& map, WallId wall, const Pose& pose, const Screen& screen,
                                       const WallOnScreen* doorway);
 
+/// Whether two vertices in view space are as good as in one direction.
+bool are_in_line(Vec2 p_v, Vec2 q_v);
+
 /// A doorway's ends are authoritative: in tilted pictures, which have no columns of which to say that all walls miss
 /// them, a wall behind it that ends there, or in line with it, is extended by a column, which the doorway hides unless
 /// rounding left it to nobody.
