@@ -9,6 +9,7 @@
 #include "render/stencil/panorama.h"
 #include "render/stencil/room_look.h"
 #include "render/stencil/room_panes.h"
+#include "render/stencil/tilted_stand_ins.h"
 
 namespace enfilade::stencil {
 namespace {
@@ -64,6 +65,7 @@ private:
         exits_.clear();
         seen_through_.clear();
         visits_ = std::move(visits);
+        if (rays_.is_tilted) look_through_stand_ins(layer);
         while (!visits_.empty()) {
             const Visit visit = take_visit();
             if (visit.window.is_empty() || (rays_.is_tilted && was_seen(visit))) continue;
@@ -118,7 +120,12 @@ private:
         ClipWindow beyond = room_.open_behind(wall, opening, nearest);
         if (beyond.is_empty()) return;
         if (map()[portal.middle].texture && !rays_.is_tilted) note_hanging(layer, wall, beyond);
-        const Visit& here = room_.visit();
+        look_behind(wall, std::move(beyond), nearest, room_.visit());
+    }
+
+    /// beyond: what is open; here: the look that got to the portal.
+    void look_behind(const WallOnScreen& wall, ClipWindow beyond, double nearest, const Visit& here) {
+        const Wall& portal = map()[wall.wall];
         Visit visit{portal.behind,
                     portal.exit,
                     wall,
@@ -130,6 +137,15 @@ private:
             note_exit(wall.wall, nearest, is_spent(here), std::move(visit));
         else
             visits_.push_back(std::move(visit));
+    }
+
+    /// Through those of a tilted layer that are portals, in all that the layer shows.
+    void look_through_stand_ins(Layer& layer) {
+        layer.stand_ins = tilted_stand_ins(layer, map());
+        const std::vector<Visit> looks = layer.stand_ins.empty() ? std::vector<Visit>() : visits_;
+        for (const WallOnScreen& wall : layer.stand_ins)
+            if (!parts_of(map(), input_.snapshot, wall.wall, layer.pose.eye_z).opening.is_empty())
+                for (const Visit& look : looks) look_behind(wall, look.window, 1 / kNearestSprite, look);
     }
 
     /// Whether a look that got here goes no further.
@@ -210,13 +226,19 @@ private:
         child.opened = seen.visits[0].doorway;
         child.level = parent.level + 1;
         if (rays_.is_tilted) {
-            child.opened = *in_view(map(), seen.exit.wall, parent.pose);
+            child.opened = place_in(parent, seen.exit.wall);
             const RelativeHeights opening = parts_of(map(), input_.snapshot, seen.exit.wall, parent.pose.eye_z).opening;
             child.box = common(parent.box, box_around(rays_, child.opened, opening));
         } else {
             child.box = box_around(seen.visits[0].window);
         }
         return child;
+    }
+
+    WallOnScreen place_in(const Layer& layer, WallId portal) const {
+        for (const WallOnScreen& wall : layer.stand_ins)
+            if (wall.wall == portal) return wall;
+        return *in_view(map(), portal, layer.pose);
     }
 
     const FrameInput& input_;

@@ -6,7 +6,6 @@
 #include "math/predicates.h"
 #include "render/stencil/sweep.h"
 #include "render/stencil/tilted_panes.h"
-#include "render/stencil/tilted_stand_ins.h"
 
 namespace enfilade::stencil {
 
@@ -36,7 +35,7 @@ public:
 
     TiltedLayer order() const {
         const auto is_met_before = [this](std::size_t i, std::size_t j) { return this->is_met_before(i, j); };
-        TiltedLayer ordered{tilted_stand_ins(layer_, input_.map), {}};
+        TiltedLayer ordered{layer_.stand_ins, {}};
         int rank = 1;
         for (const SweptPart& part : in_order_of_rays(lines_, layer_.pose.eye, is_met_before))
             add_part(ordered, part, rank++);

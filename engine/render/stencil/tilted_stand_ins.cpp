@@ -30,8 +30,8 @@ public:
     }
 
     std::vector<WallOnScreen> fill() {
-        Turn reached{layer_.opened.left_v, 0};
-        const Turn end = turn_to(layer_.opened.right_v);
+        Turn reached{layer_.opened.shown_left_v, 0};
+        const Turn end = turn_to(layer_.opened.shown_right_v);
         for (const Covered& wall : covered_) {
             if (wall.begin.by >= end.by) break;
             if (wall.begin.by > reached.by) fill(reached, wall.begin);
@@ -43,7 +43,7 @@ public:
 
 private:
     Turn turn_to(Vec2 way_v) const {
-        const Vec2 from = layer_.opened.left_v;
+        const Vec2 from = layer_.opened.shown_left_v;
         const double right = -cross(from, way_v), ahead = dot(from, way_v);
         if (right >= 0) return {way_v, ahead > 0 ? right / (right + ahead) : 1 - ahead / (right - ahead)};
         return {way_v, ahead < 0 ? 2 + right / (right + ahead) : 3 + ahead / (ahead - right)};
@@ -54,7 +54,7 @@ private:
         const auto wall = in_view(map_, id, layer_.pose);
         if (!wall) return;
         const Turn begin = turn_to(wall->left_v), end = turn_to(wall->right_v);
-        if (end.by < begin.by) covered_.push_back({{layer_.opened.left_v, 0}, end});
+        if (end.by < begin.by) covered_.push_back({{layer_.opened.shown_left_v, 0}, end});
         covered_.push_back({begin, end.by < begin.by ? Turn{begin.way_v, 4} : end});
     }
 
@@ -65,7 +65,7 @@ private:
         wall.shown_left_v = begin.way_v;
         wall.shown_right_v = end.way_v;
         wall.is_open_left = begin.by == 0;
-        wall.is_open_right = end.way_v == layer_.opened.right_v;
+        wall.is_open_right = end.way_v == layer_.opened.shown_right_v;
         filled_.push_back(wall);
     }
 
@@ -77,10 +77,17 @@ private:
         const Pose face = face_of(layer_.pose, quarters);
         const SectorId room = map_[layer_.entry].sector;
         const WallId id = least_missed(map_, room, face, way.x / way.y, layer_.entry);
-        WallOnScreen in_face = *in_view(map_, id, face), wall = *in_view(map_, id, layer_.pose);
-        in_face.stand_in(way.x / way.y);
-        wall.missed = in_face.missed;
+        WallOnScreen wall = *in_view(map_, id, layer_.pose);
+        wall.missed = met(*in_view(map_, id, face), way.x / way.y);
         return wall;
+    }
+
+    /// The end of the wall that is the nearer to the ray; nothing is met behind the eye.
+    static Missed met(const WallOnScreen& wall, double slope) {
+        const double left = edge(wall.left_v, slope), right = edge(wall.right_v, slope);
+        const double along = left != right ? std::clamp(left / (left - right), 0.0, 1.0) : 0;
+        const Vec2 place = wall.left_v + (wall.right_v - wall.left_v) * along;
+        return {std::max(place.y, 0.0), wall.swapped ? 1 - along : along};
     }
 
     const Layer& layer_;

@@ -155,7 +155,8 @@ TEST_P(StencilVertices, OfRandomMapsAreDrawnTiltedAsByTheReference) {
             if (const auto view = vertex_pose(map, random)) {
                 const Agreement one = sight.compare(tilted(*view, random), kSample.size);
                 const auto c = sight.counts();
-                if (one.elsewhere + one.undrawn || one.at_edges > 40)
+                if (getenv("DBGG")) fprintf(stderr, "map %d view %d\n", i, j);
+ if (one.elsewhere + one.undrawn || one.at_edges > 40)
                     std::printf("DBG map %d view %d: edges %d elsewhere %d undrawn %d layers %zu sectors %zu rooms %zu cut %zu deepest %d %s\n", i, j, int(one.at_edges), int(one.elsewhere), int(one.undrawn), c.layers, c.sectors, c.visits, c.cut, c.deepest, one.first_fault.c_str());
                 sum += one;
             }
