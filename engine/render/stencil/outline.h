@@ -39,7 +39,7 @@ inline Even edge(const RayField& rays, Vec2 vertex_v) { return rays.right * vert
 /// e_L - e_R of all rays: positive where they meet the wall's line ahead of the eye; depth_factor / span is how far
 /// away, along the line of sight [m].
 inline Even span(const RayField& rays, const WallOnScreen& wall) {
-    if (wall.missed) return {1, 0, 0};
+    if (wall.missed) return rays.ahead * wall.missed->ahead_v.y + rays.right * wall.missed->ahead_v.x;
     return rays.right * (wall.left_v.y - wall.right_v.y) - rays.ahead * (wall.left_v.x - wall.right_v.x);
 }
 

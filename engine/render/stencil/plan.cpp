@@ -133,13 +133,15 @@ private:
                     here.face,
                     here.depth + 1,
                     here.spent + cost_of_look_into(map()[portal.behind])};
-        if (leads_out(portal) || is_spent(here))
+        const bool stands_in = rays_.is_tilted && wall.missed;
+        if (stands_in || leads_out(portal) || is_spent(here))
             note_exit(wall.wall, nearest, is_spent(here), std::move(visit));
         else
             visits_.push_back(std::move(visit));
     }
 
-    /// Through those of a tilted layer that are portals, in all that the layer shows.
+    /// Through those of a tilted layer that are portals, in all that the layer shows. What is behind is a layer of its
+    /// own, where walls may have to stand in again.
     void look_through_stand_ins(Layer& layer) {
         layer.stand_ins = tilted_stand_ins(layer, map());
         const std::vector<Visit> looks = layer.stand_ins.empty() ? std::vector<Visit>() : visits_;
@@ -226,19 +228,32 @@ private:
         child.opened = seen.visits[0].doorway;
         child.level = parent.level + 1;
         if (rays_.is_tilted) {
-            child.opened = place_in(parent, seen.exit.wall);
+            child.opened = *in_view(map(), seen.exit.wall, parent.pose);
             const RelativeHeights opening = parts_of(map(), input_.snapshot, seen.exit.wall, parent.pose.eye_z).opening;
             child.box = common(parent.box, box_around(rays_, child.opened, opening));
+            if (stands_in(parent, seen.exit.wall)) open_by_stand_ins(child, parent, seen.exit.wall);
         } else {
             child.box = box_around(seen.visits[0].window);
         }
         return child;
     }
 
-    WallOnScreen place_in(const Layer& layer, WallId portal) const {
-        for (const WallOnScreen& wall : layer.stand_ins)
-            if (wall.wall == portal) return wall;
-        return *in_view(map(), portal, layer.pose);
+    static bool stands_in(const Layer& layer, WallId portal) {
+        return std::any_of(layer.stand_ins.begin(), layer.stand_ins.end(),
+                           [&](const WallOnScreen& wall) { return wall.wall == portal; });
+    }
+
+    /// One looks in anywhere between the first and the last of them.
+    static void open_by_stand_ins(Layer& child, const Layer& parent, WallId portal) {
+        child.box = parent.box;
+        bool is_first = true;
+        for (const WallOnScreen& wall : parent.stand_ins) {
+            if (wall.wall != portal) continue;
+            const Vec2 left = is_first ? wall.shown_left_v : child.opened.shown_left_v;
+            child.opened = wall;
+            child.opened.shown_left_v = left;
+            is_first = false;
+        }
     }
 
     const FrameInput& input_;

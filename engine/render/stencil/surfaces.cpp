@@ -56,7 +56,7 @@ void set_light(Look& look, const Lighting& lighting) {
 
 /// Where along the wall from its a, as a part of span: e_L, or -e_R where a is the right end.
 Even from_a(const RayField& rays, const WallOnScreen& place) {
-    if (place.missed) return {place.missed->along, 0, 0};
+    if (place.missed) return span(rays, place) * place.missed->along;
     return place.swapped ? edge(rays, place.right_v) * -1 : edge(rays, place.left_v);
 }
 

@@ -9,6 +9,13 @@ namespace enfilade::stencil {
 
 namespace {
 
+/// Length of a piece on a circle of radius 1.
+constexpr double kPiece = 1.0 / 64;
+
+/// Of what is missed a depth is known along one direction: the view's own, or for rays farther from it than this the
+/// one of four that is nearest, as in the reference (render/reference/ray_path.cpp) [1].
+constexpr double kMostSlope = 115;
+
 /// A direction as seen from the left end of the doorway, and how far it is turned to the right from there: 0 to 4, a
 /// quarter of a turn counting as 1, not evenly.
 struct Turn {
@@ -60,8 +67,12 @@ private:
 
     void fill(const Turn& begin, const Turn& end) {
         if (are_in_line(begin.way_v, end.way_v)) return;  // a wall reaches beyond its end there (extend_beyond)
-        const Vec2 across = unit(end.way_v) - unit(begin.way_v);
-        WallOnScreen wall = stand_in({-across.y, across.x});
+        const Vec2 across = unit(end.way_v) - unit(begin.way_v), middle{-across.y, across.x};
+        if (dot(across, across) > kPiece * kPiece) {
+            fill(begin, turn_to(middle));
+            return fill(turn_to(middle), end);
+        }
+        WallOnScreen wall = stand_in(middle);
         wall.shown_left_v = begin.way_v;
         wall.shown_right_v = end.way_v;
         wall.is_open_left = begin.by == 0;
@@ -73,12 +84,15 @@ private:
 
     WallOnScreen stand_in(Vec2 way) const {
         std::size_t quarters = 0;
-        for (; std::fabs(way.x) > way.y; ++quarters) way = {-way.y, way.x};  // turned to the right, its right is behind
+        if (!(way.y > 0 && std::fabs(way.x) <= kMostSlope * way.y))
+            for (; std::fabs(way.x) > way.y; ++quarters) way = {-way.y, way.x};  // turned right, its right is behind
         const Pose face = face_of(layer_.pose, quarters);
         const SectorId room = map_[layer_.entry].sector;
         const WallId id = least_missed(map_, room, face, way.x / way.y, layer_.entry);
         WallOnScreen wall = *in_view(map_, id, layer_.pose);
         wall.missed = met(*in_view(map_, id, face), way.x / way.y);
+        constexpr Vec2 kAheads[] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}};
+        wall.missed->ahead_v = kAheads[quarters];
         return wall;
     }
 
@@ -87,7 +101,7 @@ private:
         const double left = edge(wall.left_v, slope), right = edge(wall.right_v, slope);
         const double along = left != right ? std::clamp(left / (left - right), 0.0, 1.0) : 0;
         const Vec2 place = wall.left_v + (wall.right_v - wall.left_v) * along;
-        return {std::max(place.y, 0.0), wall.swapped ? 1 - along : along};
+        return {std::max(place.y, 0.0), wall.swapped ? 1 - along : along, {}};
     }
 
     const Layer& layer_;
@@ -99,7 +113,7 @@ private:
 }  // namespace
 
 std::vector<WallOnScreen> tilted_stand_ins(const Layer& layer, const Map& map) {
-    if (!layer.entry || map[layer.entry].link == Wall::kNoLink) return {};
+    if (!layer.entry || (map[layer.entry].link == Wall::kNoLink && !layer.opened.missed)) return {};
     return Gaps(layer, map).fill();
 }
 

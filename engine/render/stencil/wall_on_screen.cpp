@@ -58,7 +58,8 @@ void WallOnScreen::stand_in(double slope) {
     const double there = span(slope), from_left = edge(left_v, slope);
     const bool is_met = there > 0;  // at least behind one of its ends
     const double along = is_met ? std::clamp(from_left / there, 0.0, 1.0) : 0;
-    missed = {is_met ? std::clamp(cross / there, nearest(), farthest()) : farthest(), swapped ? 1 - along : along};
+    missed = {
+        is_met ? std::clamp(cross / there, nearest(), farthest()) : farthest(), swapped ? 1 - along : along, {0, 1}};
 }
 
 double WallOnScreen::nearest() const { return std::max(std::min(left_v.y, right_v.y), 0.0); }

@@ -33,8 +33,8 @@ struct Screen {
 };
 
 /// Graphics cards put vertices on a grid of 1/256 px or finer. Edges between rows are drawn for rays that climb this
-/// much more [px], so that what goes exactly through a pixel's centre, as often happens where maps and players are lined
-/// up, falls on the side that the other renderers' rule says. Between columns nothing is left to the card.
+/// much more [px], so that what goes exactly through a pixel's centre, as often happens where maps and players are
+/// lined up, falls on the side that the other renderers' rule says. Between columns nothing is left to the card.
 inline constexpr double kTieShift = 1.0 / 256;
 
 /// How far beyond the picture's edges shapes are kept [px].
@@ -42,8 +42,9 @@ inline constexpr double kMargin = 1;
 
 /// Where a wall that stands in for a column whose ray misses it is met (render/least_missed.h).
 struct Missed {
-    double depth = 0;  ///< [m]
-    double along = 0;  ///< from the wall's a to its b, 0..1
+    double depth = 0;    ///< [m]
+    double along = 0;    ///< from the wall's a to its b, 0..1
+    Vec2 ahead_v{0, 1};  ///< the depth is measured in this direction of the view
     bool operator==(const Missed&) const = default;
 };
 
