@@ -12,7 +12,7 @@ namespace enfilade::wadconv {
 namespace {
 
 /// From one picture to another in the order of the WAD.
-struct Range {
+struct PictureRange {
     bool is_flat;
     std::string first, last;
     double tics;
@@ -46,10 +46,10 @@ constexpr std::array kBuiltIn = {
 constexpr std::size_t kNameBytes = 9, kAnimatedBytes = 23, kSwitchesBytes = 20;
 
 /// Entries until one that ends the list or is cut off: kind, last and first name, tics.
-std::vector<Range> read_animated(std::span<const std::byte> lump) {
-    std::vector<Range> ranges;
+std::vector<PictureRange> read_animated(std::span<const std::byte> lump) {
+    std::vector<PictureRange> ranges;
     for (; lump.size() >= kAnimatedBytes && lump[0] != std::byte{0xFF}; lump = lump.subspan(kAnimatedBytes)) {
-        Range range;
+        PictureRange range;
         range.is_flat = (std::to_integer<int>(lump[0]) & 1) == 0;
         range.last = lump_name(lump.subspan(1, kNameBytes));
         range.first = lump_name(lump.subspan(1 + kNameBytes, kNameBytes));
@@ -60,9 +60,9 @@ std::vector<Range> read_animated(std::span<const std::byte> lump) {
     return ranges;
 }
 
-std::vector<Range> ranges_of(const WadPile& pile) {
+std::vector<PictureRange> ranges_of(const WadPile& pile) {
     if (const Lump* lump = pile.find("ANIMATED")) return read_animated(lump->bytes);
-    std::vector<Range> ranges;
+    std::vector<PictureRange> ranges;
     for (const BuiltIn& b : kBuiltIn)
         ranges.push_back({b.is_flat, std::string(b.first), std::string(b.last), kUsualTics});
     return ranges;
@@ -92,7 +92,7 @@ std::vector<std::pair<std::string, std::string>> faces_of(const WadPile& pile, c
 std::vector<AnimationRecord> list_animations(const WadPile& pile, const PictureOrder& order) {
     std::vector<AnimationRecord> animations;
     std::set<std::string> taken;
-    for (const Range& range : ranges_of(pile)) {
+    for (const PictureRange& range : ranges_of(pile)) {
         const std::vector<NamedPicture>& all = range.is_flat ? order.flats : order.walls;
         const auto first = std::ranges::find(all, range.first, &NamedPicture::lump);
         const auto last = std::find_if(first, all.end(), [&](const NamedPicture& p) { return p.lump == range.last; });

@@ -13,7 +13,7 @@ namespace {
 constexpr double kGridSteps = 32;
 
 /// A piece of a line within one part.
-struct Piece {
+struct LinePiece {
     std::uint32_t part = kNone;
     Vec2 a, b;  ///< [map units], on the vertex grid
 };
@@ -39,15 +39,15 @@ Point fine_middle(Vec2 a, Vec2 b) {
 }
 
 /// Cuts a line wherever it crosses the edge of a part, and drops what lies in none.
-std::vector<Piece> pieces_of(const Parts& parts, Point a, Point b) {
+std::vector<LinePiece> pieces_of(const Parts& parts, Point a, Point b) {
     std::vector<double> cuts = {0, 1};
     for (std::uint32_t e = 0; e < parts.edges.size(); ++e)
         if (parts.part_of_edge[e] != kNone)
             if (const auto t = crossing(a, b, parts.edges[e])) cuts.push_back(*t);
     std::ranges::sort(cuts);
-    std::vector<Piece> pieces;
+    std::vector<LinePiece> pieces;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-        Piece piece{kNone, point_along(a, b, cuts[i]), point_along(a, b, cuts[i + 1])};
+        LinePiece piece{kNone, point_along(a, b, cuts[i]), point_along(a, b, cuts[i + 1])};
         piece.part = piece.a == piece.b ? kNone : part_at(parts, fine_middle(piece.a, piece.b));
         if (piece.part != kNone) pieces.push_back(piece);
     }
@@ -64,7 +64,7 @@ bool look_alike(const Sidedef& one, const Sidedef& other) {
 }
 
 /// Hangs the picture, once from top to bottom, as Doom hangs the middle texture of such a line.
-void hang_picture(const PictureFile& file, const Linedef& line, const Sidedef& side, const Heights& heights,
+void hang_picture(const PictureFile& file, const Linedef& line, const Sidedef& side, const DoomHeights& heights,
                   PanelRecord& panel) {
     if (line.flags & kLowerUnpegged) {
         panel.bottom = metres(heights.floor + side.y_offset);
@@ -113,25 +113,25 @@ private:
     /// Doom's lines are used from the right only, but shot at from both sides.
     std::vector<TriggerRecord> triggers_of(std::uint32_t index) {
         const Linedef& line = bench_.doom.lines[index];
-        const std::optional<LineAction> action = action_of(line.special);
-        if (!action) return {};
-        const bool can_be_passed = action->how == How::cross ? is_two_sided(line) && !blocks_ : is_two_sided(line);
+        const std::optional<LineAction> line_action = line_action_of(line.special);
+        if (!line_action) return {};
+        const bool can_be_passed = line_action->how == How::cross ? is_two_sided(line) && !blocks_ : is_two_sided(line);
         std::vector<TriggerRecord> triggers = bench_.triggers.triggers_of(index, can_be_passed);
         for (TriggerRecord& trigger : triggers)
-            if (action->how == How::use || action->how == How::push) trigger.one_way = true;
+            if (line_action->how == How::use || line_action->how == How::push) trigger.one_way = true;
         return triggers;
     }
 
     void add_from(Point start, Point end, const Linedef& line, const PictureFile* file, const Sidedef* side) {
-        for (const Piece& piece : pieces_of(bench_.parts, start, end)) add(line, piece, file, side, start);
+        for (const LinePiece& piece : pieces_of(bench_.parts, start, end)) add(line, piece, file, side, start);
     }
 
     const PictureFile* picture_of(const Sidedef& side, std::uint32_t line) {
         return texture_spec(bench_, side.middle, side, line) ? bench_.pictures.wall(side.middle) : nullptr;
     }
 
-    void add(const Linedef& line, const Piece& piece, const PictureFile* file, const Sidedef* side, Point start) {
-        const Heights& heights = bench_.heights_of(bench_.parts.parts[piece.part]);
+    void add(const Linedef& line, const LinePiece& piece, const PictureFile* file, const Sidedef* side, Point start) {
+        const DoomHeights& heights = bench_.heights_of(bench_.parts.parts[piece.part]);
         PanelRecord panel;
         panel.a = {metres(piece.a.x), metres(piece.a.y)};
         panel.b = {metres(piece.b.x), metres(piece.b.y)};
@@ -150,7 +150,7 @@ private:
         ++bench_.report.panels;
     }
 
-    const Heights& own_heights(const Sidedef& side) const { return bench_.heights[side.sector]; }
+    const DoomHeights& own_heights(const Sidedef& side) const { return bench_.heights[side.sector]; }
 
     static double distance(Point from, Vec2 to) {
         const double dx = to.x - from.x, dy = to.y - from.y;

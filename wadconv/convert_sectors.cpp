@@ -74,10 +74,10 @@ Nature nature_of(int special) {
 }
 
 /// Doors that move by themselves: one closes after half a minute, the other opens after five.
-TriggerRecord door_at_start(Deed deed, double after_s) {
+TriggerRecord door_at_start(TriggerAction action, double after_s) {
     TriggerRecord trigger;
-    trigger.on = Occasion::start;
-    trigger.deed = deed;
+    trigger.on = Activation::start;
+    trigger.action = action;
     trigger.after = after_s;
     trigger.speed = metres(kDoorSpeed * kTicsPerSecond);
     return trigger;
@@ -97,8 +97,8 @@ void give_nature(Workbench& bench, const Part& part, SectorRecord& record) {
     record.light_effect = light_effect_of(nature.light, doom.light, bench.neighbours.darkest(part.sector));
     record.damage = damage_a_second(nature.damage);
     record.secret = nature.is_secret;
-    if (doom.special == 10) record.triggers.push_back(door_at_start(Deed::close, 30));
-    if (doom.special == 14) record.triggers.push_back(door_at_start(Deed::door, 300));
+    if (doom.special == 10) record.triggers.push_back(door_at_start(TriggerAction::close, 30));
+    if (doom.special == 14) record.triggers.push_back(door_at_start(TriggerAction::door, 300));
     if (doom.special == 0 || is_said(doom.special)) return;
     record.doom = DoomRecord{doom.special, doom.tag, 0};
     if (part.number == 0) ++bench.report.sectors_left[doom.special];
@@ -106,7 +106,7 @@ void give_nature(Workbench& bench, const Part& part, SectorRecord& record) {
 
 SectorRecord sector_record(Workbench& bench, const Part& part) {
     const DoomSector& doom = bench.doom.sectors[part.sector];
-    const Heights& heights = bench.heights_of(part);
+    const DoomHeights& heights = bench.heights_of(part);
     SectorRecord record;
     record.name = part_name(part);
     record.light = std::clamp<int>(doom.light, 0, 255) / kLightLevels;

@@ -20,19 +20,19 @@ struct MoverSounds {
 };
 
 MoverSounds sounds_of(const TriggerRecord& trigger) {
-    switch (trigger.deed) {
-        case Deed::door:
-        case Deed::open:
-        case Deed::close:
-        case Deed::close_then_open:
+    switch (trigger.action) {
+        case TriggerAction::door:
+        case TriggerAction::open:
+        case TriggerAction::close:
+        case TriggerAction::close_then_open:
             if (trigger.speed >= kFastDoor) return {"bdopn", "bdcls", ""};
             return {"doropn", "dorcls", ""};
-        case Deed::lift:
-        case Deed::shuttle: return {"pstart", "pstart", "pstop"};
-        case Deed::floor:
-        case Deed::stairs: return {"stnmov", "stnmov", "pstop"};
-        case Deed::ceiling:
-        case Deed::crush: return {"stnmov", "stnmov", ""};
+        case TriggerAction::lift:
+        case TriggerAction::shuttle: return {"pstart", "pstart", "pstop"};
+        case TriggerAction::floor:
+        case TriggerAction::stairs: return {"stnmov", "stnmov", "pstop"};
+        case TriggerAction::ceiling:
+        case TriggerAction::crush: return {"stnmov", "stnmov", ""};
         default: return {};
     }
 }
@@ -70,10 +70,10 @@ private:
     /// `usual`: the sector that a trigger without a target is about.
     void give_sounds(std::vector<TriggerRecord>& triggers, bool is_switch, const std::string& usual) {
         for (TriggerRecord& trigger : triggers) {
-            if (trigger.deed == Deed::teleport)
+            if (trigger.action == TriggerAction::teleport)
                 trigger.sound = use("telept");
-            else if (is_switch && trigger.on == Occasion::use)
-                trigger.sound = use(trigger.deed == Deed::exit ? "swtchx" : "swtchn");
+            else if (is_switch && trigger.on == Activation::use)
+                trigger.sound = use(trigger.action == TriggerAction::leave_map ? "swtchx" : "swtchn");
             give_movers(trigger, usual);
         }
     }
@@ -108,8 +108,8 @@ private:
     void give_sound(ThingRecord& thing) {
         if (thing.gives_key.empty() && thing.gives_health == 0) return;
         TriggerRecord trigger;
-        trigger.on = Occasion::touch;
-        trigger.deed = Deed::sound;
+        trigger.on = Activation::touch;
+        trigger.action = TriggerAction::sound;
         trigger.sound = use("itemup");
         if (!trigger.sound.empty()) thing.triggers.push_back(std::move(trigger));
     }

@@ -8,17 +8,17 @@ namespace enfilade::wadconv {
 namespace {
 
 /// One edge with what lies on its two sides.
-struct Opening {
+struct EdgeSides {
     const Edge& edge;
     const Sidedef& side;
     const DoomSector& front;
     const DoomSector& back;
-    Heights here, beyond;
+    DoomHeights here, beyond;
 
     bool has_two_skies() const { return is_sky(front.ceiling_flat) && is_sky(back.ceiling_flat); }
 };
 
-Opening opening_of(const Workbench& bench, const Edge& edge) {
+EdgeSides opening_of(const Workbench& bench, const Edge& edge) {
     const Edge& other = bench.parts.edges[edge.opposite];
     return {edge,
             bench.side_of(edge),
@@ -29,7 +29,7 @@ Opening opening_of(const Workbench& bench, const Edge& edge) {
 }
 
 /// Steps that nothing is drawn on say so, or the check would take it for an oversight.
-void open_bare_steps(Workbench& bench, const Opening& o, WallRecord& wall) {
+void open_bare_steps(Workbench& bench, const EdgeSides& o, WallRecord& wall) {
     const TextureSpec nothing{"-", {}, {}, {}};
     if (o.beyond.ceiling < o.here.ceiling && !wall.upper) {
         bench.report.note(o.has_two_skies() ? Kind::sky_step : Kind::missing_upper, o.edge.line);
@@ -41,7 +41,7 @@ void open_bare_steps(Workbench& bench, const Opening& o, WallRecord& wall) {
     }
 }
 
-void hang_textures(Workbench& bench, const Opening& o, WallRecord& wall) {
+void hang_textures(Workbench& bench, const EdgeSides& o, WallRecord& wall) {
     const std::uint16_t flags = bench.doom.lines[o.edge.line].flags;
     if (!o.has_two_skies()) wall.upper = texture_spec(bench, o.side.upper, o.side, o.edge.line);
     wall.lower = texture_spec(bench, o.side.lower, o.side, o.edge.line);
@@ -56,7 +56,7 @@ void hang_textures(Workbench& bench, const Opening& o, WallRecord& wall) {
 }
 
 void convert_portal(Workbench& bench, const Edge& edge, WallRecord& wall) {
-    const Opening opening = opening_of(bench, edge);
+    const EdgeSides opening = opening_of(bench, edge);
     wall.next = part_name(bench.parts.parts[bench.parts.part_of_edge[edge.opposite]]);
     hang_textures(bench, opening, wall);
     open_bare_steps(bench, opening, wall);

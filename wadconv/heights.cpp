@@ -35,10 +35,10 @@ std::vector<bool> find_doors(const DoomMap& doom, const Parts& parts) {
     return is_door;
 }
 
-bool is_closed(const Heights& h) { return h.floor == h.ceiling; }
+bool is_closed(const DoomHeights& h) { return h.floor == h.ceiling; }
 
 /// The lowest ceiling of the open sectors around each sector; the largest number where there is none.
-std::vector<std::int32_t> lowest_around(const Parts& parts, const std::vector<Heights>& heights) {
+std::vector<std::int32_t> lowest_around(const Parts& parts, const std::vector<DoomHeights>& heights) {
     std::vector<std::int32_t> lowest(heights.size(), std::numeric_limits<std::int32_t>::max());
     for (const Edge& edge : parts.edges) {
         if (!edge.is_open) continue;
@@ -48,7 +48,7 @@ std::vector<std::int32_t> lowest_around(const Parts& parts, const std::vector<He
     return lowest;
 }
 
-void raise_doors(const DoomMap& doom, const Parts& parts, std::vector<Heights>& heights, Report& report) {
+void raise_doors(const DoomMap& doom, const Parts& parts, std::vector<DoomHeights>& heights, Report& report) {
     const std::vector<bool> is_door = find_doors(doom, parts);
     const std::vector<std::int32_t> lowest = lowest_around(parts, heights);
     for (std::size_t s = 0; s < heights.size(); ++s) {
@@ -61,8 +61,8 @@ void raise_doors(const DoomMap& doom, const Parts& parts, std::vector<Heights>& 
 
 }  // namespace
 
-std::vector<Heights> settle_heights(const DoomMap& doom, const Parts& parts, bool open_doors, Report& report) {
-    std::vector<Heights> heights;
+std::vector<DoomHeights> settle_heights(const DoomMap& doom, const Parts& parts, bool open_doors, Report& report) {
+    std::vector<DoomHeights> heights;
     for (std::size_t s = 0; s < doom.sectors.size(); ++s) {
         const DoomSector& sector = doom.sectors[s];
         heights.push_back({sector.floor, std::max(sector.floor, sector.ceiling)});

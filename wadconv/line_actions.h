@@ -19,7 +19,7 @@ enum class Times : std::uint8_t { once, again };
 enum class DoorKey : std::uint8_t { none, blue, yellow, red };
 
 /// What becomes of the floor's picture, and of what the floor does to who stands on it.
-enum class Change : std::uint8_t {
+enum class FloorChange : std::uint8_t {
     none,
     picture,      ///< the picture of the sector in front of the line
     harmless,     ///< the same, and the floor no longer hurts
@@ -28,7 +28,7 @@ enum class Change : std::uint8_t {
 };
 
 /// What needs more than a word's own measures.
-enum class Oddity : std::uint8_t {
+enum class SpecialCase : std::uint8_t {
     none,
     shortest_lower,  ///< `by` is the height of the shortest lower texture around
     donut,           ///< the pillar goes down into the ring, and the ring rises around it
@@ -39,16 +39,16 @@ struct LineAction {
     int special = 0;
     How how = How::use;
     Times times = Times::again;
-    Deed deed = Deed::door;
+    TriggerAction action = TriggerAction::door;
     double speed = 0;  ///< [map units / tic]
     double wait = 0;   ///< [tics]
-    Level to = Level::here;
+    HeightLevel to = HeightLevel::here;
     double by = 0;  ///< [map units]; stairs: the height of one
     bool crushes = false;
     double crush_speed = 0;  ///< once it comes down on somebody; 0: as before [map units / tic]
     DoorKey key = DoorKey::none;
-    Change change = Change::none;
-    Oddity oddity = Oddity::none;
+    FloorChange change = FloorChange::none;
+    SpecialCase special_case = SpecialCase::none;
     int light = -1;  ///< 0..255, or -1: `light_of`, or a strobe where that is `given`
     LightLevel light_of = LightLevel::given;
 };
@@ -58,7 +58,7 @@ std::span<const LineAction> line_actions();
 
 /// What the type does; nothing for 0, for types that are no action (scrollers), that only monsters set off, or that are
 /// not known. Also knows Boom's generalized doors and lifts.
-std::optional<LineAction> action_of(int special);
+std::optional<LineAction> line_action_of(int special);
 
 /// How far the wall's picture moves along it in a tic, to the right positive, or 0 [texels].
 int scroll_of(int special);

@@ -17,7 +17,7 @@ void add_view(SpriteFrames& frames, std::string_view sprite, std::string_view pa
 }
 
 /// The views of a frame that are drawn: the eight, or the one that serves all directions.
-std::vector<SpriteView> views_drawn(const SpriteFrame& frame) {
+std::vector<SpriteView> views_drawn(const DoomSpriteFrame& frame) {
     if (frame.has_all_directions()) return {frame.views.begin() + 1, frame.views.end()};
     const auto first = std::ranges::find_if(frame.views, [](const SpriteView& v) { return v.lump != nullptr; });
     return first == frame.views.end() ? std::vector<SpriteView>{} : std::vector<SpriteView>{*first};
@@ -40,7 +40,7 @@ Result<Picture> picture_of(const SpriteView& view) {
 }
 
 /// A box around the thing's position, in texels, y down.
-struct Box {
+struct TexelBox {
     std::int32_t left = std::numeric_limits<std::int32_t>::max(), top = left;
     std::int32_t right = std::numeric_limits<std::int32_t>::min(), bottom = right;
 
@@ -54,7 +54,7 @@ struct Box {
 
 }  // namespace
 
-bool SpriteFrame::has_all_directions() const {
+bool DoomSpriteFrame::has_all_directions() const {
     return std::all_of(views.begin() + 1, views.end(), [](const SpriteView& v) { return v.lump != nullptr; });
 }
 
@@ -69,8 +69,8 @@ SpriteFrames sort_sprites(const WadPile& pile) {
     return frames;
 }
 
-Result<SpriteCanvas> measure_frame(const SpriteFrame& frame) {
-    Box box;
+Result<SpriteCanvas> measure_frame(const DoomSpriteFrame& frame) {
+    TexelBox box;
     const std::vector<SpriteView> views = views_drawn(frame);
     if (views.empty()) return Error{"", "the sprite has no picture"};
     for (const SpriteView& view : views) {
@@ -84,7 +84,7 @@ Result<SpriteCanvas> measure_frame(const SpriteFrame& frame) {
     return SpriteCanvas{std::uint32_t(width), std::uint32_t(height), -box.left, -box.top, views.size() == 8};
 }
 
-Result<Picture> draw_view(const SpriteFrame& frame, const SpriteCanvas& canvas, std::size_t view) {
+Result<Picture> draw_view(const DoomSpriteFrame& frame, const SpriteCanvas& canvas, std::size_t view) {
     const SpriteView drawn = canvas.has_rotations ? frame.views[view] : views_drawn(frame).front();
     const Result<PatchHeader> header = header_of(drawn);
     if (!header) return header.error();

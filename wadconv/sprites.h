@@ -20,14 +20,14 @@ struct SpriteView {
 };
 
 /// One frame of a sprite. views[0] serves all directions; views[1] is the front, and so on turning by eighths.
-struct SpriteFrame {
+struct DoomSpriteFrame {
     std::array<SpriteView, 9> views;
 
     bool has_all_directions() const;  ///< views 1 to 8 are all there
 };
 
 /// All frames of all sprites, by "POSSA": the sprite's four letters and the frame's.
-using SpriteFrames = std::map<std::string, SpriteFrame>;
+using SpriteFrames = std::map<std::string, DoomSpriteFrame>;
 
 /// Sorts the lumps of the sprites' section. "POSSA2A8" is frame A from direction 2, and mirrored from 8. Names that
 /// are not of that form are left out; of two lumps for the same view the later name counts.
@@ -42,9 +42,9 @@ struct SpriteCanvas {
 
 /// The smallest canvas for the frame, from the headers alone. A frame that lacks some of its eight directions is shown
 /// from the one it has. An Error where a header is broken, or there is no view at all.
-Result<SpriteCanvas> measure_frame(const SpriteFrame& frame);
+Result<SpriteCanvas> measure_frame(const DoomSpriteFrame& frame);
 
 /// The picture of one view, 1..8 with rotations, else 0, on its canvas.
-Result<Picture> draw_view(const SpriteFrame& frame, const SpriteCanvas& canvas, std::size_t view);
+Result<Picture> draw_view(const DoomSpriteFrame& frame, const SpriteCanvas& canvas, std::size_t view);
 
 }  // namespace enfilade::wadconv

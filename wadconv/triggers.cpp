@@ -17,40 +17,41 @@ constexpr double kLightLevels = 256;
 /// Tics between two pains on a floor that hurts.
 constexpr double kTicsOfDamage = 32;
 
-Occasion occasion_of(How how) { return how == How::cross ? Occasion::cross : Occasion::use; }
+Activation activation_of(How how) { return how == How::cross ? Activation::cross : Activation::use; }
 
 std::string key_name(DoorKey key) {
     constexpr std::array<std::string_view, 4> kNames = {"", "blue", "yellow", "red"};
     return std::string(kNames[static_cast<std::size_t>(key)]);
 }
 
-/// What the action's own measures say, in metres and seconds. Deeds that do not move keep the usual ones.
-TriggerRecord measured(const LineAction& action) {
+/// What the action's own measures say, in metres and seconds. Actions that do not move keep the usual ones.
+TriggerRecord measured(const LineAction& line_action) {
     TriggerRecord trigger;
-    trigger.on = occasion_of(action.how);
-    trigger.deed = action.deed;
-    trigger.once = action.times == Times::once;
-    trigger.key = key_name(action.key);
+    trigger.on = activation_of(line_action.how);
+    trigger.action = line_action.action;
+    trigger.once = line_action.times == Times::once;
+    trigger.key = key_name(line_action.key);
     // Only who stands at the door itself turns it round.
-    trigger.reverses = action.deed != Deed::door || action.how == How::push || action.how == How::cross;
-    trigger.crushes = action.crushes;
-    if (action.crush_speed > 0) trigger.crush_speed = metres(action.crush_speed * kTicsPerSecond);
-    trigger.to = action.to;
-    if (action.deed == Deed::stairs)
-        trigger.step = metres(action.by);
+    trigger.reverses =
+        line_action.action != TriggerAction::door || line_action.how == How::push || line_action.how == How::cross;
+    trigger.crushes = line_action.crushes;
+    if (line_action.crush_speed > 0) trigger.crush_speed = metres(line_action.crush_speed * kTicsPerSecond);
+    trigger.to = line_action.to;
+    if (line_action.action == TriggerAction::stairs)
+        trigger.step = metres(line_action.by);
     else
-        trigger.by = metres(action.by);
-    if (action.speed > 0) trigger.speed = metres(action.speed * kTicsPerSecond);
-    if (action.wait > 0) trigger.wait = action.wait / kTicsPerSecond;
-    if (action.light >= 0) trigger.light = action.light / kLightLevels;
-    trigger.light_of = action.light_of;
+        trigger.by = metres(line_action.by);
+    if (line_action.speed > 0) trigger.speed = metres(line_action.speed * kTicsPerSecond);
+    if (line_action.wait > 0) trigger.wait = line_action.wait / kTicsPerSecond;
+    if (line_action.light >= 0) trigger.light = line_action.light / kLightLevels;
+    trigger.light_of = line_action.light_of;
     return trigger;
 }
 
 /// Whether it is made for each sector of the tag, because what it needs differs from one to the other.
-bool differs_by_sector(const LineAction& action) {
-    return action.deed == Deed::stairs || action.oddity == Oddity::donut || action.oddity == Oddity::shortest_lower ||
-           action.change == Change::as_beside;
+bool differs_by_sector(const LineAction& line_action) {
+    return line_action.action == TriggerAction::stairs || line_action.special_case == SpecialCase::donut ||
+           line_action.special_case == SpecialCase::shortest_lower || line_action.change == FloorChange::as_beside;
 }
 
 }  // namespace
@@ -89,21 +90,21 @@ TriggerMaker::TriggerMaker(const DoomMap& doom, const Parts& parts, const Pictur
 
 std::vector<TriggerRecord> TriggerMaker::triggers_of(std::uint32_t line, bool is_open) const {
     const Linedef& doom = doom_.lines[line];
-    const std::optional<LineAction> action = action_of(doom.special);
-    if (!action) return {};
-    if (!is_open && (action->how == How::cross || action->how == How::push)) {
+    const std::optional<LineAction> line_action = line_action_of(doom.special);
+    if (!line_action) return {};
+    if (!is_open && (line_action->how == How::cross || line_action->how == How::push)) {
         report_.note(Kind::closed_trigger, line);
         return {};
     }
-    if (action->how == How::shoot) report_.note(Kind::shot_trigger, line);
-    Job job{line, *action, measured(*action), {}};
-    if (action->deed == Deed::exit) return {exit(job)};
-    if (action->how == How::push) return {job.base};
+    if (line_action->how == How::shoot) report_.note(Kind::shot_trigger, line);
+    LineJob job{line, *line_action, measured(*line_action), {}};
+    if (line_action->action == TriggerAction::leave_map) return {leave_map(job)};
+    if (line_action->how == How::push) return {job.base};
     return remote(job);
 }
 
 /// Acts on the sectors of the line's tag.
-std::vector<TriggerRecord> TriggerMaker::remote(Job& job) const {
+std::vector<TriggerRecord> TriggerMaker::remote(LineJob& job) const {
     const int tag = doom_.lines[job.line].tag;
     const auto found = by_tag_.find(tag);
     if (tag == 0 || found == by_tag_.end()) {
@@ -111,19 +112,20 @@ std::vector<TriggerRecord> TriggerMaker::remote(Job& job) const {
         return {};
     }
     job.sectors = found->second;
-    if (job.action.deed == Deed::teleport) return teleport(job);
-    if (differs_by_sector(job.action)) return one_by_one(job);
+    if (job.line_action.action == TriggerAction::teleport) return teleport(job);
+    if (differs_by_sector(job.line_action)) return one_by_one(job);
     TriggerRecord trigger = job.base;
     trigger.targets = {tag_name(tag)};
-    if (job.action.change != Change::none)
-        change_as(front_of(job.line), job.action.change == Change::as_in_front, trigger);
-    if (job.action.change == Change::harmless) trigger.heals = true;
-    if (trigger.deed == Deed::light && !trigger.light && trigger.light_of == LightLevel::given) strobe(job, trigger);
+    if (job.line_action.change != FloorChange::none)
+        change_as(front_of(job.line), job.line_action.change == FloorChange::as_in_front, trigger);
+    if (job.line_action.change == FloorChange::harmless) trigger.heals = true;
+    if (trigger.action == TriggerAction::light && !trigger.light && trigger.light_of == LightLevel::given)
+        strobe(job, trigger);
     return {trigger};
 }
 
 /// To the first sector of the tag that has an exit; only from the front.
-std::vector<TriggerRecord> TriggerMaker::teleport(const Job& job) const {
+std::vector<TriggerRecord> TriggerMaker::teleport(const LineJob& job) const {
     for (const std::uint32_t sector : job.sectors)
         if (exits_[sector]) {
             TriggerRecord trigger = job.base;
@@ -135,30 +137,30 @@ std::vector<TriggerRecord> TriggerMaker::teleport(const Job& job) const {
     return {};
 }
 
-TriggerRecord TriggerMaker::exit(const Job& job) const {
+TriggerRecord TriggerMaker::leave_map(const LineJob& job) const {
     TriggerRecord trigger = job.base;
-    std::string next = next_map(doom_.name, job.action.oddity == Oddity::secret_exit);
+    std::string next = next_map(doom_.name, job.line_action.special_case == SpecialCase::secret_exit);
     for (char& c : next)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');  // as its file is called
     if (!next.empty()) trigger.targets = {next};
     return trigger;
 }
 
-std::vector<TriggerRecord> TriggerMaker::one_by_one(const Job& job) const {
+std::vector<TriggerRecord> TriggerMaker::one_by_one(const LineJob& job) const {
     std::vector<TriggerRecord> all;
     const auto append = [&](std::vector<TriggerRecord> more) {
         for (TriggerRecord& trigger : more) all.push_back(std::move(trigger));
     };
     for (const std::uint32_t s : job.sectors) {
-        if (job.action.deed == Deed::stairs) {
+        if (job.line_action.action == TriggerAction::stairs) {
             append(staircase(job, s));
-        } else if (job.action.oddity == Oddity::donut) {
+        } else if (job.line_action.special_case == SpecialCase::donut) {
             append(donut(job, s));
         } else {
             TriggerRecord trigger = job.base;
             trigger.targets = targets_of(s);
-            if (job.action.oddity == Oddity::shortest_lower) trigger.by = metres(shortest_lower(s));
-            if (job.action.change == Change::as_beside)
+            if (job.line_action.special_case == SpecialCase::shortest_lower) trigger.by = metres(shortest_lower(s));
+            if (job.line_action.change == FloorChange::as_beside)
                 if (const std::uint32_t model = beside_of_height(s, neighbours_.lowest_floor(s)); model != kNone)
                     change_as(model, true, trigger);
             all.push_back(std::move(trigger));
@@ -168,7 +170,7 @@ std::vector<TriggerRecord> TriggerMaker::one_by_one(const Job& job) const {
 }
 
 /// Every stair goes to its height above the first, whatever its own was.
-std::vector<TriggerRecord> TriggerMaker::staircase(const Job& job, std::uint32_t first) const {
+std::vector<TriggerRecord> TriggerMaker::staircase(const LineJob& job, std::uint32_t first) const {
     const std::vector<std::uint32_t> stairs = stairs_from(first);
     const auto is_even = [&](std::uint32_t s) { return sector(s).floor == sector(first).floor && !names_[s].empty(); };
     TriggerRecord trigger = job.base;
@@ -176,12 +178,12 @@ std::vector<TriggerRecord> TriggerMaker::staircase(const Job& job, std::uint32_t
         for (const std::uint32_t s : stairs) trigger.targets.push_back(names_[s]);
         return {trigger};
     }
-    trigger.deed = Deed::floor;
+    trigger.action = TriggerAction::floor;
     trigger.step = TriggerRecord{}.step;
     std::vector<TriggerRecord> all;
     for (std::size_t i = 0; i < stairs.size(); ++i) {
         trigger.targets = targets_of(stairs[i]);
-        trigger.z = metres(sector(first).floor + static_cast<double>(i + 1) * job.action.by);
+        trigger.z = metres(sector(first).floor + static_cast<double>(i + 1) * job.line_action.by);
         if (!trigger.targets.empty()) all.push_back(trigger);
     }
     return all;
@@ -204,7 +206,7 @@ std::vector<std::uint32_t> TriggerMaker::stairs_from(std::uint32_t first) const 
 }
 
 /// The ring is behind the pillar's first line, the model beyond the ring.
-std::vector<TriggerRecord> TriggerMaker::donut(const Job& job, std::uint32_t pillar) const {
+std::vector<TriggerRecord> TriggerMaker::donut(const LineJob& job, std::uint32_t pillar) const {
     if (neighbours_.of(pillar).empty()) return {};
     const std::uint32_t ring = neighbours_.of(pillar).front().sector;
     if (names_[ring].empty()) return {};
@@ -235,7 +237,7 @@ void TriggerMaker::change_as(std::uint32_t model, bool takes_nature, TriggerReco
 }
 
 /// Flashes between each sector's own light and the darkest around any of them.
-void TriggerMaker::strobe(const Job& job, TriggerRecord& trigger) const {
+void TriggerMaker::strobe(const LineJob& job, TriggerRecord& trigger) const {
     std::int16_t dark = 255;
     for (const std::uint32_t s : job.sectors) dark = std::min(dark, neighbours_.darkest(s));
     trigger.effect = slow_strobe(dark);

@@ -39,22 +39,22 @@ public:
     std::vector<TriggerRecord> triggers_of(std::uint32_t line, bool is_open) const;
 
 private:
-    struct Job {
+    struct LineJob {
         std::uint32_t line;
-        const LineAction& action;
+        const LineAction& line_action;
         TriggerRecord base;                  ///< without targets
         std::vector<std::uint32_t> sectors;  ///< of the line's tag
     };
-    std::vector<TriggerRecord> remote(Job& job) const;
-    std::vector<TriggerRecord> teleport(const Job& job) const;
-    TriggerRecord exit(const Job& job) const;
-    std::vector<TriggerRecord> one_by_one(const Job& job) const;
-    std::vector<TriggerRecord> staircase(const Job& job, std::uint32_t sector) const;
-    std::vector<TriggerRecord> donut(const Job& job, std::uint32_t pillar) const;
+    std::vector<TriggerRecord> remote(LineJob& job) const;
+    std::vector<TriggerRecord> teleport(const LineJob& job) const;
+    TriggerRecord leave_map(const LineJob& job) const;
+    std::vector<TriggerRecord> one_by_one(const LineJob& job) const;
+    std::vector<TriggerRecord> staircase(const LineJob& job, std::uint32_t sector) const;
+    std::vector<TriggerRecord> donut(const LineJob& job, std::uint32_t pillar) const;
     std::vector<std::uint32_t> stairs_from(std::uint32_t sector) const;
     std::uint32_t beside_of_height(std::uint32_t sector, std::int16_t floor) const;
     void change_as(std::uint32_t model, bool takes_nature, TriggerRecord& trigger) const;
-    void strobe(const Job& job, TriggerRecord& trigger) const;
+    void strobe(const LineJob& job, TriggerRecord& trigger) const;
     double shortest_lower(std::uint32_t sector) const;
     std::uint32_t front_of(std::uint32_t line) const;
     std::vector<std::string> targets_of(std::uint32_t sector) const;

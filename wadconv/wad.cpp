@@ -14,14 +14,14 @@ constexpr std::size_t kEntryBytes = 16;
 constexpr std::size_t kNameBytes = 8;
 
 /// A directory entry as it is on disk; nothing in it is to be trusted.
-struct Entry {
+struct DirectoryEntry {
     std::int32_t offset;
     std::int32_t size;
     std::string name;
 };
 
-Entry read_entry(ByteReader& reader) {
-    Entry entry;
+DirectoryEntry read_entry(ByteReader& reader) {
+    DirectoryEntry entry;
     entry.offset = reader.i32();
     entry.size = reader.i32();
     entry.name = lump_name(reader.take(kNameBytes));
@@ -33,7 +33,7 @@ bool fits(std::int64_t offset, std::int64_t size, std::size_t total) {
     return offset >= 0 && size >= 0 && offset + size <= static_cast<std::int64_t>(total);
 }
 
-Error outside_file(const std::string& file, std::size_t index, const Entry& entry, std::size_t total) {
+Error outside_file(const std::string& file, std::size_t index, const DirectoryEntry& entry, std::size_t total) {
     return {file, "lump " + std::to_string(index) + " " + quoted(entry.name) + " is said to take " +
                       std::to_string(entry.size) + " bytes from byte " + std::to_string(entry.offset) +
                       ", but the file has " + std::to_string(total)};
@@ -78,7 +78,7 @@ Result<Wad> Wad::read(std::string file, Bytes bytes) {
                                     std::to_string(kMaxLumps) + " are read"};
     ByteReader entries(std::span(wad.bytes_).subspan(static_cast<std::size_t>(directory)));
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-        const Entry entry = read_entry(entries);
+        const DirectoryEntry entry = read_entry(entries);
         // Markers have no bytes, and many tools leave a meaningless offset in them.
         if (entry.size != 0 && !fits(entry.offset, entry.size, wad.bytes_.size()))
             return outside_file(wad.file_, i, entry, wad.bytes_.size());

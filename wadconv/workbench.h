@@ -17,7 +17,7 @@
 namespace enfilade::wadconv {
 
 /// A sector's heights as converted [map units].
-struct Heights {
+struct DoomHeights {
     std::int32_t floor = 0;
     std::int32_t ceiling = 0;  ///< >= floor
 };
@@ -30,12 +30,12 @@ struct Workbench {
     const Parts& parts;
     const Neighbours& neighbours;
     const TriggerMaker& triggers;
-    std::vector<Heights> heights;  ///< by Doom sector
+    std::vector<DoomHeights> heights;  ///< by Doom sector
     Report& report;
     MapFile& file;
 
     const Sidedef& side_of(const Edge& edge) const { return doom.sides[edge.side]; }
-    const Heights& heights_of(const Part& part) const { return heights[part.sector]; }
+    const DoomHeights& heights_of(const Part& part) const { return heights[part.sector]; }
 };
 
 /// [m] from map units.
@@ -47,7 +47,7 @@ inline Point point_of(const DoomThing& thing) { return {thing.x, -std::int32_t{t
 bool is_sky(std::string_view flat);
 
 /// heights.cpp: ceilings below floors raised, doors opened if asked.
-std::vector<Heights> settle_heights(const DoomMap& doom, const Parts& parts, bool open_doors, Report& report);
+std::vector<DoomHeights> settle_heights(const DoomMap& doom, const Parts& parts, bool open_doors, Report& report);
 
 /// convert_sectors.cpp: names, floors, ceilings and light of file.sectors.
 void convert_sectors(Workbench& bench);

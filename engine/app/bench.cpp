@@ -9,8 +9,8 @@
 #include "base/files.h"
 #include "base/hash.h"
 #include "formats/script_toml.h"
-#include "render/surface_id.h"
-#include "world/deed.h"
+#include "render/pixel_surface.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade {
 
@@ -105,7 +105,7 @@ std::string csv_field(const std::string& text) {
 }
 
 /// All frames of one subject.
-struct Sum {
+struct SubjectSum {
     double frames = 0, minimum_ns = 0, median_ns = 0, pixels = 0, walls = 0, runs = 0, viewports = 0;
     Hash pictures;
     const BenchFrame* slowest = nullptr;
@@ -123,7 +123,7 @@ struct Sum {
     }
 };
 
-std::string line_of(const std::string& subject, const Sum& sum, std::size_t width) {
+std::string line_of(const std::string& subject, const SubjectSum& sum, std::size_t width) {
     return fmt::format(
         "{:<{}} {:>7} {:>9.3f} {:>9.3f} {:>9.3f} {:>5} {:>8.3f} {:>7.0f} {:>8.0f} {:>9.0f} {:>9.0f}  {:016x}\n",
         subject, width, sum.frames, ms(sum.minimum_ns / sum.frames), ms(sum.median_ns / sum.frames),
@@ -197,7 +197,7 @@ std::string bench_csv(const std::vector<std::string>& subjects, const std::vecto
 std::string bench_table(const std::vector<std::string>& subjects, const std::vector<BenchFrame>& frames) {
     std::size_t width = 4;
     for (const std::string& subject : subjects) width = std::max(width, subject.size());
-    std::vector<Sum> sums(subjects.size());
+    std::vector<SubjectSum> sums(subjects.size());
     for (const BenchFrame& frame : frames) sums[frame.subject].add(frame);
     std::string text = fmt::format("{:<{}} {:>7} {:>9} {:>9} {:>9} {:>5} {:>8} {:>7} {:>8} {:>9} {:>9}  {}\n", "[ms]",
                                    width, "frames", "minimum", "median", "slowest", "frame", "ns/pixel", "walls",

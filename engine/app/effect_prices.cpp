@@ -131,7 +131,7 @@ class Differences {
 public:
     void add(const Sample& with, const Sample& without) {
         for (std::size_t look = 0; look < with.hashes.size(); ++look) {
-            Sum& sum = sums_[with.hashes[look] != without.hashes[look]];
+            MeanTime& sum = sums_[with.hashes[look] != without.hashes[look]];
             sum.ms += (more_ms(with, without, look, 0) + more_ms(with, without, look, 1)) / 2;
             ++sum.count;
         }
@@ -140,7 +140,7 @@ public:
     Price price() const { return {sums_[1].count / kBuilds, sums_[1].mean(), sums_[0].mean()}; }
 
 private:
-    struct Sum {
+    struct MeanTime {
         double ms = 0;
         std::size_t count = 0;
 
@@ -148,7 +148,7 @@ private:
             return count > 0 ? std::optional(ms / static_cast<double>(count)) : std::nullopt;
         }
     };
-    Sum sums_[2];  ///< of looks that are the same with it and without, and of those that are not
+    MeanTime sums_[2];  ///< of looks that are the same with it and without, and of those that are not
 };
 
 std::vector<View> looks_of(const MapFile& file, const TextureSet& textures) {

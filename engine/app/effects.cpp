@@ -44,13 +44,13 @@ std::size_t count_sectors(const MapFile& map, Test test) {
     return static_cast<std::size_t>(std::ranges::count_if(map.sectors, test));
 }
 
-/// Triggers of all bearers whose deed passes the test.
+/// Triggers of all bearers whose action passes the test.
 template <class Test>
 std::size_t count_triggers(const MapFile& map, Test test) {
     std::size_t count = 0;
     const auto add = [&](const std::vector<TriggerRecord>& triggers) {
         count += static_cast<std::size_t>(
-            std::ranges::count_if(triggers, [&](const TriggerRecord& trigger) { return test(trigger.deed); }));
+            std::ranges::count_if(triggers, [&](const TriggerRecord& trigger) { return test(trigger.action); }));
     };
     for (const SectorRecord& sector : map.sectors) {
         add(sector.triggers);
@@ -63,9 +63,9 @@ std::size_t count_triggers(const MapFile& map, Test test) {
 
 bool has_middle(const WallRecord& wall) { return wall.middle && wall.middle->name != "-"; }
 bool is_scrolled_flat(const FlatRecord& flat) { return flat.scroll != Vec2{} && !flat.parallax; }
-bool moves(Deed deed) {
-    return deed != Deed::light && deed != Deed::teleport && deed != Deed::exit && deed != Deed::stop &&
-           deed != Deed::sound;
+bool moves(TriggerAction action) {
+    return action != TriggerAction::light && action != TriggerAction::teleport && action != TriggerAction::leave_map &&
+           action != TriggerAction::stop && action != TriggerAction::sound;
 }
 
 Effect sky() {
@@ -201,7 +201,8 @@ Effect movers() {
 }
 Effect other_triggers() {
     return {"other triggers", "trigger", "nothing until one is set off",
-            [](const MapFile& map) { return count_triggers(map, [](Deed deed) { return !moves(deed); }); }, nullptr};
+            [](const MapFile& map) { return count_triggers(map, [](TriggerAction action) { return !moves(action); }); },
+            nullptr};
 }
 Effect damage() {
     return {"harmful floors", "sector", "one look a second at the floor under the feet",

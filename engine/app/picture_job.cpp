@@ -19,14 +19,14 @@
 #include "platform/clock.h"
 #include "platform/gl_context.h"
 #include "render/outside/outside_renderer.h"
-#include "world/deed.h"
 #include "world/input.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade {
 namespace {
 
 /// What one thread draws with.
-struct Desk {
+struct PictureTools {
     std::unique_ptr<Renderer> renderer;
     Frame frame;
     FrameFacts facts;
@@ -47,67 +47,68 @@ public:
         : map_(map), job_(job), snapshot_(snapshot_at(map.map, job.time_s)), times_ns_(job.views.size()) {
         leave_out(job.left_out, snapshot_);
         const bool side_by_side = job.timing.empty() && job.views.size() >= job.threads;
-        desks_.resize(side_by_side ? job.threads : 1);
+        tools_.resize(side_by_side ? job.threads : 1);
         threads_each_ = side_by_side ? 1 : job.threads;
     }
 
     Status run() {
-        if (Status failed = furnish_desks()) return failed;
+        if (Status failed = make_tools()) return failed;
         if (!job_.timing.empty())  // grows the renderer's memory, so that no view pays for it
-            if (Status failed = draw(desks_[0], 0)) return failed;
+            if (Status failed = draw(tools_[0], 0)) return failed;
         CutShortNote note(job_.out);
         Progress progress(job_.views.size(), "pictures");
-        parallel_for(job_.views.size(), desks_.size(), [&](std::size_t i, std::size_t worker) {
+        parallel_for(job_.views.size(), tools_.size(), [&](std::size_t i, std::size_t worker) {
             if (stop_) return;
-            Desk& desk = desks_[worker];
-            desk.failed = draw(desk, i);
-            if (!desk.failed) desk.failed = write(desk, i);
-            if (!desk.failed) desk.failed = draw_outside(desk, i, OutsideFrom::above, job_.from_above);
-            if (!desk.failed) desk.failed = draw_outside(desk, i, OutsideFrom::behind, job_.from_behind);
-            if (desk.failed) stop_ = true;
-            note.look_at(desk.frame);
+            PictureTools& own = tools_[worker];
+            own.failed = draw(own, i);
+            if (!own.failed) own.failed = write(own, i);
+            if (!own.failed) own.failed = draw_outside(own, i, OutsideFrom::above, job_.from_above);
+            if (!own.failed) own.failed = draw_outside(own, i, OutsideFrom::behind, job_.from_behind);
+            if (own.failed) stop_ = true;
+            note.look_at(own.frame);
             progress.step(worker);
         });
-        const auto failed = std::ranges::find_if(desks_, [](const Desk& desk) { return desk.failed.has_value(); });
-        if (failed != desks_.end()) return failed->failed;
+        const auto failed =
+            std::ranges::find_if(tools_, [](const PictureTools& own) { return own.failed.has_value(); });
+        if (failed != tools_.end()) return failed->failed;
         if (Status unsure = flush_folders()) return unsure;
         return write_timing();
     }
 
 private:
-    Status furnish_desks() {
-        for (Desk& desk : desks_) {
+    Status make_tools() {
+        for (PictureTools& own : tools_) {
             auto renderer = make_renderer(job_.renderer, map_.map, map_.textures, threads_each_, open_gl_for_pictures);
             if (!renderer.ok()) return renderer.error();
-            desk.renderer = std::move(renderer).value();
-            desk.outside = std::make_unique<OutsideRenderer>(map_.map, map_.textures);
-            desk.frame.resize(job_.size.width, job_.size.height);
+            own.renderer = std::move(renderer).value();
+            own.outside = std::make_unique<OutsideRenderer>(map_.map, map_.textures);
+            own.frame.resize(job_.size.width, job_.size.height);
         }
         return {};
     }
 
-    Status draw(Desk& desk, std::size_t i) {
+    Status draw(PictureTools& own, std::size_t i) {
         const bool want_facts = !job_.ids.empty();
-        if (want_facts) reset(desk.facts, job_.size.width, job_.size.height);
+        if (want_facts) reset(own.facts, job_.size.width, job_.size.height);
         const std::int64_t before = now_ns();
-        Status failed = desk.renderer->render(desk.frame, want_facts ? &desk.facts : nullptr, snapshot_, job_.views[i]);
+        Status failed = own.renderer->render(own.frame, want_facts ? &own.facts : nullptr, snapshot_, job_.views[i]);
         times_ns_[i] = now_ns() - before;
         return failed;
     }
 
-    Status write(const Desk& desk, std::size_t i) const {
-        if (Status failed = write(job_.out, i, image_of(desk.frame))) return failed;
+    Status write(const PictureTools& own, std::size_t i) const {
+        if (Status failed = write(job_.out, i, image_of(own.frame))) return failed;
         if (job_.ids.empty()) return {};
-        return write(job_.ids, i, ids_image(desk.facts, desk.frame.width, desk.frame.height));
+        return write(job_.ids, i, ids_image(own.facts, own.frame.width, own.frame.height));
     }
 
-    Status draw_outside(Desk& desk, std::size_t i, OutsideFrom from, const std::string& out) const {
+    Status draw_outside(PictureTools& own, std::size_t i, OutsideFrom from, const std::string& out) const {
         if (out.empty()) return {};
         const auto [width, height] = job_.size;
-        desk.outside_frame.resize(width, height);
-        desk.outside->render(desk.outside_frame, snapshot_, job_.views[i], {from, job_.reach_m, width, height},
-                             threads_each_);
-        return write(out, i, image_of(desk.outside_frame));
+        own.outside_frame.resize(width, height);
+        own.outside->render(own.outside_frame, snapshot_, job_.views[i], {from, job_.reach_m, width, height},
+                            threads_each_);
+        return write(out, i, image_of(own.outside_frame));
     }
 
     static Status write(const std::string& out, std::size_t i, const Image& image) {
@@ -131,7 +132,7 @@ private:
     const OpenMap& map_;
     const PictureJob& job_;
     Snapshot snapshot_;
-    std::vector<Desk> desks_;
+    std::vector<PictureTools> tools_;
     std::size_t threads_each_ = 1;
     std::vector<std::int64_t> times_ns_;
     std::atomic<bool> stop_ = false;

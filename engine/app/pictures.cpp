@@ -25,7 +25,7 @@ Image image_of(const Frame& frame) { return {std::uint32_t(frame.width), std::ui
 Image ids_image(const FrameFacts& facts, int width, int height) {
     Image image{std::uint32_t(width), std::uint32_t(height), {}};
     image.pixels.resize(facts.ids.size());
-    std::ranges::transform(facts.ids, image.pixels.begin(), [](SurfaceId id) {
+    std::ranges::transform(facts.ids, image.pixels.begin(), [](PixelSurface id) {
         return 0xFF000000u | (id & 0xFF) << 16 | (id & 0xFF00) | (id >> 16 & 0xFF);
     });
     return image;

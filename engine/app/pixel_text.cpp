@@ -14,7 +14,7 @@ namespace enfilade {
 namespace {
 
 /// What the words are made from.
-struct Shown {
+struct ShownSurface {
     const Map& map;
     const Snapshot& snapshot;
     const SurfaceOwner& owner;
@@ -41,7 +41,7 @@ std::string thing_text(const Thing& thing, std::uint32_t number) {
     return name.empty() ? fmt::format("thing {}", number) : fmt::format("thing {} ({})", number, quoted(name));
 }
 
-std::string surface_text(const Shown& shown) {
+std::string surface_text(const ShownSurface& shown) {
     const Sector& sector = shown.map[shown.sector()];
     const std::uint32_t index = shown.owner.index;
     switch (shown.owner.kind) {
@@ -54,13 +54,13 @@ std::string surface_text(const Shown& shown) {
     return {};
 }
 
-LayId surface_of(const Wall& wall, WallPart part) {
+SurfaceId surface_of(const Wall& wall, WallPart part) {
     if (wall.kind != WallKind::portal && part == WallPart::middle) return wall.texture;
     return part == WallPart::upper ? wall.upper : part == WallPart::lower ? wall.lower : wall.middle;
 }
 
 /// The picture that is seen there; none: a thing's, of which there may be many.
-TextureId picture_of(const Shown& shown) {
+TextureId picture_of(const ShownSurface& shown) {
     const std::uint32_t index = shown.owner.index;
     switch (shown.owner.kind) {
         case SurfaceKind::floor: return floor_now(shown.map, shown.snapshot, shown.sector()).surface.texture;
@@ -75,7 +75,7 @@ TextureId picture_of(const Shown& shown) {
     return {};
 }
 
-std::string texel_text(const Shown& shown, const TextureSet& textures, TexelPosition at) {
+std::string texel_text(const ShownSurface& shown, const TextureSet& textures, TexelPosition at) {
     const TextureId id = picture_of(shown);
     if (!id) return fmt::format("at {:.3f}, {:.3f} of its picture", at.u, at.v);
     const Texture& texture = textures[id];
@@ -91,7 +91,7 @@ TextPlace place_of(const SurfaceOwner& owner, const MapPlaces& places) {
 }
 
 /// "maps/hall.toml:17"
-std::string place_text(const Shown& shown, const std::string& path, const MapPlaces& places) {
+std::string place_text(const ShownSurface& shown, const std::string& path, const MapPlaces& places) {
     TextPlace place = place_of(shown.owner, places);
     if (place.line == 0 && shown.sector().index < places.sectors.size()) place = places.sectors[shown.sector().index];
     return place.line == 0 ? path : fmt::format("{}:{}", path, place.line);
@@ -105,7 +105,7 @@ std::string pixel_text(const OpenMap& map, const Snapshot& snapshot, const Pixel
         look_through_pixel(map.map, map.textures, snapshot, pixel.view, pixel.width, pixel.height, pixel.x, pixel.y);
     const auto owner = owner_of(map.map, facts.id);
     if (!owner) return fmt::format("the end of a chain of links, {} m ahead", number_text(facts.depth));
-    const Shown shown{map.map, snapshot, *owner};
+    const ShownSurface shown{map.map, snapshot, *owner};
     const std::string away = std::isinf(facts.depth) ? "" : fmt::format(", {:.2f} m ahead", facts.depth);
     return fmt::format("{} of sector {}{}, {}; {}", surface_text(shown), quoted(map.map[shown.sector()].name), away,
                        texel_text(shown, map.textures, facts.texel), place_text(shown, path, places));

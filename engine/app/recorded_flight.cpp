@@ -142,23 +142,23 @@ Error differ(const std::string& where, std::size_t bad, std::size_t all, int fir
 /// Frames of the plan of which more than `allowed` pixels are different with another renderer.
 Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan& plan, RendererKind other,
                                        double allowed) {
-    struct Desk {
+    struct CheckTools {
         std::unique_ptr<Renderer> renderer;
         Frame frame;
     };
-    std::vector<Desk> desks(plan.workers);
-    for (Desk& desk : desks) {
+    std::vector<CheckTools> tools(plan.workers);
+    for (CheckTools& own : tools) {
         auto renderer = make_renderer(other, scene.map, scene.textures, 1, plan.open_gl);
         if (!renderer.ok()) return renderer.error();
-        desk.renderer = std::move(renderer).value();
+        own.renderer = std::move(renderer).value();
     }
     std::vector<char> differs(count_of(plan), 0);
     Progress progress(differs.size(), "frames");
     const Status failed = draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
-        Desk& desk = desks[worker];
-        desk.frame.resize(plan.width, plan.height);
-        if (Status other_failed = draw_frame(scene, number, *desk.renderer, desk.frame)) return other_failed;
-        differs[std::size_t(number - plan.first)] = double(difference_of(desk.frame, frame).pixels) > allowed;
+        CheckTools& own = tools[worker];
+        own.frame.resize(plan.width, plan.height);
+        if (Status other_failed = draw_frame(scene, number, *own.renderer, own.frame)) return other_failed;
+        differs[std::size_t(number - plan.first)] = double(difference_of(own.frame, frame).pixels) > allowed;
         progress.step(worker);
         return {};
     });

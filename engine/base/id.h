@@ -30,6 +30,6 @@ using PanelId = Id<struct PanelTag>;
 using SoundId = Id<struct SoundTag>;
 using SunId = Id<struct SunTag>;
 using TriggerId = Id<struct TriggerTag>;
-using LayId = Id<struct LayTag>;  ///< of a Surface: how a picture lies
+using SurfaceId = Id<struct SurfaceTag>;  ///< of a Surface: how a picture lies
 
 }  // namespace enfilade

@@ -24,7 +24,7 @@ Error system_error(const std::string& path, const char* doing) {
 
 /// Names of temporary files, where a signal's handler finds them: it may take no lock and no memory, so these are of
 /// fixed size, and each belongs to whoever last changed its state.
-struct Slot {
+struct NameSlot {
     enum State : int { free, taken, in_use, removed };
     std::atomic<int> state{free};
     char name[4096] = {};  ///< the longest path that Linux takes [bytes]
@@ -32,16 +32,16 @@ struct Slot {
 
 /// More than threads write files at the same time.
 constexpr int kSlots = 1100;
-Slot slots[kSlots];  // a handler of signals can reach nothing but globals
+NameSlot slots[kSlots];  // a handler of signals can reach nothing but globals
 
 /// A slot with the name in it, or -1.
 int take_slot(const std::string& name) {
-    if (name.size() >= sizeof Slot::name) return -1;
+    if (name.size() >= sizeof NameSlot::name) return -1;
     for (int i = 0; i < kSlots; ++i) {
-        int expected = Slot::free;
-        if (!slots[i].state.compare_exchange_strong(expected, Slot::taken)) continue;
+        int expected = NameSlot::free;
+        if (!slots[i].state.compare_exchange_strong(expected, NameSlot::taken)) continue;
         std::memcpy(slots[i].name, name.c_str(), name.size() + 1);
-        slots[i].state = Slot::in_use;
+        slots[i].state = NameSlot::in_use;
         return i;
     }
     return -1;
@@ -49,11 +49,11 @@ int take_slot(const std::string& name) {
 
 /// Takes the name out of the handler's reach; false where its file was removed already.
 bool take_back(int slot) {
-    int expected = Slot::in_use;
-    return slots[slot].state.compare_exchange_strong(expected, Slot::taken);
+    int expected = NameSlot::in_use;
+    return slots[slot].state.compare_exchange_strong(expected, NameSlot::taken);
 }
 
-void give_slot_back(int slot) { slots[slot].state = Slot::free; }
+void give_slot_back(int slot) { slots[slot].state = NameSlot::free; }
 
 void end_by_signal(int signal) {
     const int error_before = errno;
@@ -239,9 +239,9 @@ std::string OutputFile::name_for_children() const { return "/dev/fd/" + std::to_
 void OutputFile::share_with_children(bool is_shared) const { fcntl(descriptor_, F_SETFD, is_shared ? 0 : FD_CLOEXEC); }
 
 void remove_temporary_files() noexcept {
-    for (Slot& slot : slots) {
-        int expected = Slot::in_use;
-        if (slot.state.compare_exchange_strong(expected, Slot::removed)) unlink(slot.name);
+    for (NameSlot& slot : slots) {
+        int expected = NameSlot::in_use;
+        if (slot.state.compare_exchange_strong(expected, NameSlot::removed)) unlink(slot.name);
     }
 }
 

@@ -68,9 +68,9 @@ SectorId sector_named(const Map& map, const std::string& name) {
 }
 
 /// From records to poses, one leg after the other.
-class Planner {
+class LegPlanner {
 public:
-    Planner(const ScriptFile& script, const Map& map, Findings& findings)
+    LegPlanner(const ScriptFile& script, const Map& map, Findings& findings)
         : script_(script), map_(map), findings_(findings) {}
 
     std::optional<CameraPose> start() {
@@ -166,7 +166,7 @@ private:
 }  // namespace
 
 std::optional<CameraPath> CameraPath::plan(const ScriptFile& script, const Map& map, Findings& findings) {
-    Planner planner(script, map, findings);
+    LegPlanner planner(script, map, findings);
     const auto start = planner.start();
     if (!start) return {};
     CameraPath path;

@@ -21,30 +21,30 @@ Status draw_frame(const FlightScene& scene, int number, Renderer& renderer, Fram
 }
 
 Status draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& take) {
-    struct Desk {
+    struct DrawTools {
         std::unique_ptr<Renderer> renderer;
         Frame frame;
         Status failed;
     };
-    std::vector<Desk> desks(plan.workers);
-    for (Desk& desk : desks) {
+    std::vector<DrawTools> tools(plan.workers);
+    for (DrawTools& own : tools) {
         auto renderer = make_renderer(plan.renderer, scene.map, scene.textures, 1, plan.open_gl);
         if (!renderer.ok()) return renderer.error();
-        desk.renderer = std::move(renderer).value();
-        desk.frame.resize(plan.width, plan.height);
+        own.renderer = std::move(renderer).value();
+        own.frame.resize(plan.width, plan.height);
     }
     std::atomic<bool> stop = false;
     const auto count = static_cast<std::size_t>(plan.last - plan.first + 1);
     parallel_for(count, plan.workers, [&](std::size_t i, std::size_t worker) {
         if (stop) return;
-        Desk& desk = desks[worker];
+        DrawTools& own = tools[worker];
         const int number = plan.first + static_cast<int>(i);
-        desk.failed = draw_frame(scene, number, *desk.renderer, desk.frame);
-        if (!desk.failed) desk.failed = take(number, desk.frame, worker);
-        if (desk.failed) stop = true;
+        own.failed = draw_frame(scene, number, *own.renderer, own.frame);
+        if (!own.failed) own.failed = take(number, own.frame, worker);
+        if (own.failed) stop = true;
     });
-    for (Desk& desk : desks)
-        if (desk.failed) return desk.failed;
+    for (DrawTools& own : tools)
+        if (own.failed) return own.failed;
     return {};
 }
 

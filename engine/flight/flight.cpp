@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "formats/quoted.h"
-#include "world/deed.h"
-#include "world/happen.h"
+#include "world/activation.h"
 #include "world/input.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade {
 namespace {

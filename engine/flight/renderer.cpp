@@ -35,9 +35,9 @@ void add_strip(std::vector<ViewportShape> strip, std::vector<ViewportShape>& sha
     }
 }
 
-class Column final : public Renderer {
+class ColumnDrawer final : public Renderer {
 public:
-    Column(const Map& map, const TextureSet& textures, std::size_t threads) : strips_(map, textures, threads) {}
+    ColumnDrawer(const Map& map, const TextureSet& textures, std::size_t threads) : strips_(map, textures, threads) {}
 
     Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
         strips_.render(frame, facts, snapshot, view);
@@ -111,7 +111,7 @@ Result<std::unique_ptr<Renderer>> make_stencil(const Map& map, const TextureSet&
 
 Result<std::unique_ptr<Renderer>> make_column(const Map& map, const TextureSet& textures, std::size_t threads) {
     if (const Status wrong = column::check_kernels()) return *wrong;
-    return std::unique_ptr<Renderer>(std::make_unique<Column>(map, textures, threads));
+    return std::unique_ptr<Renderer>(std::make_unique<ColumnDrawer>(map, textures, threads));
 }
 
 }  // namespace

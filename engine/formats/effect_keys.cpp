@@ -53,7 +53,7 @@ constexpr Range kSoundReaches{0x1p-4, 1024};
 
 constexpr std::array kTriggerKeys{
     key<&TriggerRecord::on>("on", kNew, Need::required),
-    key<&TriggerRecord::deed>("do", kNew, Need::required),
+    key<&TriggerRecord::action>("do", kNew, Need::required),
     Key<TriggerRecord>{"target", kNew, Need::optional, {}, read_targets, write_targets},
     key<&TriggerRecord::once>("once", kNew),
     key<&TriggerRecord::one_way>("one_way", kNew),
@@ -161,7 +161,7 @@ const KeyList<SoundRecord>& keys_of() {
 template <>
 void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, TriggerRecord& trigger) {
     const TomlEntry* target = find_entry(entries, "target");
-    if (target && trigger.deed == Deed::exit) check_exit(reading, {target->key, target->value});
+    if (target && trigger.action == TriggerAction::leave_map) check_exit(reading, {target->key, target->value});
     refuse_both(reading, entries, "z", "to", "two-heights");
     refuse_both(reading, entries, "z", "like", "two-heights");
     refuse_both(reading, entries, "to", "like", "two-heights");

@@ -12,7 +12,7 @@
 namespace enfilade {
 
 /// What sets a trigger off.
-enum class Occasion : std::uint8_t {
+enum class Activation : std::uint8_t {
     use,    ///< somebody presses "use" at the wall or panel; a sector's: at any portal that leads into it
     cross,  ///< somebody passes the portal or the panel, in whichever direction; walls and panels only
     enter,  ///< somebody comes into the sector; sectors only
@@ -21,7 +21,7 @@ enum class Occasion : std::uint8_t {
 };
 
 /// What a trigger does to its targets.
-enum class Deed : std::uint8_t {
+enum class TriggerAction : std::uint8_t {
     door,             ///< the ceiling goes up to open, waits, and comes down again
     open,             ///< the ceiling goes up, and stays
     close,            ///< the ceiling comes down to the floor, and stays
@@ -35,12 +35,12 @@ enum class Deed : std::uint8_t {
     stop,             ///< shuttles and crushers stop where they are
     light,            ///< the light changes
     teleport,         ///< who set it off stands where the target thing is
-    exit,             ///< the map is left
+    leave_map,        ///< the map is left
     sound,            ///< nothing but its sound
 };
 
 /// A height that is found when the trigger goes off. "Around" are the sectors behind the target's portals.
-enum class Level : std::uint8_t {
+enum class HeightLevel : std::uint8_t {
     here,                   ///< where it is
     lowest_floor,           ///< around, if lower than its own
     highest_floor,          ///< around
@@ -79,25 +79,25 @@ struct LightEffectRecord {
 };
 
 struct TriggerRecord {
-    Occasion on = Occasion::use;
-    Deed deed = Deed::door;             ///< `do`
-    std::vector<std::string> targets;   ///< `target`: sectors by name or tag; teleport: a thing; exit: a map. None: the
-                                        ///< sector it is on, or the one behind its wall
-    bool once = false;                  ///< works only once
-    bool one_way = false;               ///< cross: only when leaving the sector of this wall; use and cross of a panel:
-                                        ///< only from its right, as one_sided
-    std::string key;                    ///< works only for who has it; empty: for everybody
-    double after = 0;                   ///< seconds that pass before it works [s]
-    std::optional<double> z;            ///< floor, ceiling: where to go [m]
-    Level to = Level::here;             ///< the same, found when it goes off
-    std::string like;                   ///< the same: the floor of the sector of this name
-    double by = 0;                      ///< added to either [m]
-    double speed = 2;                   ///< [m/s]
-    double wait = 4;                    ///< how long doors and lifts wait [s]
-    double step = 0.25;                 ///< height of a stair [m]
-    bool reverses = true;               ///< door, on use: used while it moves or waits, it turns round or closes
-    bool crushes = false;               ///< hurts who is in the way, instead of waiting
-    std::optional<double> crush_speed;  ///< how fast it goes on down on who is in its way; none: as before [m/s]
+    Activation on = Activation::use;
+    TriggerAction action = TriggerAction::door;  ///< `do`
+    std::vector<std::string> targets;  ///< `target`: sectors by name or tag; teleport: a thing; exit: a map. None: the
+                                       ///< sector it is on, or the one behind its wall
+    bool once = false;                 ///< works only once
+    bool one_way = false;              ///< cross: only when leaving the sector of this wall; use and cross of a panel:
+                                       ///< only from its right, as one_sided
+    std::string key;                   ///< works only for who has it; empty: for everybody
+    double after = 0;                  ///< seconds that pass before it works [s]
+    std::optional<double> z;           ///< floor, ceiling: where to go [m]
+    HeightLevel to = HeightLevel::here;  ///< the same, found when it goes off
+    std::string like;                    ///< the same: the floor of the sector of this name
+    double by = 0;                       ///< added to either [m]
+    double speed = 2;                    ///< [m/s]
+    double wait = 4;                     ///< how long doors and lifts wait [s]
+    double step = 0.25;                  ///< height of a stair [m]
+    bool reverses = true;                ///< door, on use: used while it moves or waits, it turns round or closes
+    bool crushes = false;                ///< hurts who is in the way, instead of waiting
+    std::optional<double> crush_speed;   ///< how fast it goes on down on who is in its way; none: as before [m/s]
     std::string texture;          ///< the floor's new picture: rising at once, falling on arrival; empty: as it was
     bool heals = false;           ///< the floor no longer hurts, from when it gets its new picture
     std::optional<double> light;  ///< light: 0..1

@@ -14,21 +14,21 @@ constexpr std::string_view kNumbersHeader = "x,y,z,yaw,pitch";
 constexpr std::string_view kSectorHeader = "x,y,z,yaw,pitch,sector";
 
 /// A column of numbers.
-struct Column {
+struct CsvColumn {
     std::string_view name;
     double ViewRow::* field;
     Range range;
 };
 constexpr std::array kColumns{
-    Column{"x", &ViewRow::x, kPositions},
-    Column{"y", &ViewRow::y, kPositions},
-    Column{"z", &ViewRow::z, kHeights},
-    Column{"yaw", &ViewRow::yaw_degrees, kAngles},
-    Column{"pitch", &ViewRow::pitch_degrees, kPitches},
+    CsvColumn{"x", &ViewRow::x, kPositions},
+    CsvColumn{"y", &ViewRow::y, kPositions},
+    CsvColumn{"z", &ViewRow::z, kHeights},
+    CsvColumn{"yaw", &ViewRow::yaw_degrees, kAngles},
+    CsvColumn{"pitch", &ViewRow::pitch_degrees, kPitches},
 };
 
 /// A field of a row and where it starts in the line [bytes].
-struct Field {
+struct CsvField {
     std::string text;
     std::size_t at = 0;
     bool closed = true;  ///< false: its quotes are not closed, or something follows them
@@ -43,8 +43,8 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// Reads the quoted field that starts at `at`, which moves behind it and the blanks after it.
-Field take_quoted(std::string_view line, std::size_t& at) {
-    Field field{"", at, false};
+CsvField take_quoted(std::string_view line, std::size_t& at) {
+    CsvField field{"", at, false};
     for (++at; at < line.size(); ++at) {
         if (line[at] != '"') {
             field.text += line[at];
@@ -63,7 +63,7 @@ Field take_quoted(std::string_view line, std::size_t& at) {
 }
 
 /// Reads the field that starts at `at`, which moves to the comma behind it or to the line's end.
-Field take_field(std::string_view line, std::size_t& at) {
+CsvField take_field(std::string_view line, std::size_t& at) {
     while (at < line.size() && is_blank(line[at])) ++at;
     if (at < line.size() && line[at] == '"') return take_quoted(line, at);
     const std::size_t start = at;
@@ -71,8 +71,8 @@ Field take_field(std::string_view line, std::size_t& at) {
     return {std::string(trimmed(line.substr(start, at - start))), start, true};
 }
 
-std::vector<Field> fields_of(std::string_view line) {
-    std::vector<Field> fields;
+std::vector<CsvField> fields_of(std::string_view line) {
+    std::vector<CsvField> fields;
     for (std::size_t at = 0;; ++at) {
         fields.push_back(take_field(line, at));
         if (at >= line.size() || !fields.back().closed || fields.size() > kColumns.size() + 1) return fields;
@@ -87,7 +87,7 @@ public:
     /// Whether the header is one of the two, so that rows can be understood.
     bool read_header(const TextLine& line) {
         std::string header;
-        for (const Field& field : fields_of(line.text)) header += (header.empty() ? "" : ",") + field.text;
+        for (const CsvField& field : fields_of(line.text)) header += (header.empty() ? "" : ",") + field.text;
         column_count_ = header == kSectorHeader ? kColumns.size() + 1 : kColumns.size();
         if (header == kNumbersHeader || header == kSectorHeader) return true;
         reading_.error({line.number, 1}, "bad-header",
@@ -97,7 +97,7 @@ public:
     }
 
     std::optional<ViewRow> read_row(const TextLine& line) {
-        const std::vector<Field> fields = fields_of(line.text);
+        const std::vector<CsvField> fields = fields_of(line.text);
         if (!has_right_shape(line, fields)) return {};
         const std::size_t findings_before = reading_.findings.size();
         ViewRow row;
@@ -113,7 +113,7 @@ private:
         return {line.number, static_cast<std::uint32_t>(characters_in(line.text.substr(0, at)) + 1)};
     }
 
-    bool has_right_shape(const TextLine& line, const std::vector<Field>& fields) {
+    bool has_right_shape(const TextLine& line, const std::vector<CsvField>& fields) {
         if (!fields.back().closed) {
             reading_.error(place(line, fields.back().at), "bad-row", "a quoted field must end in a quote and a comma");
             return false;
@@ -125,7 +125,7 @@ private:
         return false;
     }
 
-    void read_number(const TextLine& line, const Field& field, const Column& column, ViewRow& row) {
+    void read_number(const TextLine& line, const CsvField& field, const CsvColumn& column, ViewRow& row) {
         const auto number = parse_number(field.text);
         if (!number)
             return reading_.error(place(line, field.at), "bad-number",

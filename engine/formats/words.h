@@ -17,11 +17,11 @@ inline constexpr std::array<std::string_view, 2> kThingEdgesWords{"cut", "whole"
 inline constexpr std::array<std::string_view, 2> kEaseWords{"smooth", "linear"};
 inline constexpr std::array<std::string_view, 2> kPressWords{"none", "use"};
 inline constexpr std::array<std::string_view, 3> kRendererWords{"column", "stencil", "reference"};
-inline constexpr std::array<std::string_view, 5> kOccasionWords{"use", "cross", "enter", "touch", "start"};
-inline constexpr std::array<std::string_view, 15> kDeedWords{
+inline constexpr std::array<std::string_view, 5> kActivationWords{"use", "cross", "enter", "touch", "start"};
+inline constexpr std::array<std::string_view, 15> kTriggerActionWords{
     "door",  "open",   "close", "close_then_open", "lift",     "shuttle", "floor", "ceiling",
     "crush", "stairs", "stop",  "light",           "teleport", "exit",    "sound"};
-inline constexpr std::array<std::string_view, 10> kLevelWords{
+inline constexpr std::array<std::string_view, 10> kHeightLevelWords{
     "here",           "lowest_floor",    "highest_floor", "next_floor_up", "next_floor_down",
     "lowest_ceiling", "highest_ceiling", "floor",         "ceiling",       "lowest_ceiling_or_own"};
 inline constexpr std::array<std::string_view, 3> kLightLevelWords{"given", "brightest", "darkest"};
@@ -36,9 +36,9 @@ constexpr const auto& words_of(ThingEdges) { return kThingEdgesWords; }
 constexpr const auto& words_of(Ease) { return kEaseWords; }
 constexpr const auto& words_of(Press) { return kPressWords; }
 constexpr const auto& words_of(RendererKind) { return kRendererWords; }
-constexpr const auto& words_of(Occasion) { return kOccasionWords; }
-constexpr const auto& words_of(Deed) { return kDeedWords; }
-constexpr const auto& words_of(Level) { return kLevelWords; }
+constexpr const auto& words_of(Activation) { return kActivationWords; }
+constexpr const auto& words_of(TriggerAction) { return kTriggerActionWords; }
+constexpr const auto& words_of(HeightLevel) { return kHeightLevelWords; }
 constexpr const auto& words_of(LightLevel) { return kLightLevelWords; }
 constexpr const auto& words_of(LightKind) { return kLightKindWords; }
 constexpr const auto& words_of(BobShape) { return kBobShapeWords; }

@@ -23,7 +23,7 @@ std::string edge_text(const Wall& w) { return enfilade::edge_text(w.a, w.b); }
 Vec2 touching_end(const Wall& e, const Wall& f) { return corner(f.a, f.b, e.a) == 0 ? e.a : e.b; }
 
 /// Twice the area, positive for a loop that runs clockwise on the drawing [squared grid steps]. Exact.
-Int128 doubled_area(const Draft& draft, const Loop& loop) {
+Int128 doubled_area(const Draft& draft, const DraftLoop& loop) {
     Int128 sum = 0;
     const Vec2 origin = draft.map.walls[loop.first_wall].a;
     for (std::uint32_t i = loop.first_wall; i < loop.first_wall + loop.wall_count; ++i) {
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    const Loop& loop(std::uint32_t i) const { return draft_.loops[parts_.first_loop + i]; }
+    const DraftLoop& loop(std::uint32_t i) const { return draft_.loops[parts_.first_loop + i]; }
     TextPlace place_of(std::uint32_t edge) const { return draft_.walls[sector_.first_wall + edge].place; }
 
     /// An edge that leans on another touches it, too, and which of the two the sweep meets first is chance.
@@ -112,12 +112,12 @@ private:
         for (std::uint32_t i = 0; i < parts_.loop_count; ++i) report(loop(i), windings[i], has_outline);
     }
 
-    Winding winding_of(const Loop& of, const std::vector<std::uint8_t>& is_wrong) const {
+    Winding winding_of(const DraftLoop& of, const std::vector<std::uint8_t>& is_wrong) const {
         const auto begin = is_wrong.begin() + (of.first_wall - sector_.first_wall);
         return {doubled_area(draft_, of) > 0, static_cast<std::uint32_t>(std::count(begin, begin + of.wall_count, 1))};
     }
 
-    void report(const Loop& of, const Winding& winding, bool has_outline) {
+    void report(const DraftLoop& of, const Winding& winding, bool has_outline) {
         if (winding.wrong_edges == 0) return;
         const TextPlace place = known(key_place(*of.record, "v"), place_of(of.first_wall - sector_.first_wall));
         if (winding.wrong_edges < of.wall_count)

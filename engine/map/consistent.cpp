@@ -60,7 +60,7 @@ private:
 
     std::size_t count_of(SectorId) const { return map_.sectors.size(); }
     std::size_t count_of(WallId) const { return map_.walls.size(); }
-    std::size_t count_of(LayId) const { return map_.surfaces.size(); }
+    std::size_t count_of(SurfaceId) const { return map_.surfaces.size(); }
     std::size_t count_of(TextureId) const { return pictures_; }
     std::size_t count_of(ThingId) const { return map_.things.size(); }
     std::size_t count_of(SpriteId) const { return map_.sprites.size(); }

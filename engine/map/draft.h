@@ -13,7 +13,7 @@
 namespace enfilade {
 
 /// A closed loop of a sector: its walls are [first_wall, first_wall + wall_count) of Map::walls.
-struct Loop {
+struct DraftLoop {
     const LoopRecord* record;
     std::uint32_t first_wall;
     std::uint32_t wall_count;
@@ -40,7 +40,7 @@ struct Draft {
     Findings& findings;
     Map map;
     std::vector<SectorDraft> sectors;  ///< indexed by SectorId
-    std::vector<Loop> loops;
+    std::vector<DraftLoop> loops;
     std::vector<WallDraft> walls;              ///< indexed by WallId
     std::vector<const ThingRecord*> things{};  ///< indexed by ThingId
 

@@ -23,8 +23,8 @@ struct TargetRange {
 
 /// What happens, to whom, and what sets it off. The fields mean what they mean in TriggerRecord.
 struct Trigger {
-    Occasion on = Occasion::use;
-    Deed deed = Deed::door;
+    Activation on = Activation::use;
+    TriggerAction action = TriggerAction::door;
     bool once = false, one_way = false, reverses = true, crushes = false, heals = false;
     std::uint32_t key = kNoKey;  ///< index into Map::keys, or kNoKey: works for everybody
     TargetRange targets;         ///< in the order of the file, each once; of a group its leader
@@ -32,7 +32,7 @@ struct Trigger {
     std::string leads_to;        ///< exit: the map named, may be empty
     double after_s = 0;          ///< [s]
     std::optional<double> z;     ///< [m]
-    Level to = Level::here;
+    HeightLevel to = HeightLevel::here;
     SectorId like;                      ///< none: `to` counts
     double by = 0;                      ///< [m]
     double speed = 0;                   ///< > 0 [m/s]

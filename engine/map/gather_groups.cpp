@@ -44,7 +44,7 @@ void check_bob(Draft& draft, const char* what, const SectorRecord& first, const 
 
 bool can_be_used(const SectorRecord& sector) {
     return std::any_of(sector.triggers.begin(), sector.triggers.end(),
-                       [](const TriggerRecord& trigger) { return trigger.on == Occasion::use; });
+                       [](const TriggerRecord& trigger) { return trigger.on == Activation::use; });
 }
 
 /// A door of two parts that opens for who uses the one is meant to open for who uses the other.

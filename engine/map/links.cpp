@@ -39,7 +39,7 @@ Vec2 turn_between(Vec2 from, Vec2 onto) {
 }
 
 /// Wall onto wall: midpoint onto midpoint, facing reversed.
-Rigid carry(const Wall& from, const Wall& onto, double rise) {
+Rigid passage_between(const Wall& from, const Wall& onto, double rise) {
     const Vec2 turn = turn_between(from.b - from.a, onto.a - onto.b);
     Rigid m{turn.x, turn.y, 1, {}, rise};
     m.shift = middle(onto) - m.turn(middle(from));
@@ -119,7 +119,7 @@ void link_portal(Draft& draft, WallId id) {
     check_opening(draft, id, rise);
     // The way back is the inverse of the way there, never derived again: going and coming must cancel.
     const bool is_way_back = is_two_way(draft, id) && exit.link != Wall::kNoLink;
-    const Rigid m = is_way_back ? inverse(draft.map.links[exit.link]) : carry(wall, exit, rise);
+    const Rigid m = is_way_back ? inverse(draft.map.links[exit.link]) : passage_between(wall, exit, rise);
     wall.link = add(draft.map, m, GridMap(m, middle(wall), middle(exit)));
 }
 

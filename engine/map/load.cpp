@@ -39,7 +39,7 @@ void leave_out_things(MapFile& file, int skill) {
 
 void note_exits(const std::vector<TriggerRecord>& triggers, std::vector<NamedFile>& next_maps) {
     for (const TriggerRecord& trigger : triggers)
-        if (trigger.deed == Deed::exit && !trigger.targets.empty())
+        if (trigger.action == TriggerAction::leave_map && !trigger.targets.empty())
             next_maps.push_back({trigger.targets.front(), key_place(trigger, "target")});
 }
 

@@ -5,27 +5,40 @@
 //
 // The words of this code, each for one thing:
 //
-//   grid       where points lie: vertices on multiples of 2^-10 m, bodies and eyes on 2^-32 m (math/grid.h)
-//   sector     a room: a floor, a ceiling, and loops of walls around it
-//   wall       a directed edge of a sector, which is on its right
-//   portal     a wall that one sees and walks through, into the sector behind it
-//   exit       of a portal: the wall of that sector one comes out of
-//   link       a portal whose exit lies elsewhere; its passage carries points there. A mirror is a link to itself
-//   panel      a wall without thickness that stands free in a sector, as a fence does
-//   thing      a picture that stands or hangs in a sector; lamps and other things have places, too
-//   flat       a floor or a ceiling
-//   surface    how a picture lies on a wall or flat
-//   group      sectors that move as one; what happens to them is told of the first, their leader
-//   trigger    what is done (its deed), on what occasion, to which sectors (its targets)
-//   course     how one height or light goes on in time, once something was done (world/course.h)
-//   history    all that happened; what is, at any moment, is a function of it (world/history.h)
-//   snapshot   heights, lights and pictures of one moment (world/snapshot.h)
-//   tick       the sixtieth of a second in which the player moves (world/step.h)
-//   view       the eye, where it looks and how wide (render/view.h)
-//   pose       that eye in the space behind a chain of links
-//   viewport   a sector seen through one chain of portals: its columns, and their open rows
-//   run        pixels of one surface down one column (render/column/kernels.h)
-//   facts      of a pixel: which surface it shows, how deep, which texel (render/frame.h)
+//   grid        where points lie: vertices on multiples of 2^-10 m, bodies and eyes on 2^-32 m (math/grid.h)
+//   record      a table of a map file as its author wrote it (formats/map_file.h); building resolves it into the map
+//   finding     an error or a warning about a file, with its place there (base/finding.h)
+//   sector      a room: a floor, a ceiling, and loops of walls around it
+//   loop        walls of a sector that close: an outline, or around a hole
+//   wall        a directed edge of a sector, which is on its right
+//   portal      a wall that one sees and walks through, into the sector behind it
+//   exit        of a portal: the wall of that sector one comes out of
+//   link        a portal whose exit lies elsewhere; its passage carries points there. A mirror is a link to itself
+//   passage     the motion from one space into another: a turn, a shift, a rise, for mirrors a flip (math/rigid.h)
+//   way back    a wall that is a portal only for who just came out of it, by a one-way portal
+//   panel       a wall without thickness that stands free in a sector, as a fence does
+//   thing       a picture that stands or hangs in a sector; lamps and other things have places, too
+//   place       a point and the sector it is in, because sectors may overlap (space/trace.h)
+//   flat        a floor or a ceiling
+//   surface     how a picture lies on a wall or flat
+//   group       sectors that move as one; what happens to them is told of the first, their leader
+//   trigger     an action (`do`), what sets it off (its activation, `on`), and what sectors it is about (its targets)
+//   track       how one height or light goes on in time, once a trigger went off (world/track.h)
+//   bob         a floor's or ceiling's own way up and down, for ever (world/instant.h)
+//   history     all that happened; what is, at any moment, is a function of it (world/history.h)
+//   instant     a map, its history and a time: what heights and lights are asked of (world/instant.h)
+//   snapshot    heights, lights and pictures of one moment (world/snapshot.h)
+//   tick        the sixtieth of a second in which the player moves (world/step.h)
+//   path        a straight way through sectors; its segment is the part in one of them (space/path_segment.h)
+//   tie rule    who is said to be first where a path meets a vertex or runs along a wall (math/predicates.h)
+//   beam        what is seen of a room from one corner, as sound goes round it (space/hearing.h)
+//   view        the eye, where it looks and how wide (render/view.h)
+//   pose        that eye in the space behind a chain of links
+//   look        what one line of sight goes through, and may cost (render/look_budget.h)
+//   viewport    a sector seen through one chain of portals: its columns, and their open rows
+//   run         pixels of one surface down one column (render/column/kernels.h)
+//   pane        a picture with holes in a room: a panel, a thing, what hangs in a portal (render/stencil/pane.h)
+//   facts       of a pixel: which surface it shows, how deep, which texel (render/frame.h)
 #pragma once
 #include <array>
 #include <cstdint>
@@ -88,9 +101,9 @@ struct Wall {
     /// Light by direction, so that corners can be seen. Smooth light: a factor, from 0.8 along x to 1 along y. Classic
     /// light: 0.8 exactly along x (one step darker), 1.2 exactly along y (one step brighter), else 1. Tutorial: 1.
     double contrast = 1;
-    LayId texture;               ///< solid, way back
-    LayId upper, lower, middle;  ///< portal; the first two: way back, too
-    TriggerRange triggers;       ///< use, cross and start
+    SurfaceId texture;               ///< solid, way back
+    SurfaceId upper, lower, middle;  ///< portal; the first two: way back, too
+    TriggerRange triggers;           ///< use, cross and start
     static constexpr std::uint32_t kNoLink = 0xFFFFFFFFu;
 
     /// Whether it stands, for who is before it, in front of what the same room has behind it: what is there is another
@@ -119,7 +132,7 @@ struct Panel {
 struct Flat {
     double z = 0;  ///< at rest [m]
     Vec2 origin;   ///< of the texture, in the plane
-    LayId surface;
+    SurfaceId surface;
     bool sky = false;
     bool carries = false;           ///< floor: moves who stands on it with the picture
     std::uint32_t first_layer = 0;  ///< what is laid over it, the farthest first, is
@@ -260,7 +273,7 @@ struct Map {
     const Sector& operator[](SectorId id) const { return sectors[id.index]; }
     const Wall& operator[](WallId id) const { return walls[id.index]; }
     /// None: what has no texture.
-    const Surface& operator[](LayId id) const { return id ? surfaces[id.index] : kNoSurface; }
+    const Surface& operator[](SurfaceId id) const { return id ? surfaces[id.index] : kNoSurface; }
     const Panel& operator[](PanelId id) const { return panels[id.index]; }
     const Thing& operator[](ThingId id) const { return things[id.index]; }
     const Sprite& operator[](SpriteId id) const { return sprites[id.index]; }

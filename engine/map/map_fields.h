@@ -125,11 +125,11 @@ constexpr auto fields(Some<PlayerStart> auto& whole, auto visit) {
 }
 
 constexpr auto fields(Some<Trigger> auto& whole, auto visit) {
-    auto& [on, deed, once, one_way, reverses, crushes, heals, key, targets, destination, leads_to, after_s, z, to, like,
-           by, speed, wait_s, step, crush_speed, texture, light, light_of, effect, sound, on_sector, on_wall, on_panel,
-           on_thing] = whole;
-    return visit(on, deed, once, one_way, reverses, crushes, heals, key, targets, destination, leads_to, after_s, z, to,
-                 like, by, speed, wait_s, step, crush_speed, texture, light, light_of, effect, sound, on_sector,
+    auto& [on, action, once, one_way, reverses, crushes, heals, key, targets, destination, leads_to, after_s, z, to,
+           like, by, speed, wait_s, step, crush_speed, texture, light, light_of, effect, sound, on_sector, on_wall,
+           on_panel, on_thing] = whole;
+    return visit(on, action, once, one_way, reverses, crushes, heals, key, targets, destination, leads_to, after_s, z,
+                 to, like, by, speed, wait_s, step, crush_speed, texture, light, light_of, effect, sound, on_sector,
                  on_wall, on_panel, on_thing);
 }
 

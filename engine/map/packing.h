@@ -24,9 +24,9 @@ constexpr Footing last_of(Footing) { return Footing::fixed; }
 constexpr HoldsUp last_of(HoldsUp) { return HoldsUp::nothing; }
 constexpr LightKind last_of(LightKind) { return LightKind::fire; }
 constexpr BobShape last_of(BobShape) { return BobShape::triangle; }
-constexpr Occasion last_of(Occasion) { return Occasion::start; }
-constexpr Deed last_of(Deed) { return Deed::sound; }
-constexpr Level last_of(Level) { return Level::lowest_ceiling_or_own; }
+constexpr Activation last_of(Activation) { return Activation::start; }
+constexpr TriggerAction last_of(TriggerAction) { return TriggerAction::sound; }
+constexpr HeightLevel last_of(HeightLevel) { return HeightLevel::lowest_ceiling_or_own; }
 constexpr LightLevel last_of(LightLevel) { return LightLevel::darkest; }
 constexpr LightModel last_of(LightModel) { return LightModel::classic; }
 constexpr SkyRows last_of(SkyRows) { return SkyRows::straight; }

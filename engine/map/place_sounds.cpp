@@ -88,7 +88,7 @@ private:
             Trigger& trigger = map_.triggers[range.first + i];
             trigger.sound = found(records[i], "sound", records[i].sound);
             if (trigger.sound) put_on(trigger);
-            if (trigger.deed == Deed::sound && records[i].sound.empty() && records[i].places.is_sound())
+            if (trigger.action == TriggerAction::sound && records[i].sound.empty() && records[i].places.is_sound())
                 draft_.error(records[i].place, "needs-sound", "expected 'sound', which says what is heard; found none");
         }
     }

@@ -30,13 +30,13 @@ std::string_view name_of(Bearer bearer) {
     return "";
 }
 
-bool can_be_set_off(Occasion on, Bearer bearer) {
+bool can_be_set_off(Activation on, Bearer bearer) {
     switch (on) {
-        case Occasion::use: return bearer != Bearer::thing;
-        case Occasion::cross: return bearer == Bearer::portal || bearer == Bearer::panel;
-        case Occasion::enter: return bearer == Bearer::sector;
-        case Occasion::touch: return bearer == Bearer::thing;
-        case Occasion::start: return true;
+        case Activation::use: return bearer != Bearer::thing;
+        case Activation::cross: return bearer == Bearer::portal || bearer == Bearer::panel;
+        case Activation::enter: return bearer == Bearer::sector;
+        case Activation::touch: return bearer == Bearer::thing;
+        case Activation::start: return true;
     }
     return false;
 }
@@ -58,7 +58,7 @@ public:
         std::size_t set_off = 0;
         for (const TriggerRecord& record : records) {
             check(record, bearer);
-            const bool at_start = record.on == Occasion::start;
+            const bool at_start = record.on == Activation::start;
             if (at_start) draft_.map.at_start.emplace_back(draft_.map.triggers.size());
             draft_.map.triggers.push_back(resolved(record, usual));
             count_targets(record, at_start ? set_off_at_start_ : set_off);
@@ -83,7 +83,8 @@ private:
         if (!can_be_set_off(record.on, bearer))
             draft_.error(record, "on", "trigger-occasion",
                          std::string(name_of(bearer)) + " cannot have a trigger on " + quoted(to_word(record.on)));
-        if (record.deed == Deed::light && !record.light && record.light_of == LightLevel::given && !record.effect)
+        if (record.action == TriggerAction::light && !record.light && record.light_of == LightLevel::given &&
+            !record.effect)
             draft_.error(record, "do", "light-without-level",
                          "expected light, light_of or effect, which say how the light changes; found none of them");
         check_goal(record);
@@ -91,13 +92,13 @@ private:
 
     /// What goes somewhere must be told where; a floor may also just change.
     void check_goal(const TriggerRecord& record) {
-        const bool goes = record.deed == Deed::floor || record.deed == Deed::ceiling;
-        const bool has_goal = record.z || record.to != Level::here || !record.like.empty() || record.by != 0;
+        const bool goes = record.action == TriggerAction::floor || record.action == TriggerAction::ceiling;
+        const bool has_goal = record.z || record.to != HeightLevel::here || !record.like.empty() || record.by != 0;
         if (goes && !has_goal && record.texture.empty() && !record.heals)
             draft_.error(record, "do", "move-without-goal",
-                         "expected z, to, like or by, which say where the " + std::string(to_word(record.deed)) +
+                         "expected z, to, like or by, which say where the " + std::string(to_word(record.action)) +
                              " goes; found none, so it would stay where it is");
-        if (record.deed == Deed::stairs && record.step == 0)
+        if (record.action == TriggerAction::stairs && record.step == 0)
             draft_.error(record, "step", "move-without-goal",
                          "expected a step that is higher or lower than 0 m, found 0: these stairs would stay level");
     }
@@ -105,7 +106,7 @@ private:
     Trigger resolved(const TriggerRecord& record, SectorId usual) {
         Trigger t;
         t.on = record.on;
-        t.deed = record.deed;
+        t.action = record.action;
         t.once = record.once;
         t.one_way = record.one_way;
         t.reverses = record.reverses;
@@ -135,10 +136,10 @@ private:
     }
 
     void find_targets(const TriggerRecord& record, SectorId usual, Trigger& trigger) {
-        if (record.deed == Deed::sound) return;
-        if (record.deed == Deed::exit) {
+        if (record.action == TriggerAction::sound) return;
+        if (record.action == TriggerAction::leave_map) {
             if (!record.targets.empty()) trigger.leads_to = record.targets.front();
-        } else if (record.deed == Deed::teleport) {
+        } else if (record.action == TriggerAction::teleport) {
             find_destination(record, trigger);
         } else if (!record.targets.empty()) {
             trigger.targets = lists_.list_of(record);
@@ -171,7 +172,7 @@ private:
     void needs_target(const TriggerRecord& record, const char* what) {
         if (!record.places.is_sound()) return;
         draft_.error(record, "do", "needs-target",
-                     quoted(to_word(record.deed)) + " needs a target, " + std::string(what));
+                     quoted(to_word(record.action)) + " needs a target, " + std::string(what));
     }
 
     Draft& draft_;

@@ -69,7 +69,7 @@ bool add_loops(Draft& draft, const SectorRecord& record) {
             continue;
         }
         add_loop(draft, record, loop);
-        const Loop& added = draft.loops.back();
+        const DraftLoop& added = draft.loops.back();
         for (std::uint32_t i = 0; i < added.wall_count; ++i)
             all = check_length(draft, record, loop, i, draft.map.walls[added.first_wall + i]) && all;
         all = all && loop.is_whole;

@@ -20,7 +20,7 @@ SectorFinder::SectorFinder(const Map& map, std::vector<std::uint32_t> sectors)
 
 std::uint32_t SectorFinder::build(std::uint32_t begin, std::uint32_t end, bool along_x) {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
-    Node node{map_.sectors[sectors_[begin]].min, map_.sectors[sectors_[begin]].max, begin, end, 0};
+    TreeNode node{map_.sectors[sectors_[begin]].min, map_.sectors[sectors_[begin]].max, begin, end, 0};
     for (std::uint32_t i = begin; i < end; ++i) {
         const Sector& s = map_.sectors[sectors_[i]];
         node.min = {std::min(node.min.x, s.min.x), std::min(node.min.y, s.min.y)};
@@ -47,7 +47,7 @@ SectorId SectorFinder::around(Vec2 p) const {
 }
 
 void SectorFinder::search(std::uint32_t node, Vec2 p, SectorId& best) const {
-    const Node& n = nodes_[node];
+    const TreeNode& n = nodes_[node];
     if (p.x < n.min.x || p.x > n.max.x || p.y < n.min.y || p.y > n.max.y) return;
     if (n.right != 0) {
         search(node + 1, p, best);

@@ -20,7 +20,7 @@ public:
     SectorId around(Vec2 p) const;
 
 private:
-    struct Node {
+    struct TreeNode {
         Vec2 min, max;             ///< of all sectors below
         std::uint32_t begin, end;  ///< they are sectors_[begin, end)
         std::uint32_t right;       ///< index of the second child; the first is the next node; 0: a leaf
@@ -31,7 +31,7 @@ private:
 
     const Map& map_;
     std::vector<std::uint32_t> sectors_;
-    std::vector<Node> nodes_;
+    std::vector<TreeNode> nodes_;
 };
 
 // Is a point inside these walls? The one definition of "inside" that all of the engine uses.

@@ -21,7 +21,7 @@ class SurfaceList {
 public:
     explicit SurfaceList(std::vector<Surface>& surfaces) : surfaces_(surfaces) {}
 
-    LayId add(const Surface& surface) {
+    SurfaceId add(const Surface& surface) {
         const auto [known, is_new] = ids_.try_emplace(surface, surfaces_.size());
         if (is_new) surfaces_.push_back(surface);
         return known->second;
@@ -42,11 +42,11 @@ private:
     };
 
     std::vector<Surface>& surfaces_;
-    std::unordered_map<Surface, LayId, HashOf> ids_;
+    std::unordered_map<Surface, SurfaceId, HashOf> ids_;
 };
 
 /// What all surfaces of one wall or flat have in common.
-struct Lay {
+struct SurfaceMaker {
     const TextureSet& textures;
     Vec2 scroll;
     std::optional<double> size;        ///< texels per metre, instead of metres per tile
@@ -97,21 +97,21 @@ double contrast_in(const Draft& draft, Vec2 edge) {
 void lay_wall(Draft& draft, SurfaceList& surfaces, WallId id) {
     Wall& wall = draft.map.walls[id.index];
     const WallRecord& record = *draft.walls[id.index].record;
-    const Lay lay{draft.textures, record.scroll, record.size, draft.file.size};
+    const SurfaceMaker maker{draft.textures, record.scroll, record.size, draft.file.size};
     wall.contrast = contrast_in(draft, wall.b - wall.a);
-    if (wall.kind != WallKind::portal) wall.texture = surfaces.add(lay.surface(record.texture, record.texture_peg));
+    if (wall.kind != WallKind::portal) wall.texture = surfaces.add(maker.surface(record.texture, record.texture_peg));
     if (wall.kind != WallKind::portal && wall.kind != WallKind::way_back) return;
-    wall.upper = surfaces.add(lay.surface(record.upper ? record.upper : record.texture, record.upper_peg));
-    wall.lower = surfaces.add(lay.surface(record.lower ? record.lower : record.texture, record.lower_peg));
-    if (wall.kind == WallKind::portal) wall.middle = surfaces.add(lay.single(record.middle, record.middle_peg));
+    wall.upper = surfaces.add(maker.surface(record.upper ? record.upper : record.texture, record.upper_peg));
+    wall.lower = surfaces.add(maker.surface(record.lower ? record.lower : record.texture, record.lower_peg));
+    if (wall.kind == WallKind::portal) wall.middle = surfaces.add(maker.single(record.middle, record.middle_peg));
 }
 
 /// sector's i-th panel.
 void lay_panel(Draft& draft, const SectorDraft& sector, std::size_t i, Panel& panel) {
     const PanelRecord& record = sector.record->panels[i];
-    const Lay lay{draft.textures, record.scroll, record.size, draft.file.size};
+    const SurfaceMaker maker{draft.textures, record.scroll, record.size, draft.file.size};
     panel.contrast = contrast_in(draft, panel.b - panel.a);
-    panel.surface = lay.surface(record.texture, Peg::ceiling);
+    panel.surface = maker.surface(record.texture, Peg::ceiling);
     panel.one_sided = record.one_sided;
 }
 
@@ -131,9 +131,9 @@ void lay_layers(Draft& draft, const FlatRecord& record, Flat& flat) {
     flat.first_layer = static_cast<std::uint32_t>(draft.map.flat_layers.size());
     flat.layer_count = static_cast<std::uint32_t>(record.layers.size());
     for (const FlatLayerRecord& layer : record.layers)
-        draft.map.flat_layers.push_back(
-            Lay{draft.textures, layer_scroll(draft, layer, flat.sky), {}, flat.sky ? std::nullopt : draft.file.size}
-                .surface(layer.texture, Peg::ceiling));
+        draft.map.flat_layers.push_back(SurfaceMaker{
+            draft.textures, layer_scroll(draft, layer, flat.sky), {}, flat.sky ? std::nullopt : draft.file.size}
+                                            .surface(layer.texture, Peg::ceiling));
 }
 
 /// In the tutorial (chapter 7, Camera.js and Flat.js) a sky's picture begins a quarter turn before x, and the first
@@ -145,9 +145,10 @@ void lay_tutorial_sky(Surface& sky) {
 
 void lay_flat(Draft& draft, SurfaceList& surfaces, const SectorDraft& sector, const FlatRecord& record, Flat& flat) {
     // A sky's two numbers are wraps and a tangent, which texels per metre say nothing about.
-    const Lay lay = record.parallax ? Lay{draft.textures, record.scroll, {}, {}}
-                                    : Lay{draft.textures, record.scroll, record.size, draft.file.size};
-    Surface surface = lay.surface(record.texture, Peg::ceiling);
+    const SurfaceMaker maker = record.parallax
+                                   ? SurfaceMaker{draft.textures, record.scroll, {}, {}}
+                                   : SurfaceMaker{draft.textures, record.scroll, record.size, draft.file.size};
+    Surface surface = maker.surface(record.texture, Peg::ceiling);
     flat.sky = record.parallax;
     if (flat.sky && is_tutorial(draft)) lay_tutorial_sky(surface);
     flat.surface = surfaces.add(surface);

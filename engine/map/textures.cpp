@@ -152,7 +152,7 @@ PictureNeeds pictures_needed(const MapFile& file) {
 TextureLoader::TextureLoader(const PictureNeeds& needs, const std::vector<std::string>& folders, const FileReader& read,
                              const FolderLister& list) {
     for (const auto& [name, written, place] : needs.pictures) {
-        Picture& picture = pictures_.emplace_back();
+        PictureSource& picture = pictures_.emplace_back();
         picture.name = name;
         picture.written = written;
         picture.place = place;
@@ -160,13 +160,13 @@ TextureLoader::TextureLoader(const PictureNeeds& needs, const std::vector<std::s
             picture.bytes = std::move(bytes).value();
         if (picture.bytes) make_room_for(picture);
     }
-    const auto is_missing = [](const Picture& picture) { return !picture.bytes; };
+    const auto is_missing = [](const PictureSource& picture) { return !picture.bytes; };
     table_place_ = needs.color_table_place;
     if (!needs.color_table.empty()) read_color_table(needs.color_table);
     if (list && std::any_of(pictures_.begin(), pictures_.end(), is_missing)) suggest_names(folders, list);
 }
 
-void TextureLoader::make_room_for(Picture& picture) {
+void TextureLoader::make_room_for(PictureSource& picture) {
     const auto size = png_size(*picture.bytes);
     const std::uint64_t unpacked = size ? std::uint64_t{size->width} * size->height * sizeof(std::uint32_t) : 0;
     bytes_needed_ += picture.bytes->size() + unpacked;
@@ -176,7 +176,7 @@ void TextureLoader::make_room_for(Picture& picture) {
 
 /// Before all others, which are to be looked up in it.
 void TextureLoader::read_color_table(const std::string& name) {
-    const auto picture = std::ranges::find(pictures_, name, &Picture::name);
+    const auto picture = std::ranges::find(pictures_, name, &PictureSource::name);
     if (picture == pictures_.end()) return;
     picture->is_color_table = true;
     if (!picture->bytes) return;
@@ -197,14 +197,14 @@ void TextureLoader::suggest_names(const std::vector<std::string>& folders, const
     std::vector<ScopedName> names;
     for (const std::string& name : known) names.push_back({0, name, 0});
     const NameIndex index(std::move(names));
-    for (Picture& picture : pictures_)
+    for (PictureSource& picture : pictures_)
         if (!picture.bytes) picture.near = index.suggestion(0, picture.name);
 }
 
 TextureSet TextureLoader::sizes() const {
     TextureSet set;
     set.placeholder = make_placeholder();
-    for (const Picture& picture : pictures_) {
+    for (const PictureSource& picture : pictures_) {
         Texture& texture = set.textures.emplace_back();
         const auto size = picture.bytes ? png_size(*picture.bytes) : std::nullopt;
         texture.name = picture.name;
@@ -215,7 +215,7 @@ TextureSet TextureLoader::sizes() const {
 }
 
 void TextureLoader::unpack(std::size_t i) {
-    Picture& picture = pictures_[i];
+    PictureSource& picture = pictures_[i];
     picture.texture = make_placeholder();
     if (picture.bytes && !picture.is_over) {
         const Result<Image> image = read_png(*picture.bytes);
@@ -230,7 +230,7 @@ void TextureLoader::unpack(std::size_t i) {
     picture.texture.name = picture.name;
 }
 
-void TextureLoader::report(const Picture& picture, Findings& findings) {
+void TextureLoader::report(const PictureSource& picture, Findings& findings) {
     if (!picture.bytes)
         findings.push_back(
             {picture.place, Severity::warning, "missing-texture",
@@ -249,7 +249,7 @@ void TextureLoader::report_color_table(Findings& findings) const {
 }
 
 void TextureLoader::report_shortage(Findings& findings) const {
-    const auto over = std::ranges::find(pictures_, true, &Picture::is_over);
+    const auto over = std::ranges::find(pictures_, true, &PictureSource::is_over);
     if (over == pictures_.end()) return;
     const auto megabytes = [](std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; };
     findings.push_back({over->place, Severity::error, "too-many-pictures",
@@ -265,7 +265,7 @@ TextureSet TextureLoader::take(Findings& findings) {
     report_color_table(findings);
     set.color_table = std::move(color_table_);
     set.placeholder = make_placeholder();
-    for (Picture& picture : pictures_) {
+    for (PictureSource& picture : pictures_) {
         report(picture, findings);
         set.textures.push_back(std::move(picture.texture));
     }

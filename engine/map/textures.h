@@ -90,7 +90,7 @@ public:
     TextureSet take(Findings& findings);
 
 private:
-    struct Picture {
+    struct PictureSource {
         std::string name, written;   ///< as in PictureNeed
         TextPlace place;             ///< of its first use
         std::string path;            ///< where it was found
@@ -104,13 +104,13 @@ private:
     void suggest_names(const std::vector<std::string>& folders, const FolderLister& list);
     void read_color_table(const std::string& name);
     /// Counts what it takes, and drops its bytes where that is too much.
-    void make_room_for(Picture& picture);
-    static void report(const Picture& picture, Findings& findings);
+    void make_room_for(PictureSource& picture);
+    static void report(const PictureSource& picture, Findings& findings);
     void report_color_table(Findings& findings) const;
     void report_shortage(Findings& findings) const;
 
-    std::uint64_t bytes_needed_ = 0;  ///< by all pictures
-    std::vector<Picture> pictures_;   ///< sorted by name
+    std::uint64_t bytes_needed_ = 0;       ///< by all pictures
+    std::vector<PictureSource> pictures_;  ///< sorted by name
     ColorTable color_table_;
     TextPlace table_place_;
     std::string table_fault_;  ///< what is wrong with it

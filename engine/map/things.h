@@ -21,11 +21,11 @@ public:
 
 private:
     using OriginKey = std::optional<std::pair<double, double>>;
-    using FrameKey = std::tuple<std::string, double, OriginKey>;  ///< picture, seconds, origin
-    using Key = std::tuple<int, double, std::vector<FrameKey>>;   ///< rotations, size, frames
+    using FrameKey = std::tuple<std::string, double, OriginKey>;       ///< picture, seconds, origin
+    using SpriteKey = std::tuple<int, double, std::vector<FrameKey>>;  ///< rotations, size, frames
 
     Draft& draft_;
-    std::map<Key, SpriteId> known_;
+    std::map<SpriteKey, SpriteId> known_;
 };
 
 /// Adds the thing, which is inside the sector, to the draft's map.

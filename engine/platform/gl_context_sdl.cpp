@@ -24,7 +24,7 @@ private:
     bool started_;
 };
 
-struct WindowCloser {
+struct HiddenWindowCloser {
     void operator()(SDL_Window* w) const { SDL_DestroyWindow(w); }
 };
 
@@ -59,7 +59,7 @@ public:
 
 private:
     Video video_;
-    std::unique_ptr<SDL_Window, WindowCloser> window_;
+    std::unique_ptr<SDL_Window, HiddenWindowCloser> window_;
     SDL_GLContext context_ = nullptr;
 };
 

@@ -6,7 +6,7 @@
 namespace enfilade {
 
 /// Keys by their place on the keyboard, named as on a US keyboard: WASD stays a cross on every layout.
-enum class Key : std::uint8_t {
+enum class KeyCode : std::uint8_t {
     unknown,
     w,
     a,
@@ -48,7 +48,7 @@ enum class Key : std::uint8_t {
     f11,
     f12
 };
-inline constexpr int kKeyCount = static_cast<int>(Key::f12) + 1;
+inline constexpr int kKeyCount = static_cast<int>(KeyCode::f12) + 1;
 
 enum class MouseButton : std::uint8_t { left, middle, right, other };
 
@@ -74,7 +74,7 @@ enum class GamepadButton : std::uint8_t {
 enum class GamepadAxis : std::uint8_t { left_x, left_y, right_x, right_y, left_trigger, right_trigger, other };
 
 struct KeyChange {
-    Key key = Key::unknown;
+    KeyCode key = KeyCode::unknown;
     bool down = false;
     bool repeat = false;  ///< made by holding the key
 };

@@ -6,51 +6,51 @@ namespace enfilade {
 
 namespace {
 
-Key key_of(SDL_Scancode code) {
+KeyCode key_of(SDL_Scancode code) {
     switch (code) {
-        case SDL_SCANCODE_W: return Key::w;
-        case SDL_SCANCODE_A: return Key::a;
-        case SDL_SCANCODE_S: return Key::s;
-        case SDL_SCANCODE_D: return Key::d;
-        case SDL_SCANCODE_C: return Key::c;
-        case SDL_SCANCODE_E: return Key::e;
-        case SDL_SCANCODE_N: return Key::n;
-        case SDL_SCANCODE_R: return Key::r;
-        case SDL_SCANCODE_Y: return Key::y;
-        case SDL_SCANCODE_UP: return Key::up;
-        case SDL_SCANCODE_DOWN: return Key::down;
-        case SDL_SCANCODE_LEFT: return Key::left;
-        case SDL_SCANCODE_RIGHT: return Key::right;
-        case SDL_SCANCODE_PAGEUP: return Key::page_up;
-        case SDL_SCANCODE_PAGEDOWN: return Key::page_down;
-        case SDL_SCANCODE_HOME: return Key::home;
-        case SDL_SCANCODE_LSHIFT: return Key::left_shift;
-        case SDL_SCANCODE_RSHIFT: return Key::right_shift;
-        case SDL_SCANCODE_LCTRL: return Key::left_control;
-        case SDL_SCANCODE_RCTRL: return Key::right_control;
-        case SDL_SCANCODE_LALT: return Key::left_alt;
-        case SDL_SCANCODE_RALT: return Key::right_alt;
-        case SDL_SCANCODE_SPACE: return Key::space;
-        case SDL_SCANCODE_TAB: return Key::tab;
+        case SDL_SCANCODE_W: return KeyCode::w;
+        case SDL_SCANCODE_A: return KeyCode::a;
+        case SDL_SCANCODE_S: return KeyCode::s;
+        case SDL_SCANCODE_D: return KeyCode::d;
+        case SDL_SCANCODE_C: return KeyCode::c;
+        case SDL_SCANCODE_E: return KeyCode::e;
+        case SDL_SCANCODE_N: return KeyCode::n;
+        case SDL_SCANCODE_R: return KeyCode::r;
+        case SDL_SCANCODE_Y: return KeyCode::y;
+        case SDL_SCANCODE_UP: return KeyCode::up;
+        case SDL_SCANCODE_DOWN: return KeyCode::down;
+        case SDL_SCANCODE_LEFT: return KeyCode::left;
+        case SDL_SCANCODE_RIGHT: return KeyCode::right;
+        case SDL_SCANCODE_PAGEUP: return KeyCode::page_up;
+        case SDL_SCANCODE_PAGEDOWN: return KeyCode::page_down;
+        case SDL_SCANCODE_HOME: return KeyCode::home;
+        case SDL_SCANCODE_LSHIFT: return KeyCode::left_shift;
+        case SDL_SCANCODE_RSHIFT: return KeyCode::right_shift;
+        case SDL_SCANCODE_LCTRL: return KeyCode::left_control;
+        case SDL_SCANCODE_RCTRL: return KeyCode::right_control;
+        case SDL_SCANCODE_LALT: return KeyCode::left_alt;
+        case SDL_SCANCODE_RALT: return KeyCode::right_alt;
+        case SDL_SCANCODE_SPACE: return KeyCode::space;
+        case SDL_SCANCODE_TAB: return KeyCode::tab;
         case SDL_SCANCODE_RETURN:
-        case SDL_SCANCODE_KP_ENTER: return Key::enter;
-        case SDL_SCANCODE_ESCAPE: return Key::escape;
+        case SDL_SCANCODE_KP_ENTER: return KeyCode::enter;
+        case SDL_SCANCODE_ESCAPE: return KeyCode::escape;
         case SDL_SCANCODE_EQUALS:
-        case SDL_SCANCODE_KP_PLUS: return Key::plus;
+        case SDL_SCANCODE_KP_PLUS: return KeyCode::plus;
         case SDL_SCANCODE_MINUS:
-        case SDL_SCANCODE_KP_MINUS: return Key::minus;
-        case SDL_SCANCODE_F1: return Key::f1;
-        case SDL_SCANCODE_F2: return Key::f2;
-        case SDL_SCANCODE_F3: return Key::f3;
-        case SDL_SCANCODE_F4: return Key::f4;
-        case SDL_SCANCODE_F5: return Key::f5;
-        case SDL_SCANCODE_F6: return Key::f6;
-        case SDL_SCANCODE_F7: return Key::f7;
-        case SDL_SCANCODE_F8: return Key::f8;
-        case SDL_SCANCODE_F9: return Key::f9;
-        case SDL_SCANCODE_F11: return Key::f11;
-        case SDL_SCANCODE_F12: return Key::f12;
-        default: return Key::unknown;
+        case SDL_SCANCODE_KP_MINUS: return KeyCode::minus;
+        case SDL_SCANCODE_F1: return KeyCode::f1;
+        case SDL_SCANCODE_F2: return KeyCode::f2;
+        case SDL_SCANCODE_F3: return KeyCode::f3;
+        case SDL_SCANCODE_F4: return KeyCode::f4;
+        case SDL_SCANCODE_F5: return KeyCode::f5;
+        case SDL_SCANCODE_F6: return KeyCode::f6;
+        case SDL_SCANCODE_F7: return KeyCode::f7;
+        case SDL_SCANCODE_F8: return KeyCode::f8;
+        case SDL_SCANCODE_F9: return KeyCode::f9;
+        case SDL_SCANCODE_F11: return KeyCode::f11;
+        case SDL_SCANCODE_F12: return KeyCode::f12;
+        default: return KeyCode::unknown;
     }
 }
 

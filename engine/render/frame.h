@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/surface_id.h"
+#include "render/pixel_surface.h"
 
 namespace enfilade {
 
@@ -15,7 +15,7 @@ struct TexelPosition {
 
 /// What each pixel shows; for tests, ids pictures and overlays. All arrays are by row, width * height long.
 struct FrameFacts {
-    std::vector<SurfaceId> ids;
+    std::vector<PixelSurface> ids;
     std::vector<double> depths;  ///< along `forward` [m]; sky: infinity
     std::vector<TexelPosition> texels;
     std::vector<std::uint8_t> writes;     ///< how often the opaque pass wrote the pixel: 1 everywhere in a sound frame

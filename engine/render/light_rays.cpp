@@ -96,14 +96,14 @@ void LightRays::add(const Map& map, const LightImage& image, const LightSpot& sp
 
 bool LightRays::arrives(const Map& map, const Snapshot& snapshot, const LightImage& image, std::size_t number,
                         double z) const {
-    const Ray& ray = rays_[number];
+    const LightRay& ray = rays_[number];
     if (!ray.is_straight) return false;
     const PointLight& light = map.lights[image.light];
     const Heights home = heights_at(snapshot, light.sector);
     if (light.z < home.floor_z || light.z > home.ceiling_z) return false;
     const double climb = z - image.z;
     for (std::size_t i = ray.first; i < std::size_t{ray.first} + ray.count; ++i) {
-        const Opening& opening = openings_[i];
+        const PortalOnRay& opening = openings_[i];
         const double height = light.z + climb * opening.at;
         if (!is_open_at(map, snapshot, map[opening.portal], opening.rise, opening.rise_behind, height)) return false;
     }
@@ -111,7 +111,7 @@ bool LightRays::arrives(const Map& map, const Snapshot& snapshot, const LightIma
 }
 
 void LightRays::add_sectors(const Map& map, std::vector<SectorId>& sectors) const {
-    for (const Opening& opening : openings_) {
+    for (const PortalOnRay& opening : openings_) {
         for (const SectorId sector : {map[opening.portal].sector, map[opening.portal].behind})
             if (std::find(sectors.begin(), sectors.end(), sector) == sectors.end()) sectors.push_back(sector);
     }

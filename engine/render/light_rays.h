@@ -74,19 +74,19 @@ public:
     void add_sectors(const Map& map, std::vector<SectorId>& sectors) const;
 
 private:
-    struct Opening {
+    struct PortalOnRay {
         WallId portal;
         double at;           ///< part of the way before it
         double rise;         ///< from heights of the light's sector to those of the portal's [m]
         double rise_behind;  ///< and to those of the sector behind it [m]
     };
-    struct Ray {
+    struct LightRay {
         std::uint32_t first = 0, count = 0;  ///< of openings_
         bool is_straight = false;            ///< there is a way
     };
 
-    std::vector<Ray> rays_;
-    std::vector<Opening> openings_;
+    std::vector<LightRay> rays_;
+    std::vector<PortalOnRay> openings_;
     SightLine line_;  ///< scratch
 };
 

@@ -16,10 +16,10 @@ Shade shade_at(LightModel model, double light, double contrast, double depth) {
     return Dimming(model, light, contrast).at(depth);
 }
 
-Mist mist_at(double reach, double depth) {
+FogPart fog_part_at(double reach, double depth) {
     if (reach == 0) return 0;
     const double part = std::min(depth, kFarthest) / reach;
-    return static_cast<Mist>(256 * (1 - 1 / (1 + part * part)) + 0.5);
+    return static_cast<FogPart>(256 * (1 - 1 / (1 + part * part)) + 0.5);
 }
 
 double fraction(double tiles) {

@@ -43,17 +43,17 @@ inline const std::uint32_t* darkened_colors(const ColorTable& table, Shade shade
 }
 
 /// How much of a colour fog hides, in 1/256: 0 nothing, 256 all.
-using Mist = std::uint32_t;
+using FogPart = std::uint32_t;
 
 /// Fog that hides half of everything at the depth `reach` [m], more beyond: depth^2 / (depth^2 + reach^2).
 /// reach: 0 is no fog. depth: >= 0 [m], infinity allowed.
-Mist mist_at(double reach, double depth);
+FogPart fog_part_at(double reach, double depth);
 
 /// The colour 0xAABBGGRR with fog of the colour `fog` before it. Alpha is kept.
-constexpr std::uint32_t misted(std::uint32_t color, std::uint32_t fog, Mist mist) {
-    const std::uint32_t clear = 256 - mist;
-    const std::uint32_t red_blue = ((color & 0x00FF00FFu) * clear + (fog & 0x00FF00FFu) * mist) >> 8 & 0x00FF00FFu;
-    const std::uint32_t green = ((color & 0x0000FF00u) * clear + (fog & 0x0000FF00u) * mist) >> 8 & 0x0000FF00u;
+constexpr std::uint32_t fogged(std::uint32_t color, std::uint32_t fog, FogPart fog_part) {
+    const std::uint32_t clear = 256 - fog_part;
+    const std::uint32_t red_blue = ((color & 0x00FF00FFu) * clear + (fog & 0x00FF00FFu) * fog_part) >> 8 & 0x00FF00FFu;
+    const std::uint32_t green = ((color & 0x0000FF00u) * clear + (fog & 0x0000FF00u) * fog_part) >> 8 & 0x0000FF00u;
     return (color & 0xFF000000u) | red_blue | green;
 }
 

@@ -138,7 +138,7 @@ FlatNow flat_now(const Map& map, const Flat& at_rest, TextureId given, double ti
 
 }  // namespace
 
-Surface picture_now(const Map& map, const Snapshot& snapshot, WallId id, LayId at_rest) {
+Surface picture_now(const Map& map, const Snapshot& snapshot, WallId id, SurfaceId at_rest) {
     Surface surface = map[at_rest];
     surface.texture = animated(map.pictures, face_of(map, snapshot, id, surface.texture), snapshot.time_s);
     scroll_upright(surface, snapshot.time_s);

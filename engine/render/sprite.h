@@ -101,7 +101,7 @@ std::size_t view_from(Vec2 eye, const Presence& presence, Angle yaw);
 // moved. Asked once for each surface that is drawn, never for each pixel.
 
 /// How one of a wall's surfaces lies at the snapshot's time: its switch turned, its animation's frame, scrolled.
-Surface picture_now(const Map& map, const Snapshot& snapshot, WallId wall, LayId surface);
+Surface picture_now(const Map& map, const Snapshot& snapshot, WallId wall, SurfaceId surface);
 
 /// A panel's at that time: scrolled.
 Surface picture_now(const Snapshot& snapshot, const Panel& panel);

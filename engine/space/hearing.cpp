@@ -23,7 +23,7 @@ double gap(Vec2 min, Vec2 max, Vec2 other_min, Vec2 other_max) {
 }  // namespace
 
 Hearing::Hearing(const Map& map) : map_(map), tiling_(map), roots_(map.walls.size()) {
-    for (Field* field : {&heard_, &field_}) {
+    for (SoundField* field : {&heard_, &field_}) {
         field->latest.resize(tiling_.tile_count());
         field->touched.resize(map.sectors.size());
     }
@@ -54,7 +54,7 @@ void Hearing::begin(const Place& listener, double reach_m, const MayPass& may_pa
     field_.listening = ++listening_;
     field_.listener = listener;
     field_.reach_m = reach_m;
-    field_.glances.clear();
+    field_.beams.clear();
     field_.ways.clear();
     field_.own_tile = tiling_.find(map_, listener.sector, listener.point);
     if (field_.own_tile == Tiling::kNone) return;
@@ -70,7 +70,7 @@ void Hearing::follow(const MayPass& may_pass, std::size_t slice) {
     may_pass_ = may_pass;
     double least = 0;
     for (std::size_t i = 0; i < slice && is_under_way_; ++i) {
-        if (waiting_.empty() || field_.glances.size() >= kMostGlances || (is_seeking_ && is_all_found(least)))
+        if (waiting_.empty() || field_.beams.size() >= kMostBeams || (is_seeking_ && is_all_found(least)))
             end();
         else
             least = follow_nearest();
@@ -125,14 +125,14 @@ Hearing::Sought Hearing::sought_as(const SoundSource& source) const {
 }
 
 /// Whether what is sought may lie behind the edge, on a shorter way than is known; `least` is that of any way over it.
-bool Hearing::may_lead_to_sought(const Glance& glance, std::uint32_t edge, double least) const {
+bool Hearing::may_lead_to_sought(const Beam& beam, std::uint32_t edge, double least) const {
     if (!map_.links.empty()) return true;
     const Vec2 a = start_of(edge), b = end_of(edge);
     const Vec2 low{std::min(a.x, b.x), std::min(a.y, b.y)}, high{std::max(a.x, b.x), std::max(a.y, b.y)};
     return std::ranges::any_of(sought_, [&](const Sought& sought) {
         const double most = std::min(sought.source.reach_m, sought.nearest) * (1 + kRounding);
         return least + gap(low, high, sought.min, sought.max) <= most &&
-               glance.length + gap(glance.root, glance.root, sought.min, sought.max) <= most;
+               beam.length + gap(beam.root, beam.root, sought.min, sought.max) <= most;
     });
 }
 
@@ -148,8 +148,8 @@ std::optional<SoundWay> Hearing::from(const Place& source) const {
     for (std::uint32_t tile = 0; (tile = tiling_.find(map_, source.sector, source.point, tile)) != Tiling::kNone;
          ++tile) {
         if (tile == heard_.own_tile) take(straight_way(heard_.listener.point, source.point));
-        for (std::uint32_t i = heard_.number(heard_.latest[tile]); i != kNone; i = heard_.glances[i].earlier)
-            if (const auto way = way_into(heard_, heard_.glances[i], source.point)) take(*way);
+        for (std::uint32_t i = heard_.number(heard_.latest[tile]); i != kNone; i = heard_.beams[i].earlier)
+            if (const auto way = way_into(heard_, heard_.beams[i], source.point)) take(*way);
     }
     return best;
 }

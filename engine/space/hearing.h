@@ -40,11 +40,11 @@ public:
     /// Listens at a place.
     /// reach_m  : longest way that counts [m]
     /// may_pass : asked for portals within reach, linked or not; what it refuses is a wall. Empty: all are open
-    /// slice    : how many glances are followed now. A listening that is not at its end by then goes on in the next
+    /// slice    : how many beams are followed now. A listening that is not at its end by then goes on in the next
     ///            call, instead of that one's own; until it ends, what is told below is that of the one before
-    /// Cost: the triangles within reach, once for each way in which they are seen; at most kMostGlances, some 0.25 us
+    /// Cost: the triangles within reach, once for each way in which they are seen; at most kMostBeams, some 0.25 us
     /// each.
-    void listen(const Place& listener, double reach_m, const MayPass& may_pass = {}, std::size_t slice = kMostGlances);
+    void listen(const Place& listener, double reach_m, const MayPass& may_pass = {}, std::size_t slice = kMostBeams);
 
     /// The same, but only for these sources: from() finds the same ways to them; those to others may be longer or
     /// missing.
@@ -52,7 +52,7 @@ public:
     /// and nothing for sources that are too far away in a straight line; in a map with links only the search ends
     /// earlier.
     void listen(const Place& listener, std::span<const SoundSource> sources, const MayPass& may_pass = {},
-                std::size_t slice = kMostGlances);
+                std::size_t slice = kMostBeams);
 
     /// Nothing is heard any more, and no listening is under way: for one who was elsewhere when it was last asked.
     void forget();
@@ -69,35 +69,35 @@ public:
 
     /// The nearest are found first, so what is missed beyond is the faintest. Less than 8 ms; a map may fold as much
     /// space as it likes into a metre, and pillared halls of Doom have several times as many within 32 m.
-    static constexpr std::size_t kMostGlances = 1u << 13;
+    static constexpr std::size_t kMostBeams = 1u << 13;
 
     /// A slice of some 0.04 ms, for who listens in every tick. Where there are many ways, a listening then takes
     /// several ticks, up to a second.
-    static constexpr std::size_t kGlancesATick = 160;
+    static constexpr std::size_t kBeamsATick = 160;
 
 private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-    /// Where the root of a glance is an end of the edge it enters by: it sees all of the tile, and turns on around
+    /// Where the root of a beam is an end of the edge it enters by: it sees all of the tile, and turns on around
     /// that end for as long as it turns away from the way it came.
     enum class Fan : std::uint8_t { none, left, right };
 
-    /// A look into a tile from a root, the last corner of the way or the listener, through one of its edges.
-    struct Glance {
+    /// What is seen of a tile from a root, the last corner of the way or the listener, through one of its edges.
+    struct Beam {
         Vec2 root;
         Vec2 left, right;               ///< between these one looks; a fan's other one is straight on
         double length = 0;              ///< of the way to the root [m]
         std::uint32_t edge = kNone;     ///< through which it enters; the tile is on its right
-        std::uint32_t earlier = kNone;  ///< glance into the same tile
+        std::uint32_t earlier = kNone;  ///< beam into the same tile
         WallId corner;                  ///< begins at the root; none: the root is the listener
         Fan fan = Fan::none;
         Rigid passage;    ///< from the space of the listener into that of the tile
         Vec2 first_bend;  ///< in the space of the listener; only where there is a corner
     };
-    /// A glance that has not gone on yet, and what a way through it is at least [m].
+    /// A beam that has not gone on yet, and what a way through it is at least [m].
     struct Waiting {
         double least;
-        std::uint32_t glance;
+        std::uint32_t beam;
     };
     struct Touched {
         SectorId sector;
@@ -109,23 +109,25 @@ private:
         double length = 0;
     };
     /// Of something as large as the map, that need not be cleared: a number in a list of the listening.
-    struct Entry {
+    struct StampedNumber {
         std::uint32_t listening = 0, number = kNone;
     };
     /// What a listening found.
-    struct Field {
+    struct SoundField {
         Place listener;
         std::uint32_t listening = 0;
         std::uint32_t own_tile = kNone;
         double reach_m = 0;
-        std::vector<Entry> latest;   ///< by tile: of the glances into it
-        std::vector<Entry> touched;  ///< by sector: of its way
-        std::vector<Glance> glances;
+        std::vector<StampedNumber> latest;   ///< by tile: of the beams into it
+        std::vector<StampedNumber> touched;  ///< by sector: of its way
+        std::vector<Beam> beams;
         std::vector<Touched> ways;
         std::vector<SectorId> sectors;
 
         /// kNone where the entry is an earlier listening's.
-        std::uint32_t number(const Entry& entry) const { return entry.listening == listening ? entry.number : kNone; }
+        std::uint32_t number(const StampedNumber& entry) const {
+            return entry.listening == listening ? entry.number : kNone;
+        }
     };
     /// A source that is listened for, and the shortest way found so far [m].
     struct Sought {
@@ -138,31 +140,31 @@ private:
     void begin(const Place& listener, double reach_m, const MayPass& may_pass);
     double seek(std::span<const SoundSource> sources, const Place& listener);
     Sought sought_as(const SoundSource& source) const;
-    bool may_lead_to_sought(const Glance& glance, std::uint32_t edge, double least) const;
+    bool may_lead_to_sought(const Beam& beam, std::uint32_t edge, double least) const;
     bool is_all_found(double least) const;
     void follow(const MayPass& may_pass, std::size_t slice);
     void end();
 
     double follow_nearest();
     void look_around();
-    void go_on(const Glance& glance);
-    void fan_out(const Glance& glance);
-    void turn_left(const Glance& glance);
-    void turn_right(const Glance& glance);
-    void look_through(Glance glance, std::uint32_t edge, Vec2 left, Vec2 right);
-    void fan_through(Glance glance, std::uint32_t edge, Fan fan, Vec2 straight_on);
-    void pass(Glance glance, std::uint32_t edge, Vec2 nearest);
+    void go_on(const Beam& beam);
+    void fan_out(const Beam& beam);
+    void turn_left(const Beam& beam);
+    void turn_right(const Beam& beam);
+    void look_through(Beam beam, std::uint32_t edge, Vec2 left, Vec2 right);
+    void fan_through(Beam beam, std::uint32_t edge, Fan fan, Vec2 straight_on);
+    void pass(Beam beam, std::uint32_t edge, Vec2 nearest);
     void touch(SectorId sector, const SoundWay& way);
-    void carry(Glance& glance, const Wall& link) const;
-    void keep(Glance glance, double least);
+    void pass_link(Beam& beam, const Wall& link) const;
+    void keep(Beam beam, double least);
 
     bool is_open(WallId wall, const Rigid& passage) const;
     bool is_corner(WallId corner, const Rigid& passage) const;
-    bool is_outdone(const Glance& glance) const;
-    bool take_corner(const Glance& bent);
-    Glance bent(const Glance& glance, std::uint32_t corner_edge) const;
-    SoundWay way_over(const Field& field, const Glance& glance, Vec2 point) const;
-    std::optional<SoundWay> way_into(const Field& field, const Glance& glance, Vec2 point) const;
+    bool is_outdone(const Beam& beam) const;
+    bool take_corner(const Beam& bent);
+    Beam bent(const Beam& beam, std::uint32_t corner_edge) const;
+    SoundWay way_over(const SoundField& field, const Beam& beam, Vec2 point) const;
+    std::optional<SoundWay> way_into(const SoundField& field, const Beam& beam, Vec2 point) const;
     static SoundWay straight_way(Vec2 listener, Vec2 source);
     std::optional<SoundWay> from_part(SectorId sector) const;
     Vec2 start_of(std::uint32_t edge) const { return map_[tiling_.corner(edge)].a; }
@@ -170,8 +172,8 @@ private:
 
     const Map& map_;
     Tiling tiling_;
-    Field heard_;                   ///< of the listening that ended last
-    Field field_;                   ///< of the one under way
+    SoundField heard_;              ///< of the listening that ended last
+    SoundField field_;              ///< of the one under way
     std::vector<Root> roots_;       ///< by the wall that begins at the corner
     std::vector<Waiting> waiting_;  ///< a heap
     MayPass may_pass_;

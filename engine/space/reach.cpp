@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "math/predicates.h"
-#include "space/leg.h"
+#include "space/path_segment.h"
 
 namespace enfilade {
 namespace {

@@ -5,11 +5,11 @@
 
 #include "base/short_list.h"
 #include "map/map.h"
-#include "space/leg.h"
+#include "space/path_segment.h"
 
 namespace enfilade {
 
-// Panels on a path: which of them a leg of it goes through, in exact order. Only those that block or have triggers
+// Panels on a path: which of them a segment of it goes through, in exact order. Only those that block or have triggers
 // (Panel::is_active); to whoever moves, the others are air.
 
 /// A panel that a path goes through.
@@ -26,14 +26,14 @@ using MayCross = std::function<bool(const MetPanel&)>;
 /// As many as one stands between; more are as good, but take memory.
 using MetPanels = ShortList<MetPanel, 8>;
 
-/// Adds the active panels of the leg's sector that it goes through before it leaves by `exit` (none: to its end), in
-/// order along it. A panel on the very line of a wall lies inside the sector: it is met after the leg came in through
-/// that wall, and before it leaves by it. Of panels on one line the one listed first comes first.
+/// Adds the active panels of the segment's sector that it goes through before it leaves by `exit` (none: to its end),
+/// in order along it. A panel on the very line of a wall lies inside the sector: it is met after the segment came in
+/// through that wall, and before it leaves by it. Of panels on one line the one listed first comes first.
 /// Exact, by the tie rule. Cost: one comparison where the sector has no active panels, else its panels.
-void add_panels_met(const Map& map, const Leg& leg, WallId exit, MetPanels& met);
+void add_panels_met(const Map& map, const PathSegment& segment, WallId exit, MetPanels& met);
 
 /// The first of these that may not be crossed, or none. `may_cross` empty: all may be.
-MetPanel first_barrier(const Map& map, const Leg& leg, WallId exit, const MayCross& may_cross);
+MetPanel first_barrier(const Map& map, const PathSegment& segment, WallId exit, const MayCross& may_cross);
 
 /// A place in the map: a point is only a place together with the sector it is in, because sectors may overlap.
 struct Place {
@@ -81,7 +81,8 @@ struct Trace {
 /// Exact: the tie rule makes the order of crossings total, so a path through a vertex, along a wall or of no length
 /// has one answer; where portals lead both ways, the reverse path crosses the same portals backward, and a path split
 /// at one of its grid points crosses the same portals as the whole.
-/// Through a link the rest of the path is carried over and put onto the point grid (space/leg.h), so across links
+/// Through a link the rest of the path is carried over and put onto the point grid (space/path_segment.h), so across
+/// links
 /// those two hold for points that are more than a few grid steps away from the portals.
 /// Mirrors are solid.
 ///

@@ -28,7 +28,7 @@ namespace {
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
 /// Of a chain. Its neighbours are named as the edges at its ends are: before and after along the sweep line.
-struct Node {
+struct ChainNode {
     Vec2 p;
     WallId wall;  ///< that starts there and bounds the ground around it
     std::uint32_t before = kNone, after = kNone;
@@ -73,13 +73,13 @@ private:
         return i;
     }
 
-    struct Neighbours {
+    struct SweepNeighbours {
         std::uint32_t before, after;
     };
 
     /// Puts the starting edges in the place of the ending ones. Gives the edges on both sides of that place; kNone
     /// where there is none.
-    Neighbours exchange() {
+    SweepNeighbours exchange() {
         auto before = line_.end(), after = line_.end();
         for (const std::uint32_t edge : ending_) after = line_.erase(places_[edge]);
         before = after;
@@ -123,7 +123,7 @@ private:
 
     /// The point lies between two edges: what is between them is two grounds from there on.
     void split(std::uint32_t before, std::uint32_t after) {
-        const std::uint32_t latest = latest_[before], again = add(Node(nodes_[latest]));
+        const std::uint32_t latest = latest_[before], again = add(ChainNode(nodes_[latest]));
         const std::uint32_t beyond = nodes_[latest].after;
         (beyond == kNone ? end_[after] : nodes_[beyond].before) = again;
         const std::uint32_t low = add_node(starting_.back()), high = add_node(starting_.back());
@@ -177,7 +177,7 @@ private:
 
     /// A node at the point, with one of the edges that start there as walls.
     std::uint32_t add_node(std::uint32_t edge) { return add({point_, WallId(first_wall_ + edge)}); }
-    std::uint32_t add(const Node& node) {
+    std::uint32_t add(const ChainNode& node) {
         nodes_.push_back(node);
         return static_cast<std::uint32_t>(nodes_.size() - 1);
     }
@@ -190,7 +190,7 @@ private:
     std::vector<std::uint32_t> latest_;             ///< node of the chain after each edge with ground after it
     std::vector<std::uint32_t> ending_, starting_;  ///< at the point, in their order along the line
     Vec2 point_;                                    ///< where the sweep is
-    std::vector<Node> nodes_;
+    std::vector<ChainNode> nodes_;
     std::vector<Triangle> triangles_;
 };
 

@@ -28,17 +28,17 @@ std::uint64_t mixed(std::uint64_t digest, const Change& change) {
     hash.add(digest);
     hash.add(change.sector.index);
     hash.add(static_cast<std::uint64_t>(change.channel));
-    hash.add(change.course.start);
-    hash.add(change.course.from);
-    for (const Stop& stop : change.course.stops) {
+    hash.add(change.track.start);
+    hash.add(change.track.from);
+    for (const Stop& stop : change.track.stops) {
         hash.add(stop.value);
         hash.add(stop.per_tick);
         hash.add(stop.wait);
     }
-    hash.add(std::uint64_t{change.course.count});
-    hash.add(change.course.loops);
+    hash.add(std::uint64_t{change.track.count});
+    hash.add(change.track.loops);
     // Only where it says anything: other histories keep the digests that are recorded.
-    if (change.course.first_per_tick > 0) hash.add(change.course.first_per_tick);
+    if (change.track.first_per_tick > 0) hash.add(change.track.first_per_tick);
     if (change.lag > 0) hash.add(change.lag);
     hash.add(change.cause.index);
     return hash.value();
@@ -62,7 +62,7 @@ const Change* History::change_of(SectorId sector, Channel channel, double tick) 
 
 const Change* History::change_of(const ChangedSector& sector, Channel channel, double tick) const {
     std::uint32_t index = sector.newest[static_cast<std::size_t>(channel)];
-    while (index != Change::kNone && static_cast<double>(changes_[index].course.start) > tick)
+    while (index != Change::kNone && static_cast<double>(changes_[index].track.start) > tick)
         index = changes_[index].before;
     return index == Change::kNone ? nullptr : &changes_[index];
 }
@@ -101,13 +101,13 @@ void History::add(const Firing& firing) {
     firings_digest_ = mixed(firings_digest_, {firing.tick, firing.trigger.index, firing.wall.index});
 }
 
-void History::add(const Taking& taking) {
-    const auto index = static_cast<std::uint32_t>(takings_.size());
-    takings_.push_back(taking);
+void History::add(const Pickup& pickup) {
+    const auto index = static_cast<std::uint32_t>(pickups_.size());
+    pickups_.push_back(pickup);
     const auto it =
-        place_in(by_thing_, taking.thing, [this](std::uint32_t i, ThingId t) { return takings_[i].thing < t; });
+        place_in(by_thing_, pickup.thing, [this](std::uint32_t i, ThingId t) { return pickups_[i].thing < t; });
     by_thing_.insert(it, index);
-    takings_digest_ = mixed(takings_digest_, {taking.tick, taking.thing.index});
+    pickups_digest_ = mixed(pickups_digest_, {pickup.tick, pickup.thing.index});
 }
 
 void History::add(WayBack way_back) {
@@ -135,8 +135,8 @@ const Firing* History::pressed(WallId wall, double tick) const {
 }
 
 bool History::is_taken(ThingId thing, double tick) const {
-    const auto it = place_in(by_thing_, thing, [this](std::uint32_t i, ThingId id) { return takings_[i].thing < id; });
-    return it != by_thing_.end() && takings_[*it].thing == thing && static_cast<double>(takings_[*it].tick) <= tick;
+    const auto it = place_in(by_thing_, thing, [this](std::uint32_t i, ThingId id) { return pickups_[i].thing < id; });
+    return it != by_thing_.end() && pickups_[*it].thing == thing && static_cast<double>(pickups_[*it].tick) <= tick;
 }
 
 WallId History::way_back(double tick) const {
@@ -146,7 +146,7 @@ WallId History::way_back(double tick) const {
 }
 
 std::uint64_t History::digest() const {
-    const std::uint64_t others = mixed(0, {changes_digest_, firings_digest_, takings_digest_});
+    const std::uint64_t others = mixed(0, {changes_digest_, firings_digest_, pickups_digest_});
     // Only where it says anything: other histories keep the digests that are recorded.
     return ways_back_.empty() ? others : mixed(others, {ways_back_digest_});
 }
@@ -155,7 +155,7 @@ History History::beginning(const Length& length) const {
     History begun;
     for (std::size_t i = 0; i < length.changes; ++i) begun.append(changes_[i]);
     for (std::size_t i = 0; i < length.firings; ++i) begun.add(firings_[i]);
-    for (std::size_t i = 0; i < length.takings; ++i) begun.add(takings_[i]);
+    for (std::size_t i = 0; i < length.pickups; ++i) begun.add(pickups_[i]);
     for (std::size_t i = 0; i < length.ways_back; ++i) begun.add(ways_back_[i]);
     return begun;
 }

@@ -7,19 +7,19 @@
 #include <vector>
 
 #include "map/map.h"
-#include "world/course.h"
+#include "world/track.h"
 
 namespace enfilade {
 
-/// What of a sector a course is about.
+/// What of a sector a track is about.
 enum class Channel : std::uint8_t { floor, ceiling, light };
 inline constexpr std::size_t kChannels = 3;
 
-/// From the start of its course on, a value of a sector follows it instead of the one before.
+/// From the start of its track on, a value of a sector follows it instead of the one before.
 struct Change {
     SectorId sector;  ///< that leads its group
     Channel channel = Channel::floor;
-    Course course;
+    Track track;
     TriggerId cause;               ///< none: somebody was in the way of a bob (world/instant.h)
     std::uint64_t lag = 0;         ///< of a bob that was held up: how far it then is behind the clock [ticks]
     std::uint32_t before = kNone;  ///< index of the change of the same value that this one ends, or kNone
@@ -44,7 +44,7 @@ struct Firing {
 };
 
 /// A thing that was picked up.
-struct Taking {
+struct Pickup {
     ThingId thing;
     std::uint64_t tick = 0;
 };
@@ -76,7 +76,7 @@ public:
     /// Sets what was before the change.
     void add(const Map& map, Change change);
     void add(const Firing& firing);
-    void add(const Taking& taking);
+    void add(const Pickup& pickup);
     /// It counts from the tick of the one before, where that is later.
     void add(WayBack way_back);
 
@@ -104,7 +104,7 @@ public:
     template <class See>
     void each_taken(double tick, See see) const {
         for (const std::uint32_t i : by_thing_)
-            if (static_cast<double>(takings_[i].tick) <= tick) see(takings_[i].thing);
+            if (static_cast<double>(pickups_[i].tick) <= tick) see(pickups_[i].thing);
     }
 
     /// The last time a wall's switch was pressed by `tick`, or null. Cost: as has_fired.
@@ -118,16 +118,16 @@ public:
     const std::vector<ChangedSector>& changed_sectors() const { return changed_sectors_; }
     const std::vector<Change>& changes() const { return changes_; }
     const std::vector<Firing>& firings() const { return firings_; }
-    const std::vector<Taking>& takings() const { return takings_; }
+    const std::vector<Pickup>& pickups() const { return pickups_; }
 
     /// Of all that was ever added, each kind in its order.
     std::uint64_t digest() const;
 
     /// How much had happened at some moment, to come back to it.
     struct Length {
-        std::size_t changes = 0, firings = 0, takings = 0, ways_back = 0;
+        std::size_t changes = 0, firings = 0, pickups = 0, ways_back = 0;
     };
-    Length length() const { return {changes_.size(), firings_.size(), takings_.size(), ways_back_.size()}; }
+    Length length() const { return {changes_.size(), firings_.size(), pickups_.size(), ways_back_.size()}; }
 
     /// What had happened when it was that long. Equal, digest and all, to the history of then.
     History beginning(const Length& length) const;
@@ -141,10 +141,10 @@ private:
     std::vector<Firing> firings_;            ///< in the order they came
     std::vector<std::uint32_t> by_trigger_;  ///< the first of each trigger, by trigger
     std::vector<std::uint32_t> by_wall_;     ///< those with a wall, by wall, then by time
-    std::vector<Taking> takings_;            ///< in the order they came
-    std::vector<std::uint32_t> by_thing_;    ///< takings, by thing
+    std::vector<Pickup> pickups_;            ///< in the order they came
+    std::vector<std::uint32_t> by_thing_;    ///< pickups, by thing
     std::vector<WayBack> ways_back_;         ///< in the order they came
-    std::uint64_t changes_digest_ = 0, firings_digest_ = 0, takings_digest_ = 0, ways_back_digest_ = 0;
+    std::uint64_t changes_digest_ = 0, firings_digest_ = 0, pickups_digest_ = 0, ways_back_digest_ = 0;
 };
 
 }  // namespace enfilade

@@ -14,12 +14,12 @@ namespace {
 /// What a bob calls now: it stands still while it is held up, and is late from then on.
 double bob_time_s(const Change* held_up, double tick) {
     if (!held_up) return tick * kTickSeconds;
-    const double goes_on = static_cast<double>(held_up->course.start + kPatience);
+    const double goes_on = static_cast<double>(held_up->track.start + kPatience);
     return (std::max(tick, goes_on) - static_cast<double>(held_up->lag)) * kTickSeconds;
 }
 
 double value_of(const Instant& now, const Change* change, const Flat& flat, const Boxed<BobRecord>& bob) {
-    if (change && !change->holds_up_bob()) return value_at(change->course, now.tick);
+    if (change && !change->holds_up_bob()) return value_at(change->track, now.tick);
     return bob ? flat.z + offset_at(*bob, bob_time_s(change, now.tick)) : flat.z;
 }
 
@@ -28,9 +28,9 @@ double value_of(const Instant& now, const Change* change, const Flat& flat, cons
 template <class Gives>
 const Trigger* giver_of(const Instant& now, const Change* change, std::uint32_t Change::* before, Gives gives) {
     while (change) {
-        const Course& course = change->course;
-        const bool rises = course.count > 0 && course.stops[0].value > course.from;
-        const bool has_come = rises || stop_at(course, now.tick) > 0;
+        const Track& track = change->track;
+        const bool rises = track.count > 0 && track.stops[0].value > track.from;
+        const bool has_come = rises || stop_at(track, now.tick) > 0;
         if (!change->holds_up_bob() && gives(now.map[change->cause]) && has_come) return &now.map[change->cause];
         change = change->*before == Change::kNone ? nullptr : &now.history->changes()[change->*before];
     }
@@ -122,7 +122,7 @@ std::optional<double> best_around(const Instant& now, SectorId sector, double He
     return best;
 }
 
-std::optional<double> found_around(const Instant& now, SectorId sector, Level level) {
+std::optional<double> found_around(const Instant& now, SectorId sector, HeightLevel level) {
     const auto [floor_z, ceiling_z] = heights_of(now, sector);
     const auto any = [](double) { return true; };
     const auto higher = [own = floor_z](double z) { return z > own; };
@@ -130,24 +130,25 @@ std::optional<double> found_around(const Instant& now, SectorId sector, Level le
     const std::less<double> less;
     const std::greater<double> more;
     switch (level) {
-        case Level::lowest_floor: return best_around(now, sector, &Heights::floor_z, less, lower).value_or(floor_z);
-        case Level::highest_floor: return best_around(now, sector, &Heights::floor_z, more, any);
-        case Level::next_floor_up: return best_around(now, sector, &Heights::floor_z, less, higher);
-        case Level::next_floor_down: return best_around(now, sector, &Heights::floor_z, more, lower);
-        case Level::lowest_ceiling: return best_around(now, sector, &Heights::ceiling_z, less, any);
-        case Level::highest_ceiling: return best_around(now, sector, &Heights::ceiling_z, more, any);
-        case Level::floor: return floor_z;
-        case Level::ceiling: return ceiling_z;
-        case Level::lowest_ceiling_or_own:
+        case HeightLevel::lowest_floor:
+            return best_around(now, sector, &Heights::floor_z, less, lower).value_or(floor_z);
+        case HeightLevel::highest_floor: return best_around(now, sector, &Heights::floor_z, more, any);
+        case HeightLevel::next_floor_up: return best_around(now, sector, &Heights::floor_z, less, higher);
+        case HeightLevel::next_floor_down: return best_around(now, sector, &Heights::floor_z, more, lower);
+        case HeightLevel::lowest_ceiling: return best_around(now, sector, &Heights::ceiling_z, less, any);
+        case HeightLevel::highest_ceiling: return best_around(now, sector, &Heights::ceiling_z, more, any);
+        case HeightLevel::floor: return floor_z;
+        case HeightLevel::ceiling: return ceiling_z;
+        case HeightLevel::lowest_ceiling_or_own:
             return std::min(best_around(now, sector, &Heights::ceiling_z, less, any).value_or(ceiling_z), ceiling_z);
-        case Level::here: return {};
+        case HeightLevel::here: return {};
     }
     return {};
 }
 
 }  // namespace
 
-double height_of(const Instant& now, SectorId sector, Level level, double here) {
+double height_of(const Instant& now, SectorId sector, HeightLevel level, double here) {
     return found_around(now, sector, level).value_or(here);
 }
 
@@ -166,7 +167,7 @@ double plain_light_of(const Instant& now, SectorId sector) {
 double plain_light_of(const Instant& now, SectorId sector, const Change* light) {
     const Boxed<LightEffectRecord>& own = now.map[sector].light_effect;
     if (own && own->lasts) return now.map[sector].light;
-    return light ? value_at(light->course, now.tick) : now.map[sector].light;
+    return light ? value_at(light->track, now.tick) : now.map[sector].light;
 }
 
 double light_of(const Instant& now, SectorId sector, LightLevel level) {

@@ -40,7 +40,7 @@ struct ChangesNow {
 /// Of a record of the history of `now`. Cost: the newer changes of the sector.
 ChangesNow changes_of(const Instant& now, const ChangedSector& sector);
 
-/// Cost: that of two courses or bobs, and of finding them (History::changed).
+/// Cost: that of two tracks or bobs, and of finding them (History::changed).
 Heights heights_of(const Instant& now, SectorId sector);
 
 /// The same of a sector whose changes have been found.
@@ -67,7 +67,7 @@ TextureId changed_floor_picture(const Instant& now, const Change* floor);
 /// The height a level stands for, in the space of the sector [m]. Where no sector around answers, `here`.
 /// Around a group are the sectors behind the portals of all its sectors, but for its own.
 /// Cost: the walls of the sector and its group.
-double height_of(const Instant& now, SectorId sector, Level level, double here);
+double height_of(const Instant& now, SectorId sector, HeightLevel level, double here);
 
 /// The brightest or darkest of the sector and those around it, without their effects, 0..1.
 double light_of(const Instant& now, SectorId sector, LightLevel level);

@@ -14,19 +14,19 @@ std::uint64_t steps_of(const LightEffectRecord& effect, double seconds) {
 }
 
 /// A number for each pair of numbers, as if drawn by lot.
-Random lot(std::uint64_t seed, std::uint64_t number) { return Random(Random(seed).bits() ^ number); }
+Random random_for(std::uint64_t seed, std::uint64_t number) { return Random(Random(seed).bits() ^ number); }
 
 /// Bright, but for one dark moment in each span, drawn by lot.
 bool flickers(const LightEffectRecord& effect, std::uint64_t seed, std::uint64_t now) {
     const std::uint64_t dark = steps_of(effect, effect.bright_s), span = dark + steps_of(effect, effect.dark_s);
-    const std::uint64_t begin = lot(seed, now / span).below(span - dark + 1);
+    const std::uint64_t begin = random_for(seed, now / span).below(span - dark + 1);
     return now % span >= begin && now % span < begin + dark;
 }
 
 /// 0, the brightest, to 3: drawn by lot for each flame.
 std::uint64_t level_of_fire(const LightEffectRecord& effect, std::uint64_t seed, double time_s) {
     const auto now = static_cast<std::uint64_t>(time_s * effect.clock_hz);
-    return lot(seed, now / steps_of(effect, effect.bright_s)).below(4);
+    return random_for(seed, now / steps_of(effect, effect.bright_s)).below(4);
 }
 
 /// How much of the way from dark to bright.
@@ -35,10 +35,11 @@ double part_of(const LightEffectRecord& effect, std::uint64_t seed, double time_
     const std::uint64_t dark = steps_of(effect, effect.dark_s), bright = steps_of(effect, effect.bright_s);
     switch (effect.kind) {
         case LightKind::flicker: return flickers(effect, seed, now) ? 0 : 1;
-        case LightKind::strobe: return (now + lot(seed, 0).below(dark + bright)) % (dark + bright) < bright ? 1 : 0;
+        case LightKind::strobe:
+            return (now + random_for(seed, 0).below(dark + bright)) % (dark + bright) < bright ? 1 : 0;
         case LightKind::fire: return 1 - 0.25 * static_cast<double>(level_of_fire(effect, seed, time_s));
         case LightKind::glow: {
-            const double ways = time_s / effect.dark_s + lot(seed, 0).uniform(0, 2);
+            const double ways = time_s / effect.dark_s + random_for(seed, 0).uniform(0, 2);
             return std::fabs(1 - (ways - 2 * std::floor(ways / 2)));
         }
     }

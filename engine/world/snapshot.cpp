@@ -95,7 +95,7 @@ void leave_out(const LeftOut& what, Snapshot& snapshot) {
 double light_at(const Snapshot& snapshot, SectorId id) {
     const SectorSnapshot& sector = snapshot[id];
     if (!sector.effect || snapshot.is_light_still) return sector.light;
-    return level_of(*sector.effect, sector.light, sector.lot.index, std::max(snapshot.time_s, 0.0));
+    return level_of(*sector.effect, sector.light, sector.light_seed.index, std::max(snapshot.time_s, 0.0));
 }
 
 ThingSnapshot thing_at(const Map& map, const Snapshot& snapshot, ThingId id) {

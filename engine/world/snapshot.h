@@ -16,7 +16,7 @@ struct SectorSnapshot {
     const LightEffectRecord* effect = nullptr;  ///< of the map, or null: the light is steady
     TextureId floor_picture;                    ///< that the floor was given, or none: the map's
     const Sector* bobbing = nullptr;            ///< of the map, whose floor or ceiling bobs now; or null
-    SectorId lot;                               ///< by whose number its effect draws lots: its group's leader's
+    SectorId light_seed;                        ///< whose number is the seed of its effect: leads its group
 };
 
 /// Everything that can differ from the map at rest.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/carry.h"
-#include "world/happen.h"
+#include "world/activation.h"
+#include "world/move_flats.h"
 #include "world/walk.h"
 
 namespace enfilade {
@@ -119,13 +119,13 @@ void feel_the_floor(const Map& map, World& world) {
     if (!world.player.on_ground) return;
     if (map[here].secret && !std::binary_search(world.secrets.begin(), world.secrets.end(), found)) {
         world.secrets.insert(std::lower_bound(world.secrets.begin(), world.secrets.end(), found), found);
-        world.news = News{NewsKind::secret, here.index, world.tick};
+        world.message = PlayerMessage{PlayerMessageKind::secret, here.index, world.tick};
     }
     const bool is_time = world.tick % kTickRate == 0;
     const int damage = map[here].damage > 0 && is_time ? damage_of(now(map, world), here) : 0;
     if (damage == 0 || world.health == 0) return;
     world.health = std::max(0, world.health - damage);
-    world.news = News{world.health > 0 ? NewsKind::hurt : NewsKind::died, 0, world.tick};
+    world.message = PlayerMessage{world.health > 0 ? PlayerMessageKind::hurt : PlayerMessageKind::died, 0, world.tick};
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ void step(const Map& map, World& world, const TickInput& played) {
     look(player, input);
     if (input.buttons & ~world.held & kButtonUse) use_what_is_ahead(map, world);
     world.held = input.buttons;
-    carry(map, world);
+    move_flats(map, world);
     ++world.tick;
 
     stand_or_crouch(player, body_of(now(map, world), player), input.buttons & kButtonCrouch);

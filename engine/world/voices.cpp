@@ -113,7 +113,7 @@ private:
         double cut = kNever, next_begin = kNever;
         const Change* change = history.change_of(id, channel, now_.tick);
         while (change && cut > now_.tick - longest_) {
-            std::vector<Move> moves = moves_of(change->course, now_.tick - longest_, std::min(now_.tick, cut));
+            std::vector<Move> moves = moves_of(change->track, now_.tick - longest_, std::min(now_.tick, cut));
             for (auto move = moves.rbegin(); move != moves.rend(); ++move) {
                 if (move->begin >= cut) continue;
                 const double end = std::min(move->end, cut);
@@ -121,7 +121,7 @@ private:
                 if (end != next_begin) note_once({sector.stop_sound, Maker::stop, number, end}, id);
                 next_begin = move->begin;
             }
-            cut = std::min(cut, static_cast<double>(change->course.start));
+            cut = std::min(cut, static_cast<double>(change->track.start));
             change = change->before == Change::kNone ? nullptr : &history.changes()[change->before];
         }
     }

@@ -50,7 +50,7 @@ double loudness(double way_m, double reach_m);
 /// also the ways to it (Hearing::listen), or if things sound, those within the reach of any sound. A map without sounds
 /// costs nothing.
 std::vector<Voice> voices_at(const Instant& now, Hearing& hearing, const Listener& listener,
-                             std::span<const double> lengths_s, std::size_t slice = Hearing::kMostGlances);
+                             std::span<const double> lengths_s, std::size_t slice = Hearing::kMostBeams);
 
 /// More at once are a noise [voices].
 inline constexpr std::size_t kMostVoices = 32;

@@ -5,7 +5,7 @@
 #include "base/hash.h"
 #include "formats/table_text.h"
 #include "math/grid.h"
-#include "world/deed.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade {
 

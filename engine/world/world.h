@@ -15,7 +15,7 @@ namespace enfilade {
 inline constexpr int kFullHealth = 100;
 
 /// What a player is told.
-enum class NewsKind : std::uint8_t {
+enum class PlayerMessageKind : std::uint8_t {
     needs_key,  ///< number: index into Map::keys
     got_key,    ///< number: index into Map::keys
     healed,
@@ -25,8 +25,8 @@ enum class NewsKind : std::uint8_t {
 };
 
 /// The last thing that was told.
-struct News {
-    NewsKind kind = NewsKind::hurt;
+struct PlayerMessage {
+    PlayerMessageKind kind = PlayerMessageKind::hurt;
     std::uint32_t number = 0;
     std::uint64_t tick = 0;  ///< after which it was told
 };
@@ -41,8 +41,8 @@ struct World {
     std::uint8_t held = 0;             ///< InputButton bits that were down in the tick before
     std::vector<ThingId> touched;      ///< things that were touched in the tick before, in the order of their numbers
     std::vector<SectorId> secrets;     ///< that were found, a group by its leader, in the order of their numbers
-    std::optional<TriggerId> left_by;  ///< the exit by which the map was left
-    std::optional<News> news;
+    std::optional<TriggerId> left_by;  ///< the trigger by which the map was left
+    std::optional<PlayerMessage> message;
 
     /// What drawing between two ticks needs, and nothing else: the player one tick ago, in the space where it then
     /// was, and the way from there into the space where it is now. The future does not depend on it.

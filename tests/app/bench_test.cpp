@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "render/surface_id.h"
+#include "render/pixel_surface.h"
 #include "support/map_builder.h"
 
 namespace enfilade {
@@ -87,10 +87,10 @@ TEST(CountsOf, TellsWallsRunsAndPixels) {
     frame.resize(2, 4);
     FrameFacts facts;
     reset(facts, 2, 4);
-    const SurfaceId up = ceiling_id(SectorId(0u)), down = floor_id(SectorId(0u));
-    const SurfaceId left = wall_id(map, WallId(0u), WallPart::middle),
-                    right = wall_id(map, WallId(1u), WallPart::lower),
-                    above = wall_id(map, WallId(1u), WallPart::upper);
+    const PixelSurface up = ceiling_id(SectorId(0u)), down = floor_id(SectorId(0u));
+    const PixelSurface left = wall_id(map, WallId(0u), WallPart::middle),
+                       right = wall_id(map, WallId(1u), WallPart::lower),
+                       above = wall_id(map, WallId(1u), WallPart::upper);
     facts.ids = {up, above, left, up, left, right, down, right};
     facts.writes.assign(8, 1);
     const BenchCounts counts = counts_of(map, frame, facts);

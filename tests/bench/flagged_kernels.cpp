@@ -13,7 +13,7 @@ constexpr std::uint32_t kHasHoles = 1, kIsLit = 2, kIsInFog = 4, kIsSky = 8, kSc
 struct Look {
     std::uint32_t flags;
     Shade shade;
-    Mist mist;
+    FogPart fog_part;
     std::uint32_t fog;
     TilePlace scrolled_by;
 };
@@ -22,7 +22,7 @@ struct Look {
 void put(std::uint32_t& pixel, std::uint32_t texel, const Look& look) {
     std::uint32_t color = texel | 0xFF000000u;
     if (look.flags & kIsLit) color = shaded(color, look.shade);
-    if (look.flags & kIsInFog) color = misted(color, look.fog, look.mist);
+    if (look.flags & kIsInFog) color = fogged(color, look.fog, look.fog_part);
     if (look.flags & kHasHoles) color = laid_over(pixel, (color & 0x00FFFFFFu) | (texel & 0xFF000000u));
     pixel = color;
 }

@@ -1,6 +1,6 @@
 // What hearing costs a tick: `hearing_cost MAP [SOURCES]`: the ears in the middle of every sector in turn, the SOURCES
 // (by default 4) nearest sectors with sounds of their own in a straight line all sounding. Prints mean, 99th percentile
-// and longest time [us] of a search for all sectors, of one for these, and of a slice of that, of as many glances as a
+// and longest time [us] of a search for all sectors, of one for these, and of a slice of that, of as many beams as a
 // game follows a tick.
 #include <algorithm>
 #include <chrono>
@@ -74,7 +74,7 @@ int main(int count, char** words) {
         const std::span<const SoundSource> near = std::span(all).first(sounding);
         full_us.push_back(least_time_us([&] { hearing.listen({inside, ear}, map.farthest_sound_m, is_open); }));
         for (int slice = 0; slice < kSlices; ++slice)
-            slice_us.push_back(time_us([&] { sliced.listen({inside, ear}, near, is_open, Hearing::kGlancesATick); }));
+            slice_us.push_back(time_us([&] { sliced.listen({inside, ear}, near, is_open, Hearing::kBeamsATick); }));
         seeking_us.push_back(least_time_us([&] { hearing.listen({inside, ear}, near, is_open); }));
     }
     std::printf("%zu sounds of sectors, %zu of them at a time, %zu ears\n", all.size(), sounding, full_us.size());

@@ -21,7 +21,7 @@ MapFile busy_map(std::size_t sectors) {
     MapFile file = test::RoomGrid(sectors, 1).take();
     for (SectorRecord& sector : file.sectors) {
         TriggerRecord door;
-        door.on = Occasion::use;
+        door.on = Activation::use;
         sector.triggers = {door};
         sector.light_effect = LightEffectRecord{};
         sector.light_effect->kind = LightKind::flicker;
@@ -35,7 +35,7 @@ constexpr double kStroke = 3;
 
 void set_moving(Map& map, std::size_t active) {
     Trigger shuttle;
-    shuttle.deed = Deed::crush;
+    shuttle.action = TriggerAction::crush;
     shuttle.speed = 1;
     shuttle.targets = {static_cast<std::uint32_t>(map.targets.size()), static_cast<std::uint32_t>(active)};
     for (std::size_t i = 0; i < active; ++i) {

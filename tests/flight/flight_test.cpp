@@ -53,9 +53,9 @@ MapFile hall_with_door() {
     test::join_all(file);
     test::place_player(file, "main", {3, 2}, 1.5);
     TriggerRecord open, close;
-    open.on = Occasion::use;
-    close.on = Occasion::start;
-    close.deed = Deed::close;
+    open.on = Activation::use;
+    close.on = Activation::start;
+    close.action = TriggerAction::close;
     test::sector(file, "door").triggers = {open};
     test::sector(file, "room").triggers = {close};
     return file;

@@ -124,10 +124,10 @@ private:
 
     TriggerRecord trigger() {
         TriggerRecord trigger;
-        trigger.on = static_cast<Occasion>(random_.below(5));
-        trigger.deed = static_cast<Deed>(random_.below(15));
+        trigger.on = static_cast<Activation>(random_.below(5));
+        trigger.action = static_cast<TriggerAction>(random_.below(15));
         for (int i = whole(0, 2); i > 0; --i)
-            trigger.targets.push_back(trigger.deed == Deed::exit ? file_name() : text());
+            trigger.targets.push_back(trigger.action == TriggerAction::leave_map ? file_name() : text());
         trigger.once = flip();
         trigger.one_way = flip();
         trigger.key = maybe_text();
@@ -135,7 +135,7 @@ private:
         if (flip())
             trigger.z = number(-99, 99);
         else if (flip())
-            trigger.to = static_cast<Level>(random_.below(10));
+            trigger.to = static_cast<HeightLevel>(random_.below(10));
         else
             trigger.like = maybe_text();
         trigger.by = number(-9, 9);

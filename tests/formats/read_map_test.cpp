@@ -302,7 +302,7 @@ TEST(ReadMap, StopsAfterAThousandFindings) {
     EXPECT_EQ(findings.back().code, "too-many-findings");
 }
 
-TEST(ReadMap, SuggestsTheDeedThatIsCalledNearlySo) {
+TEST(ReadMap, SuggestsTheActionThatIsCalledNearlySo) {
     const auto findings = read_map(room("{ triggers = [{ on = 'use', do = 'dor' }] }", "")).findings;
     ASSERT_EQ(findings.size(), 1u);
     EXPECT_THAT(findings[0].sentence, testing::EndsWith("found 'dor'; did you mean 'door'?"));

@@ -17,18 +17,18 @@ namespace {
 
 constexpr std::size_t kThreads = 2;
 
-SurfaceId first_thing(const Map& map) { return thing_id(map, ThingId(std::size_t{0})); }
+PixelSurface first_thing(const Map& map) { return thing_id(map, ThingId(std::size_t{0})); }
 
-SurfaceId first_panel(const Map& map) { return panel_id(map, PanelId(std::size_t{0})); }
+PixelSurface first_panel(const Map& map) { return panel_id(map, PanelId(std::size_t{0})); }
 
-std::string text_of(const Map& map, SurfaceId id) {
+std::string text_of(const Map& map, PixelSurface id) {
     if (id == kNothing) return "nothing";
     if (id == kRecursionEnd) return "the end of a chain of links";
-    const auto first_wall = static_cast<SurfaceId>(1 + 2 * map.sectors.size());
+    const auto first_wall = static_cast<PixelSurface>(1 + 2 * map.sectors.size());
     if (id < first_wall) return (id % 2 ? "the floor of '" : "the ceiling of '") + map.sectors[(id - 1) / 2].name + "'";
     if (id >= first_panel(map)) return "panel " + std::to_string(id - first_panel(map));
     if (id >= first_thing(map)) return "thing " + std::to_string(id - first_thing(map));
-    const SurfaceId wall = (id - first_wall) / 3;
+    const PixelSurface wall = (id - first_wall) / 3;
     const char* const part[] = {"", "upper step of ", "lower step of "};
     char text[200];
     const Wall& w = map.walls[wall];
@@ -44,9 +44,9 @@ std::string hex(std::uint32_t color) {
 
 double yaw_degrees(const View& view) { return std::atan2(view.forward.y, view.forward.x) * 180 / std::numbers::pi; }
 
-const Texture& texture_of(const Subject& subject, SurfaceId id) {
+const Texture& texture_of(const Subject& subject, PixelSurface id) {
     const Map& map = subject.map;
-    const auto first_wall = static_cast<SurfaceId>(1 + 2 * map.sectors.size());
+    const auto first_wall = static_cast<PixelSurface>(1 + 2 * map.sectors.size());
     if (id < first_wall) {
         const Sector& sector = map.sectors[(id - 1) / 2];
         return subject.textures[map[(id % 2 ? sector.floor : sector.ceiling).surface].texture];
@@ -58,7 +58,7 @@ const Texture& texture_of(const Subject& subject, SurfaceId id) {
         return subject.textures[map[sprite].frames.front().views.front()];
     }
     const Wall& wall = map.walls[(id - first_wall) / 3];
-    const LayId parts[] = {wall.kind == WallKind::portal ? wall.middle : wall.texture, wall.upper, wall.lower};
+    const SurfaceId parts[] = {wall.kind == WallKind::portal ? wall.middle : wall.texture, wall.upper, wall.lower};
     return subject.textures[map[parts[(id - first_wall) % 3]].texture];
 }
 
@@ -108,7 +108,7 @@ struct BothPictures {
 };
 
 void note_pixel(const Subject& subject, const BothPictures& both, std::size_t i, Comparison& result) {
-    const SurfaceId shown = both.column_facts.ids[i], truth = both.reference_facts.ids[i];
+    const PixelSurface shown = both.column_facts.ids[i], truth = both.reference_facts.ids[i];
     const int writes = both.column_facts.writes[i];
     const bool is_sure = both.reference_facts.ambiguous[i] == 0;
     result.unwritten += writes == 0;

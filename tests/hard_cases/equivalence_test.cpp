@@ -32,14 +32,14 @@ struct Picture {
 
 /// Pictures on flats and skies do not turn with a room: one colour for each instead.
 void make_flats_plain(Map& map, TextureSet& textures) {
-    const auto make_plain = [&](LayId& id) {
+    const auto make_plain = [&](SurfaceId& id) {
         if (!map[id].texture) return;
         Surface surface = map[id];
         Texture plain;
         plain.pixels = {0xFF000000u | surface.texture.index * 0x9E3779u};
         textures.textures.push_back(plain);
         surface.texture = TextureId(textures.textures.size() - 1);
-        id = LayId(map.surfaces.size());
+        id = SurfaceId(map.surfaces.size());
         map.surfaces.push_back(surface);
     };
     for (Sector& sector : map.sectors) {

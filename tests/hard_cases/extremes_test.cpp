@@ -23,7 +23,7 @@ double fraction_of(long double x) { return static_cast<double>(x - std::floor(x)
 
 TEST(WallOf30Kilometres, ShowsItsTexelsWithinAHundredthOfOne) {  // R11
     const World world(map_of({room("street", {{-15000, 0}, {15000, 0}, {15000, 200}, {-15000, 200}}, 0, 40)}));
-    const SurfaceId wall =
+    const PixelSurface wall =
         wall_id(world.map, wall_between(world.map, SectorId(0u), {-15000, 0}, {15000, 0}), WallPart::middle);
     for (double yaw : {-90.0, -60.0, -20.0, -3.0}) {
         const View view = look_from(world.map, {0.3, 100}, 1.7, yaw);
@@ -135,7 +135,7 @@ TEST(DoorWithoutHeight, IsAWallFromBothSides) {  // R18
         const Comparison result = world.compare_with_reference(view, {320, 200});
         EXPECT_TRUE(result.is_faultless()) << describe(result);
         const Drawn drawn = world.draw(view, {320, 200});
-        const SurfaceId seen = drawn.facts.ids[100 * 320 + 160];
+        const PixelSurface seen = drawn.facts.ids[100 * 320 + 160];
         const Vec2 a{x < 4 ? 4.0 : 5.0, x < 4 ? 1.0 : 3.0}, b{a.x, x < 4 ? 3.0 : 1.0};
         const WallId step = wall_between(world.map, view.sector, a, b);
         EXPECT_EQ(seen, wall_id(world.map, step, WallPart::upper));

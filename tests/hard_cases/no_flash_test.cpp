@@ -69,7 +69,7 @@ public:
         return view_from(on.end, then(to_door.passage, on.passage));
     }
 
-    std::vector<SurfaceId> surfaces(const View& view) const {
+    std::vector<PixelSurface> surfaces(const View& view) const {
         Frame frame;
         frame.resize(kSize.width, kSize.height);
         FrameFacts facts;
@@ -111,7 +111,7 @@ private:
 };
 
 /// Whether the pixels around i show the surface. Edges move by less than a pixel in a step.
-bool is_around(const std::vector<SurfaceId>& ids, int x, int y, SurfaceId id) {
+bool is_around(const std::vector<PixelSurface>& ids, int x, int y, PixelSurface id) {
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, kSize.height - 1); ++v)
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, kSize.width - 1); ++u)
             if (ids[static_cast<std::size_t>(v * kSize.width + u)] == id) return true;
@@ -119,7 +119,7 @@ bool is_around(const std::vector<SurfaceId>& ids, int x, int y, SurfaceId id) {
 }
 
 /// Pixels of `after` that show what was nowhere near them before.
-int flashes(const std::vector<SurfaceId>& before, const std::vector<SurfaceId>& after) {
+int flashes(const std::vector<PixelSurface>& before, const std::vector<PixelSurface>& after) {
     int count = 0;
     for (int y = 0; y < kSize.height; ++y)
         for (int x = 0; x < kSize.width; ++x)
@@ -158,11 +158,11 @@ TEST_P(LinkedMap, ShowsTheSameSurfacesJustBeforeADoorwayAndJustBehindIt) {
         for (const Way& way : kWays) {
             if (!is_steady(door, way)) continue;
             const Walker walker(loaded_, door, way);
-            std::vector<SurfaceId> before;
+            std::vector<PixelSurface> before;
             for (int step = -kSteps; step <= kSteps; ++step) {
                 const auto view = walker.at(step * kStep);
                 ASSERT_TRUE(view) << say(door, way);
-                std::vector<SurfaceId> ids = walker.surfaces(*view);
+                std::vector<PixelSurface> ids = walker.surfaces(*view);
                 if (step > -kSteps) {
                     EXPECT_LE(flashes(before, ids), kSlivers) << say(door, way) << ", step " << step;
                 }

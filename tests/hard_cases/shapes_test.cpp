@@ -60,7 +60,8 @@ TEST_F(CreepingCamera, MovesEveryEdgeExactlyAsTheTruthMoves) {  // R31: 1/64 of 
 
 TEST_F(CreepingCamera, LowersALedgeInEveryColumnWithoutEverTurningBack) {  // R10: "wiggle"
     // Walking towards a ledge below the eye moves its edge down the screen, never up.
-    const SurfaceId step = wall_id(world_.map, wall_between(world_.map, SectorId(0u), {8, 0}, {8, 8}), WallPart::lower);
+    const PixelSurface step =
+        wall_id(world_.map, wall_between(world_.map, SectorId(0u), {8, 0}, {8, 8}), WallPart::lower);
     std::vector<int> last(static_cast<std::size_t>(kSize.width), 0);
     for (int frame = 0; frame < 64; ++frame) {
         const Drawn drawn = world_.draw(look_from(world_.map, {4 + frame / 64.0, 3.3}, 1.7, 0), kSize);
@@ -77,7 +78,8 @@ TEST_F(CreepingCamera, LowersALedgeInEveryColumnWithoutEverTurningBack) {  // R1
 
 TEST_F(CreepingCamera, DrawsALedgeWithinHalfAPixelOfWhereItIs) {  // R10
     constexpr double kRounding = 1e-9;                            // of a product and a quotient [px]
-    const SurfaceId step = wall_id(world_.map, wall_between(world_.map, SectorId(0u), {8, 0}, {8, 8}), WallPart::lower);
+    const PixelSurface step =
+        wall_id(world_.map, wall_between(world_.map, SectorId(0u), {8, 0}, {8, 8}), WallPart::lower);
     for (int frame = 0; frame < 64; ++frame) {
         const double depth = 4 - frame / 64.0;
         const Drawn drawn = world_.draw(look_from(world_.map, {8 - depth, 3.3}, 1.7, 0), kSize);

@@ -112,7 +112,7 @@ TEST(EyeAtTheHeightOfAFlat, SeesWhatTheReferenceSeesAlsoFromAPortalsLine) {  // 
 }
 
 /// Columns in which the wall is seen.
-int columns_of(const Drawn& drawn, SurfaceId wall) {
+int columns_of(const Drawn& drawn, PixelSurface wall) {
     int columns = 0;
     for (int x = 0; x < drawn.frame.width; ++x) {
         bool seen = false;
@@ -141,7 +141,7 @@ TEST(WallSeenOnEdge, CoversNoColumn) {  // R8
 TEST(WallSeenAlmostOnEdge, CoversOneColumnAtMostAndStaysWithinItself) {  // R9
     // The eye is 2^-16 m off the line of a wall that runs from 1 m to 4097 m ahead.
     const World world(map_of({room("street", {{0, 0}, {1, 0}, {4097, 0}, {4097, 8}, {0, 8}})}));
-    const SurfaceId wall =
+    const PixelSurface wall =
         wall_id(world.map, wall_between(world.map, SectorId(0u), {1, 0}, {4097, 0}), WallPart::middle);
     for (std::uint32_t steps : {3u, 5u, 17u, 100u, 1000u, 9000u}) {  // of yaw to the left, 1.5e-9 rad each
         const View view = view_of(SectorId(0u), {0.5, 0x1p-16}, 1, direction(Angle{0u - steps}));

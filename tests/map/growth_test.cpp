@@ -63,7 +63,7 @@ void many_models_of_one_tag(MapFile& file) {
     for (SectorRecord* closet : closets(file)) closet->tags = {"t"};
     each_wall(file, [](WallRecord& wall, std::size_t) {
         wall.triggers = {trigger_about({"hall"})};
-        wall.triggers[0].deed = Deed::floor;
+        wall.triggers[0].action = TriggerAction::floor;
         wall.triggers[0].like = "t";
     });
 }
@@ -260,7 +260,7 @@ TEST(TargetLists, MayNameOneLargeTagAnyNumberOfTimes) {
     EXPECT_FALSE(has_errors(findings_of(file)));
 }
 
-TEST(TargetLists, AreRefusedWhereOneDeedWouldChangeTooMuchAtOnce) {
+TEST(TargetLists, AreRefusedWhereOneActionWouldChangeTooMuchAtOnce) {
     MapFile file = hall_and_closets(1000);
     for (SectorRecord* closet : closets(file)) closet->tags = {"t"};
     file.sectors[0].triggers.assign(1048, trigger_about({"t"}));
@@ -273,7 +273,7 @@ TEST(TargetLists, AreRefusedWhereTheStartWouldChangeTooMuchAtOnce) {
     MapFile file = hall_and_closets(1100);
     one_tag_and_a_trigger_in_each(file);
     EXPECT_EQ(errors_of(findings_of(file), "too-many-targets"), 0u);
-    for (SectorRecord* closet : closets(file)) closet->triggers[0].on = Occasion::start;
+    for (SectorRecord* closet : closets(file)) closet->triggers[0].on = Activation::start;
     EXPECT_EQ(errors_of(findings_of(file), "too-many-targets"), 1u);
 }
 

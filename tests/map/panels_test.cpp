@@ -114,7 +114,7 @@ TEST(Panels, ThatBlockCannotBePassed) {
     fence.blocks = true;
     fence.triggers.emplace_back();
     EXPECT_EQ(complaints({fence}), "");
-    fence.triggers[0].on = Occasion::cross;
+    fence.triggers[0].on = Activation::cross;
     EXPECT_THAT(complaints({fence}), testing::HasSubstr("a panel that blocks cannot have a trigger on 'cross'"));
 }
 

@@ -23,10 +23,10 @@ ThingRecord thing_at(Vec2 position, std::string sound) {
     return thing;
 }
 
-TriggerRecord heard_trigger(Occasion on, std::string sound) {
+TriggerRecord heard_trigger(Activation on, std::string sound) {
     TriggerRecord trigger;
     trigger.on = on;
-    trigger.deed = Deed::sound;
+    trigger.action = TriggerAction::sound;
     trigger.sound = std::move(sound);
     return trigger;
 }
@@ -80,14 +80,14 @@ TEST(Sounds, OfSectorsMayDifferOnTheWayDown) {
 TEST(Sounds, OfTriggersAreHeardFromWhatTheyAreOn) {
     MapFile file = two_rooms();
     file.things = {thing_at({1, 1}, "")};
-    file.things[0].triggers = {heard_trigger(Occasion::touch, "hum")};
-    sector(file, "right").triggers = {heard_trigger(Occasion::enter, "hum")};
-    wall(file, "left", {0, 0}, {4, 0}).triggers = {heard_trigger(Occasion::use, "click")};
+    file.things[0].triggers = {heard_trigger(Activation::touch, "hum")};
+    sector(file, "right").triggers = {heard_trigger(Activation::enter, "hum")};
+    wall(file, "left", {0, 0}, {4, 0}).triggers = {heard_trigger(Activation::use, "click")};
     PanelRecord panel;
     panel.a = {1, 1};
     panel.b = {2, 1};
     panel.texture = spec("-");
-    panel.triggers = {heard_trigger(Occasion::use, "click")};
+    panel.triggers = {heard_trigger(Activation::use, "click")};
     sector(file, "left").panels = {panel};
     const Map map = built(file);
     ASSERT_EQ(map.triggers.size(), 4u);
@@ -99,7 +99,7 @@ TEST(Sounds, OfTriggersAreHeardFromWhatTheyAreOn) {
 
 TEST(Sounds, OnlyHeardTriggersNeedNoTarget) {
     MapFile file = two_rooms();
-    wall(file, "left", {0, 0}, {4, 0}).triggers = {heard_trigger(Occasion::use, "click")};
+    wall(file, "left", {0, 0}, {4, 0}).triggers = {heard_trigger(Activation::use, "click")};
     EXPECT_FALSE(has_errors(findings_of(file))) << text_of(findings_of(file));
 }
 

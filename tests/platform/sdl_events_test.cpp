@@ -31,14 +31,15 @@ T translated(const SDL_Event& event, const Placement& placement = {}) {
 
 TEST(SdlEvents, NamesKeysByTheirPlaceOnTheKeyboard) {
     const auto change = translated<KeyChange>(key_event(SDL_KEYDOWN, SDL_SCANCODE_W));
-    EXPECT_EQ(change.key, Key::w);
+    EXPECT_EQ(change.key, KeyCode::w);
     EXPECT_TRUE(change.down);
 }
 
 TEST(SdlEvents, TellsBothAltKeysAndTheFunctionKeysApart) {
-    const std::pair<SDL_Scancode, Key> keys[] = {
-        {SDL_SCANCODE_LALT, Key::left_alt}, {SDL_SCANCODE_RALT, Key::right_alt}, {SDL_SCANCODE_F4, Key::f4},
-        {SDL_SCANCODE_F6, Key::f6},         {SDL_SCANCODE_F7, Key::f7},          {SDL_SCANCODE_F8, Key::f8}};
+    const std::pair<SDL_Scancode, KeyCode> keys[] = {
+        {SDL_SCANCODE_LALT, KeyCode::left_alt}, {SDL_SCANCODE_RALT, KeyCode::right_alt},
+        {SDL_SCANCODE_F4, KeyCode::f4},         {SDL_SCANCODE_F6, KeyCode::f6},
+        {SDL_SCANCODE_F7, KeyCode::f7},         {SDL_SCANCODE_F8, KeyCode::f8}};
     for (const auto& [code, key] : keys) EXPECT_EQ(translated<KeyChange>(key_event(SDL_KEYDOWN, code)).key, key);
 }
 
@@ -51,7 +52,7 @@ TEST(SdlEvents, MarksKeysThatRepeat) {
 }
 
 TEST(SdlEvents, CallsOtherKeysUnknown) {
-    EXPECT_EQ(translated<KeyChange>(key_event(SDL_KEYDOWN, SDL_SCANCODE_KP_7)).key, Key::unknown);
+    EXPECT_EQ(translated<KeyChange>(key_event(SDL_KEYDOWN, SDL_SCANCODE_KP_7)).key, KeyCode::unknown);
 }
 
 TEST(SdlEvents, GivesTheMouseInPixelsOfThePicture) {

@@ -81,8 +81,8 @@ TEST_F(WindowOnDummyDriver, ReportsKeysInOrder) {
     push_key(SDL_SCANCODE_E);
     const auto events = poll();
     ASSERT_EQ(events.size(), 2u);
-    EXPECT_EQ(std::get<KeyChange>(events[0]).key, Key::w);
-    EXPECT_EQ(std::get<KeyChange>(events[1]).key, Key::e);
+    EXPECT_EQ(std::get<KeyChange>(events[0]).key, KeyCode::w);
+    EXPECT_EQ(std::get<KeyChange>(events[1]).key, KeyCode::e);
 }
 
 TEST_F(WindowOnDummyDriver, GivesTheMouseBackWhenItLosesTheFocus) {

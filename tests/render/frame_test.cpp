@@ -28,7 +28,7 @@ TEST(FrameFacts, SayNothingIsDrawnAfterReset) {
     FrameFacts facts;
     facts.writes = {1, 2, 3};
     reset(facts, 3, 2);
-    EXPECT_EQ(facts.ids, std::vector<SurfaceId>(6, kNothing));
+    EXPECT_EQ(facts.ids, std::vector<PixelSurface>(6, kNothing));
     EXPECT_EQ(facts.writes, std::vector<std::uint8_t>(6, 0));
     EXPECT_TRUE(std::isinf(facts.depths[5]));
 }
@@ -47,7 +47,7 @@ TEST(FrameHash, TellsShapesOfTheSamePixelsApart) {
 
 TEST(SurfaceIds, AreDifferentForEverySurfaceOfAMap) {
     const Map map = test::built(test::map_of({test::box_room("a", 0, 0, 2, 2), test::box_room("b", 5, 0, 7, 2)}));
-    std::set<SurfaceId> ids{kNothing, kRecursionEnd};
+    std::set<PixelSurface> ids{kNothing, kRecursionEnd};
     for (std::size_t i = 0; i < map.sectors.size(); ++i) {
         EXPECT_TRUE(ids.insert(floor_id(SectorId(i))).second);
         EXPECT_TRUE(ids.insert(ceiling_id(SectorId(i))).second);
@@ -65,7 +65,7 @@ TEST(SurfaceIds, LeadBackToTheirOwners) {
     panel.a = {5.5, 1}, panel.b = {6, 1}, panel.top = 1, panel.texture = test::spec("grille");
     test::sector(file, "b").panels.push_back(panel);
     const Map map = test::built(file);
-    const auto expect = [&](SurfaceId id, SurfaceKind kind, std::uint32_t index, WallPart part = WallPart::middle) {
+    const auto expect = [&](PixelSurface id, SurfaceKind kind, std::uint32_t index, WallPart part = WallPart::middle) {
         const auto owner = owner_of(map, id);
         ASSERT_TRUE(owner);
         EXPECT_EQ(owner->kind, kind);

@@ -75,23 +75,24 @@ TEST(ShadeAtSmooth, HalvesHalfLightAtNineMetres) {
 
 TEST(ShadeAtSmooth, IsBlackInNoLight) { EXPECT_EQ(shade_at(LightModel::smooth, 0, 1, 0), 0u); }
 
-TEST(Mist, HidesHalfAtItsReach) { EXPECT_EQ(mist_at(7, 7), 128u); }
+TEST(FogPart, HidesHalfAtItsReach) { EXPECT_EQ(fog_part_at(7, 7), 128u); }
 
-TEST(Mist, HidesNothingBeforeTheEyeAndAllAtInfinity) {
-    EXPECT_EQ(mist_at(7, 0), 0u);
-    EXPECT_EQ(mist_at(7, kInfinity), 256u);
+TEST(FogPart, HidesNothingBeforeTheEyeAndAllAtInfinity) {
+    EXPECT_EQ(fog_part_at(7, 0), 0u);
+    EXPECT_EQ(fog_part_at(7, kInfinity), 256u);
 }
 
-TEST(Mist, IsNotThereWithoutReach) { EXPECT_EQ(mist_at(0, kInfinity), 0u); }
+TEST(FogPart, IsNotThereWithoutReach) { EXPECT_EQ(fog_part_at(0, kInfinity), 0u); }
 
-TEST(Mist, NeverShrinksWithDepth) {
-    for (double depth = 0; depth < 200; depth += 0.25) ASSERT_LE(mist_at(9, depth), mist_at(9, depth + 0.25)) << depth;
+TEST(FogPart, NeverShrinksWithDepth) {
+    for (double depth = 0; depth < 200; depth += 0.25)
+        ASSERT_LE(fog_part_at(9, depth), fog_part_at(9, depth + 0.25)) << depth;
 }
 
-TEST(Misted, GoesFromTheColourToTheFogs) {
-    EXPECT_EQ(misted(0x80123456, 0xFFABCDEF, 0), 0x80123456u);
-    EXPECT_EQ(misted(0x80123456, 0xFFABCDEF, 256), 0x80ABCDEFu);
-    EXPECT_EQ(misted(0xFF000000, 0xFFFFFFFF, 128), 0xFF7F7F7Fu);
+TEST(Fogged, GoesFromTheColourToTheFogs) {
+    EXPECT_EQ(fogged(0x80123456, 0xFFABCDEF, 0), 0x80123456u);
+    EXPECT_EQ(fogged(0x80123456, 0xFFABCDEF, 256), 0x80ABCDEFu);
+    EXPECT_EQ(fogged(0xFF000000, 0xFFFFFFFF, 128), 0xFF7F7F7Fu);
 }
 
 /// Worked out from Doom's formulas: level = 60 - 2 [32 light] - min([40 / depth], 23), of 32, each 8 / 256 darker.

@@ -343,7 +343,7 @@ TEST_P(MosaicHearing, GoesOnWhereItWasCutOff) {
     pieces.listen(second, kFar, {}, 1);
     whole.listen(first, kFar);
     expect_same_ways(pieces, whole, sources);
-    for (std::size_t i = 0; i < Hearing::kMostGlances / 16; ++i) pieces.listen(second, kFar, {}, 16);
+    for (std::size_t i = 0; i < Hearing::kMostBeams / 16; ++i) pieces.listen(second, kFar, {}, 16);
     whole.listen(second, kFar);
     EXPECT_GT(expect_same_ways(pieces, whole, sources), 0);
 }

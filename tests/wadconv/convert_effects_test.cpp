@@ -34,8 +34,8 @@ struct Line : Doorway {
 
 TEST(ConvertTriggers, MakeADoorOfTheSectorBehind) {
     const TriggerRecord door = Line(1).trigger();
-    EXPECT_EQ(door.on, Occasion::use);
-    EXPECT_EQ(door.deed, Deed::door);
+    EXPECT_EQ(door.on, Activation::use);
+    EXPECT_EQ(door.action, TriggerAction::door);
     EXPECT_THAT(door.targets, IsEmpty());
     EXPECT_EQ(door.speed, 2 * 35 / 32.);
     EXPECT_EQ(door.wait, 150 / 35.);
@@ -62,8 +62,8 @@ TEST(ConvertTriggers, SlowDownWhatCrushesButNotTheFastOnes) {
 
 TEST(ConvertTriggers, CallALiftByItsTag) {
     const TriggerRecord lift = Line(88).trigger();
-    EXPECT_EQ(lift.on, Occasion::cross);
-    EXPECT_EQ(lift.deed, Deed::lift);
+    EXPECT_EQ(lift.on, Activation::cross);
+    EXPECT_EQ(lift.action, TriggerAction::lift);
     EXPECT_THAT(lift.targets, ElementsAre("tag 7"));
     EXPECT_EQ(lift.speed, 4 * 35 / 32.);
     EXPECT_EQ(lift.wait, 3);
@@ -82,7 +82,7 @@ TEST(ConvertTriggers, GoAwayWithTheirSpecial) {
 
 TEST(ConvertTriggers, AreUsedWhereDoomShoots) {
     const Line line(46);
-    EXPECT_EQ(line.trigger().on, Occasion::use);
+    EXPECT_EQ(line.trigger().on, Activation::use);
     EXPECT_THAT(Converted(line.level).noted(Kind::shot_trigger), ElementsAre(2u));
 }
 
@@ -104,8 +104,8 @@ TEST(ConvertTriggers, NeedALineThatCanBePassed) {
 
 TEST(ConvertTriggers, MoveFloorsToWhatIsAround) {
     const TriggerRecord floor = Line(36).trigger();
-    EXPECT_EQ(floor.deed, Deed::floor);
-    EXPECT_EQ(floor.to, enfilade::Level::highest_floor);
+    EXPECT_EQ(floor.action, TriggerAction::floor);
+    EXPECT_EQ(floor.to, enfilade::HeightLevel::highest_floor);
     EXPECT_EQ(floor.by, 0.25);
 }
 
@@ -130,7 +130,7 @@ TEST(ConvertTriggers, RaiseByTheShortestTextureAround) {
 }
 
 TEST(ConvertTriggers, LeadOutOfTheLevel) {
-    EXPECT_EQ(Line(52).trigger().deed, Deed::exit);
+    EXPECT_EQ(Line(52).trigger().action, TriggerAction::leave_map);
     EXPECT_THAT(Line(52).trigger().targets, ElementsAre("map02"));
     EXPECT_THAT(Line(124).trigger("E1M3").targets, ElementsAre("e1m9"));
     EXPECT_THAT(Line(52).trigger("E1M8").targets, IsEmpty());
@@ -174,7 +174,7 @@ struct Stairs : Line {
 
 TEST(ConvertTriggers, FindTheStairs) {
     const TriggerRecord stairs = Stairs(8).trigger();
-    EXPECT_EQ(stairs.deed, Deed::stairs);
+    EXPECT_EQ(stairs.action, TriggerAction::stairs);
     EXPECT_THAT(stairs.targets, ElementsAre("s1", "s2", "s3"));
     EXPECT_EQ(stairs.step, 0.25);
     EXPECT_EQ(stairs.speed, 0.25 * 35 / 32);
@@ -246,8 +246,8 @@ struct LoneLine {
 
 TEST(ConvertPanels, DoWhatTheirLineDoes) {
     const LoneLine lift(88);
-    EXPECT_EQ(lift.trigger().on, Occasion::cross);
-    EXPECT_EQ(lift.trigger().deed, Deed::lift);
+    EXPECT_EQ(lift.trigger().on, Activation::cross);
+    EXPECT_EQ(lift.trigger().action, TriggerAction::lift);
     EXPECT_THAT(lift.trigger().targets, ElementsAre("tag 7"));
     EXPECT_FALSE(lift.trigger().one_way);
     EXPECT_THAT(Converted(lift.level).report.lines_left, IsEmpty());
@@ -265,7 +265,7 @@ TEST(ConvertPanels, ThatBlockAreNotPassed) {
     EXPECT_EQ(c.report.lines_left.at(88), 1u);
 }
 
-TEST(ConvertPanels, ThatBlockAreUsed) { EXPECT_EQ(LoneLine(62, kTwoSided | kBlocking).trigger().on, Occasion::use); }
+TEST(ConvertPanels, ThatBlockAreUsed) { EXPECT_EQ(LoneLine(62, kTwoSided | kBlocking).trigger().on, Activation::use); }
 
 TEST(ConvertPanels, OfALineThatOnlyItsLeftShowsStillWorkFromItsRight) {
     LoneLine lever(62);
@@ -338,8 +338,8 @@ TEST(ConvertSectors, LetFloorsHurt) {
 
 TEST(ConvertSectors, LetDoorsMoveByThemselves) {
     const TriggerRecord close = sector_of(10).triggers.at(0);
-    EXPECT_EQ(close.on, Occasion::start);
-    EXPECT_EQ(close.deed, Deed::close);
+    EXPECT_EQ(close.on, Activation::start);
+    EXPECT_EQ(close.action, TriggerAction::close);
     EXPECT_EQ(close.after, 30);
     EXPECT_EQ(sector_of(14).triggers.at(0).after, 300);
 }

@@ -419,7 +419,7 @@ TEST(ConvertPanels, DoWhatALineDrawnOverAnotherDoes) {
     d.level.map.lines[static_cast<std::size_t>(d.level.line({64, 64}, {64, 0}, 0, 1))].special = 52;
     const Converted c(d.level);
     ASSERT_THAT(panel(c, "-").triggers, SizeIs(1));
-    EXPECT_EQ(panel(c, "-").triggers[0].deed, Deed::exit);
+    EXPECT_EQ(panel(c, "-").triggers[0].action, TriggerAction::leave_map);
     EXPECT_FALSE(panel(c, "-").doom);
 }
 

@@ -179,7 +179,7 @@ TEST(PictureName, IsSafeForFilesAndMaps) {
 TEST(SortSprites, KnowsMirroredViews) {
     const WadPile pile = pile_of({picture_wad().finish()});
     const SpriteFrames frames = sort_sprites(pile);
-    const SpriteFrame& frame = frames.at("POSSA");
+    const DoomSpriteFrame& frame = frames.at("POSSA");
     EXPECT_TRUE(frame.has_all_directions());
     EXPECT_EQ(frame.views[8].lump, frame.views[2].lump);
     EXPECT_TRUE(frame.views[8].is_mirrored);
@@ -205,7 +205,7 @@ TEST(DrawView, PutsTheThingsPositionOfAllViewsAtOneTexel) {
                                            {"XXXXA4A6", patch({"g"})},
                                            {"XXXXA5", patch({"h"})}},
                                           pile);
-    const SpriteFrame& frame = frames.at("XXXXA");
+    const DoomSpriteFrame& frame = frames.at("XXXXA");
     const SpriteCanvas canvas = measure_frame(frame).value();
     ASSERT_TRUE(canvas.has_rotations);
     EXPECT_EQ(canvas.origin_x, 2);

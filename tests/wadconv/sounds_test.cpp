@@ -144,7 +144,7 @@ TEST(ConvertSounds, OfPickUpsAreHeardWhenTheyAreTouched) {
     level.thing(32, 32, 2012);
     const Converted c(level);
     ASSERT_EQ(c.file.things.at(0).triggers.size(), 1u);
-    EXPECT_EQ(c.file.things[0].triggers[0].on, Occasion::touch);
+    EXPECT_EQ(c.file.things[0].triggers[0].on, Activation::touch);
     EXPECT_EQ(c.file.things[0].triggers[0].sound, "itemup");
 }
 

@@ -29,7 +29,7 @@ std::size_t allocations_of_ticks(const Map& map, World world, RandomKeys* keys) 
 MapFile furnished_rooms() {
     MapFile file = grid_of_rooms(200);
     for (SectorRecord& sector : file.sectors) {
-        sector.triggers = {trigger_on(Occasion::use, Deed::door)};
+        sector.triggers = {trigger_on(Activation::use, TriggerAction::door)};
         sector.light_effect = LightEffectRecord{};
     }
     for (int i = 0; i < 40; ++i) {
@@ -74,7 +74,7 @@ TEST(Tick, TakesNoMemoryAmongPanels) {
         panel.b = {1.25 * i, 1.0 * i + 3};
         panel.texture = spec("-");
         panel.blocks = i % 2 == 0;
-        panel.triggers = {trigger_on(Occasion::use, Deed::door)};
+        panel.triggers = {trigger_on(Activation::use, TriggerAction::door)};
         panel.triggers[0].key = "of nobody";
         file.sectors[0].panels.push_back(panel);
     }
@@ -86,7 +86,8 @@ TEST(Tick, TakesNoMemoryAmongPanels) {
 
 TEST(Tick, TakesNoMemoryWhileFloorsMove) {
     MapFile file = furnished_rooms();
-    for (std::size_t i = 0; i < 10; ++i) file.sectors[i].triggers.push_back(trigger_on(Occasion::start, Deed::shuttle));
+    for (std::size_t i = 0; i < 10; ++i)
+        file.sectors[i].triggers.push_back(trigger_on(Activation::start, TriggerAction::shuttle));
     const Game game(file);
     RandomKeys keys(1);
     EXPECT_EQ(allocations_of_ticks(game.map, game.world, &keys), 0u);

@@ -189,7 +189,7 @@ TEST(BobbingFloor, IsTakenOverByATriggerFromWhereItIs) {
     for (const double after : {0.0, 1.1, 3.4}) {  // at the last time the player will have held it up
         const BobRecord swell = bob(1, 4);
         MapFile file = bobbing_room(swell);
-        TriggerRecord sink = trigger_on(Occasion::start, Deed::floor);
+        TriggerRecord sink = trigger_on(Activation::start, TriggerAction::floor);
         sink.z = -2;
         sink.speed = 1.5;
         sink.after = after;
@@ -203,7 +203,7 @@ TEST(BobbingFloor, IsTakenOverByATriggerFromWhereItIs) {
 
 TEST(BobbingFloor, IsStoppedWhereItIs) {
     MapFile file = bobbing_room(bob(0.5, 4));
-    TriggerRecord stop = trigger_on(Occasion::enter, Deed::stop, {"room"});
+    TriggerRecord stop = trigger_on(Activation::enter, TriggerAction::stop, {"room"});
     sector(file, "hall").triggers = {stop};
     Game game(file);
     game.hold(kForward, 60);

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
-#include "world/deed.h"
+#include "world/activation.h"
 #include "world/hall_passage_room.h"
-#include "world/happen.h"
 #include "world/instant.h"
 #include "world/snapshot.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade {
 namespace {
@@ -23,21 +23,21 @@ bool is_in_the_open(const Game& game) {
 }
 
 TEST(Door, StaysClosedForWhoOnlyWalksAtIt) {
-    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Activation::use, TriggerAction::door)));
     game.hold(kForward, 200);
     EXPECT_EQ(game.room(), "hall");
     EXPECT_EQ(passage(game).ceiling_z, 0);
 }
 
 TEST(Door, OpensAHandBelowTheLowestCeilingAround) {
-    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Activation::use, TriggerAction::door)));
     game.hold(kUse);
     game.hold(kNoKeys, 120);
     EXPECT_EQ(passage(game).ceiling_z, 3 - kDoorHead);
 }
 
 TEST(Door, ClosesAgainAfterItsWait) {
-    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Activation::use, TriggerAction::door)));
     game.hold(kUse);
     const int up = 87, wait = 240;  // 2.875 m at 2 m/s, then 4 s
     game.hold(kNoKeys, up + wait - 1);
@@ -47,13 +47,13 @@ TEST(Door, ClosesAgainAfterItsWait) {
 }
 
 TEST(Door, IsUsedOnceForEachPressOfTheKey) {
-    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Activation::use, TriggerAction::door)));
     game.hold(kUse, 30);
     EXPECT_GT(passage(game).ceiling_z, 0.9);
 }
 
 TEST(Door, UsedAgainWhileItOpensCloses) {
-    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Activation::use, TriggerAction::door)));
     game.hold(kUse);
     game.hold(kNoKeys, 30);
     game.hold(kUse);
@@ -62,7 +62,7 @@ TEST(Door, UsedAgainWhileItOpensCloses) {
 }
 
 TEST(Door, UsedAgainWhileItClosesOpens) {
-    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Activation::use, TriggerAction::door)));
     game.hold(kUse);
     game.hold(kNoKeys, 87 + 240 + 30);
     const double before = passage(game).ceiling_z;
@@ -71,10 +71,11 @@ TEST(Door, UsedAgainWhileItClosesOpens) {
     EXPECT_GT(passage(game).ceiling_z, before);
 }
 
-/// A door that the start sets off by another deed, and that one may use.
-Game door_moved_by(Deed deed, double height) {
+/// A door that the start sets off by another action, and that one may use.
+Game door_moved_by(TriggerAction action, double height) {
     MapFile file = hall_passage_room(0, height);
-    sector(file, "passage").triggers = {trigger_on(Occasion::use, Deed::door), trigger_on(Occasion::start, deed)};
+    sector(file, "passage").triggers = {trigger_on(Activation::use, TriggerAction::door),
+                                        trigger_on(Activation::start, action)};
     return Game(file);
 }
 
@@ -88,8 +89,8 @@ int direction_after_use(Game& game) {
 }
 
 TEST(Door, UsedWhileSomethingElseMovesItTurnsRound) {
-    Game opening = door_moved_by(Deed::open, 0), closing = door_moved_by(Deed::close, 2.5),
-         closing_for_now = door_moved_by(Deed::close_then_open, 2.5);
+    Game opening = door_moved_by(TriggerAction::open, 0), closing = door_moved_by(TriggerAction::close, 2.5),
+         closing_for_now = door_moved_by(TriggerAction::close_then_open, 2.5);
     for (Game* game : {&opening, &closing, &closing_for_now}) game->hold(kNoKeys, 30);
     EXPECT_EQ(direction_after_use(opening), -1);
     EXPECT_EQ(direction_after_use(closing), 1);
@@ -101,7 +102,7 @@ TEST(Door, UsedWhileSomethingElseMovesItTurnsRound) {
 }
 
 TEST(Door, UsedAgainAndAgainTurnsRoundEachTime) {
-    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Activation::use, TriggerAction::door)));
     game.hold(kUse);
     game.hold(kNoKeys, 40);
     for (int i = 0; i < 6; ++i) EXPECT_EQ(direction_after_use(game), i % 2 == 0 ? -1 : 1) << i;
@@ -112,7 +113,7 @@ TEST(Door, UsedAgainAndAgainTurnsRoundEachTime) {
 }
 
 TEST(Door, ThatDoesNotReverseIgnoresWhoUsesItAgain) {
-    TriggerRecord door = trigger_on(Occasion::use, Deed::door);
+    TriggerRecord door = trigger_on(Activation::use, TriggerAction::door);
     door.reverses = false;
     Game game(with_door(door));
     game.hold(kUse);
@@ -126,7 +127,7 @@ TEST(Door, ThatDoesNotReverseIgnoresWhoUsesItAgain) {
 }
 
 TEST(Door, OutOfReachIsNotUsed) {
-    MapFile file = with_door(trigger_on(Occasion::use, Deed::door));
+    MapFile file = with_door(trigger_on(Activation::use, TriggerAction::door));
     place_player(file, "hall", {8 - kArm - 0.25, 2}, kEyeOnFloor);
     Game game(file);
     game.hold(kUse);
@@ -135,7 +136,7 @@ TEST(Door, OutOfReachIsNotUsed) {
 }
 
 TEST(Door, BehindTheBackIsNotUsed) {
-    MapFile file = with_door(trigger_on(Occasion::use, Deed::door));
+    MapFile file = with_door(trigger_on(Activation::use, TriggerAction::door));
     file.player->yaw_degrees = 180;
     Game game(file);
     game.hold(kUse);
@@ -144,7 +145,7 @@ TEST(Door, BehindTheBackIsNotUsed) {
 }
 
 TEST(Door, OpensForWhoStandsInItWhenItCloses) {
-    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Activation::use, TriggerAction::door)));
     game.hold(kUse);
     game.hold(kNoKeys, 87);
     walk_into_passage(game);
@@ -159,7 +160,7 @@ TEST(Door, OpensForWhoStandsInItWhenItCloses) {
 }
 
 TEST(Door, WithAKeyOpensOnlyForWhoHasIt) {
-    TriggerRecord door = trigger_on(Occasion::use, Deed::door);
+    TriggerRecord door = trigger_on(Activation::use, TriggerAction::door);
     door.key = "red";
     MapFile file = with_door(door);
     ThingRecord key;
@@ -170,8 +171,8 @@ TEST(Door, WithAKeyOpensOnlyForWhoHasIt) {
     game.hold(kUse);
     game.hold(kNoKeys, 30);
     EXPECT_EQ(passage(game).ceiling_z, 0);
-    ASSERT_TRUE(game.world.news.has_value());
-    EXPECT_EQ(game.world.news->kind, NewsKind::needs_key);
+    ASSERT_TRUE(game.world.message.has_value());
+    EXPECT_EQ(game.world.message->kind, PlayerMessageKind::needs_key);
     game.hold(kBack, 60);
     EXPECT_EQ(game.world.keys, 1u);
     game.hold(kForward, 60);
@@ -181,7 +182,7 @@ TEST(Door, WithAKeyOpensOnlyForWhoHasIt) {
 }
 
 TEST(Trigger, ThatWorksOnceIsNotSetOffAgain) {
-    TriggerRecord open = trigger_on(Occasion::use, Deed::floor);
+    TriggerRecord open = trigger_on(Activation::use, TriggerAction::floor);
     open.once = true;
     open.by = 0.5;
     MapFile file = hall_passage_room(0, 3);
@@ -196,10 +197,10 @@ TEST(Trigger, ThatWorksOnceIsNotSetOffAgain) {
 
 TEST(Trigger, ThatWorksOnceIsKeptWhileItsTargetIsOnItsWay) {
     MapFile file = hall_passage_room(0, 3);
-    TriggerRecord rise = trigger_on(Occasion::start, Deed::floor, {"passage"});
+    TriggerRecord rise = trigger_on(Activation::start, TriggerAction::floor, {"passage"});
     rise.z = 0.5;
     sector(file, "hall").triggers = {rise};
-    TriggerRecord sink = trigger_on(Occasion::use, Deed::floor);
+    TriggerRecord sink = trigger_on(Activation::use, TriggerAction::floor);
     sink.once = true;
     sink.z = -1;
     sector(file, "passage").triggers = {sink};
@@ -215,10 +216,10 @@ TEST(Trigger, ThatWorksOnceIsKeptWhileItsTargetIsOnItsWay) {
 
 TEST(Trigger, GoesOffWhereOneOfItsTargetsTakesOrders) {
     MapFile file = hall_passage_room(0, 3);
-    TriggerRecord rise = trigger_on(Occasion::start, Deed::floor, {"passage"});
+    TriggerRecord rise = trigger_on(Activation::start, TriggerAction::floor, {"passage"});
     rise.z = 0.5;
     sector(file, "hall").triggers = {rise};
-    TriggerRecord sink = trigger_on(Occasion::use, Deed::floor, {"passage", "room"});
+    TriggerRecord sink = trigger_on(Activation::use, TriggerAction::floor, {"passage", "room"});
     sink.once = true;
     sink.z = -1;
     sector(file, "passage").triggers = {sink};
@@ -233,7 +234,7 @@ TEST(Trigger, GoesOffWhereOneOfItsTargetsTakesOrders) {
 TEST(Trigger, OnAPortalGoesOffInBothDirections) {
     for (const bool outward : {false, true}) {
         MapFile file = hall_passage_room(0, 3);
-        TriggerRecord dark = trigger_on(Occasion::cross, Deed::light, {"room"});
+        TriggerRecord dark = trigger_on(Activation::cross, TriggerAction::light, {"room"});
         dark.light = 0.25;
         if (outward)
             wall(file, "passage", {8, 4}, {8, 0}).triggers = {dark};
@@ -247,7 +248,7 @@ TEST(Trigger, OnAPortalGoesOffInBothDirections) {
 
 TEST(Trigger, ThatIsOneWayDoesNotGoOffForWhoComesIn) {
     MapFile file = hall_passage_room(0, 3);
-    TriggerRecord dark = trigger_on(Occasion::cross, Deed::light, {"room"});
+    TriggerRecord dark = trigger_on(Activation::cross, TriggerAction::light, {"room"});
     dark.light = 0.25;
     dark.one_way = true;
     wall(file, "passage", {8, 4}, {8, 0}).triggers = {dark};
@@ -258,7 +259,7 @@ TEST(Trigger, ThatIsOneWayDoesNotGoOffForWhoComesIn) {
 
 TEST(Trigger, CallsAllSectorsOfATag) {
     MapFile file = hall_passage_room(0, 3);
-    TriggerRecord dark = trigger_on(Occasion::enter, Deed::light, {"lamps"});
+    TriggerRecord dark = trigger_on(Activation::enter, TriggerAction::light, {"lamps"});
     dark.light = 0.5;
     sector(file, "passage").triggers = {dark};
     sector(file, "room").tags = sector(file, "hall").tags = {"lamps"};
@@ -272,7 +273,7 @@ TEST(Lift, CarriesWhoStandsOnItDownAndUp) {
     MapFile file = hall_passage_room(0, 3);
     sector(file, "room").floor.z = sector(file, "passage").floor.z = 2;
     sector(file, "room").ceiling.z = sector(file, "passage").ceiling.z = 5;
-    TriggerRecord lift = trigger_on(Occasion::use, Deed::lift);
+    TriggerRecord lift = trigger_on(Activation::use, TriggerAction::lift);
     lift.wait = 2;
     sector(file, "passage").triggers = {lift};
     Game game(file);
@@ -291,7 +292,7 @@ TEST(Lift, CarriesWhoStandsOnItDownAndUp) {
 
 TEST(Lift, TurnsRoundForWhoWouldBeSqueezed) {
     MapFile file = hall_passage_room(2, 3.5);  // up there is room for 1.5 m only
-    TriggerRecord lift = trigger_on(Occasion::use, Deed::lift);
+    TriggerRecord lift = trigger_on(Activation::use, TriggerAction::lift);
     lift.wait = 1;
     sector(file, "passage").triggers = {lift};
     Game game(file);
@@ -310,7 +311,7 @@ TEST(Lift, TurnsRoundForWhoWouldBeSqueezed) {
 
 TEST(Floor, WaitsForWhoWouldBeSqueezedAndThenGoesOn) {
     MapFile file = hall_passage_room(0, 3);
-    TriggerRecord rise = trigger_on(Occasion::enter, Deed::floor);
+    TriggerRecord rise = trigger_on(Activation::enter, TriggerAction::floor);
     rise.z = 2.5;
     sector(file, "passage").triggers = {rise};
     Game game(file);
@@ -328,7 +329,7 @@ TEST(Floor, WaitsForWhoWouldBeSqueezedAndThenGoesOn) {
 
 TEST(Crusher, HurtsWhoIsBelowButLeavesRoom) {
     MapFile file = hall_passage_room(0, 3);
-    sector(file, "passage").triggers = {trigger_on(Occasion::enter, Deed::crush)};
+    sector(file, "passage").triggers = {trigger_on(Activation::enter, TriggerAction::crush)};
     Game game(file);
     walk_into_passage(game);
     for (int i = 0; i < 200; ++i) {
@@ -345,7 +346,7 @@ TEST(Teleport, StandsThePlayerWhereTheThingIs) {
     there.position = {2, 3};
     there.yaw_degrees = 90;
     file.things = {there};
-    wall(file, "hall", {8, 0}, {8, 4}).triggers = {trigger_on(Occasion::cross, Deed::teleport, {"there"})};
+    wall(file, "hall", {8, 0}, {8, 4}).triggers = {trigger_on(Activation::cross, TriggerAction::teleport, {"there"})};
     Game game(file);
     for (int i = 0; i < 60 && game.point().x > 5; ++i) game.hold(kForward);
     EXPECT_EQ(game.point(), (Vec2{2, 3}));
@@ -358,7 +359,7 @@ ThingRecord disc(std::string name, Vec2 position, std::string to) {
     ThingRecord thing;
     thing.name = std::move(name);
     thing.position = position;
-    thing.triggers = {trigger_on(Occasion::touch, Deed::teleport, {std::move(to)})};
+    thing.triggers = {trigger_on(Activation::touch, TriggerAction::teleport, {std::move(to)})};
     return thing;
 }
 
@@ -379,7 +380,7 @@ TEST(Teleport, BetweenTwoDiscsThrowsOncePerTouch) {
 
 TEST(Exit, IsNoted) {
     MapFile file = hall_passage_room(0, 3);
-    sector(file, "room").triggers = {trigger_on(Occasion::enter, Deed::exit, {"next.toml"})};
+    sector(file, "room").triggers = {trigger_on(Activation::enter, TriggerAction::leave_map, {"next.toml"})};
     Game game(file);
     EXPECT_FALSE(game.world.left_by.has_value());
     game.hold(kForward, 90);
@@ -412,13 +413,13 @@ TEST(Secret, IsToldOnce) {
     Game game(file);
     game.hold(kForward, 35);
     EXPECT_EQ(game.world.secrets, (std::vector{SectorId(1u)}));
-    ASSERT_TRUE(game.world.news.has_value());
-    EXPECT_EQ(game.world.news->kind, NewsKind::secret);
+    ASSERT_TRUE(game.world.message.has_value());
+    EXPECT_EQ(game.world.message->kind, PlayerMessageKind::secret);
 }
 
 TEST(Stairs, RiseOneStepMoreEach) {
     MapFile file = hall_passage_room(0, 3);
-    sector(file, "hall").triggers = {trigger_on(Occasion::start, Deed::stairs, {"passage", "room"})};
+    sector(file, "hall").triggers = {trigger_on(Activation::start, TriggerAction::stairs, {"passage", "room"})};
     Game game(file);
     game.hold(kNoKeys, 60);
     EXPECT_EQ(passage(game).floor_z, 0.25);
@@ -429,8 +430,8 @@ TEST(Shuttle, StopsWhereItIsAndGoesOn) {
     MapFile file = hall_passage_room(1, 5);
     sector(file, "room").floor.z = 2;
     sector(file, "room").ceiling.z = 5;
-    sector(file, "hall").triggers = {trigger_on(Occasion::start, Deed::shuttle, {"passage"})};
-    TriggerRecord stop = trigger_on(Occasion::use, Deed::stop);
+    sector(file, "hall").triggers = {trigger_on(Activation::start, TriggerAction::shuttle, {"passage"})};
+    TriggerRecord stop = trigger_on(Activation::use, TriggerAction::stop);
     sector(file, "passage").triggers = {stop};
     Game game(file);
     game.hold(kNoKeys, 20);
@@ -443,8 +444,8 @@ TEST(Shuttle, StopsWhereItIsAndGoesOn) {
 
 /// What has happened by a tick, and what it makes of the map, asked at once and asked at its time.
 TEST(History, SaysOfThePastWhatWasTrueThen) {
-    MapFile file = with_door(trigger_on(Occasion::use, Deed::door));
-    sector(file, "room").triggers = {trigger_on(Occasion::start, Deed::shuttle)};
+    MapFile file = with_door(trigger_on(Activation::use, TriggerAction::door));
+    sector(file, "room").triggers = {trigger_on(Activation::start, TriggerAction::shuttle)};
     sector(file, "room").floor.z = 0.5;
     Game game(file);
     std::vector<std::pair<Heights, Heights>> seen;
@@ -462,7 +463,7 @@ TEST(History, SaysOfThePastWhatWasTrueThen) {
 }
 
 TEST(World, CopiedAtAnyMomentGoesOnTheSame) {
-    Game game(with_door(trigger_on(Occasion::use, Deed::door)));
+    Game game(with_door(trigger_on(Activation::use, TriggerAction::door)));
     game.hold(kUse);
     game.hold(kForward, 50);
     World copy = game.world;
@@ -472,7 +473,7 @@ TEST(World, CopiedAtAnyMomentGoesOnTheSame) {
 }
 
 TEST(Switch, ShowsItsOtherFaceForASecond) {
-    MapFile file = with_door(trigger_on(Occasion::use, Deed::door));
+    MapFile file = with_door(trigger_on(Activation::use, TriggerAction::door));
     Game game(file);
     Snapshot snapshot = at_rest(game.map);
     game.hold(kUse);

@@ -16,10 +16,10 @@ inline constexpr TickInput kNoKeys{}, kForward{.forward = 127}, kBack{.forward =
 
 inline constexpr double kEyeOnFloor = 1.55;  ///< of one who stands on a floor at 0 [m]
 
-inline TriggerRecord trigger_on(Occasion occasion, Deed deed, std::vector<std::string> targets = {}) {
+inline TriggerRecord trigger_on(Activation activation, TriggerAction action, std::vector<std::string> targets = {}) {
     TriggerRecord trigger;
-    trigger.on = occasion;
-    trigger.deed = deed;
+    trigger.on = activation;
+    trigger.action = action;
     trigger.targets = std::move(targets);
     return trigger;
 }

@@ -1,10 +1,10 @@
-// Sectors that move as one: one course, the neighbours of all, a body in any of them stops all.
+// Sectors that move as one: one track, the neighbours of all, a body in any of them stops all.
 #include <gtest/gtest.h>
 
-#include "world/deed.h"
 #include "world/game.h"
 #include "world/light.h"
 #include "world/snapshot.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade {
 namespace {
@@ -28,7 +28,7 @@ Heights at(const Game& game, std::uint32_t sector) { return heights_of(now(game.
 
 TEST(Group, FindsItsHeightAroundAllItsSectors) {
     MapFile file = hall_group_cellar(3);
-    sector(file, "near").triggers = {trigger_on(Occasion::use, Deed::lift)};
+    sector(file, "near").triggers = {trigger_on(Activation::use, TriggerAction::lift)};
     sector(file, "far").triggers = sector(file, "near").triggers;
     Game game(file);
     game.hold(kUse);
@@ -40,7 +40,8 @@ TEST(Group, FindsItsHeightAroundAllItsSectors) {
 
 TEST(Group, LooksAroundItselfAndNotAtItsOwnSectors) {
     MapFile file = hall_group_cellar(0);
-    for (const char* name : {"near", "far"}) sector(file, name).triggers = {trigger_on(Occasion::use, Deed::open)};
+    for (const char* name : {"near", "far"})
+        sector(file, name).triggers = {trigger_on(Activation::use, TriggerAction::open)};
     Game game(file);
     game.hold(kUse);
     game.hold(kNoKeys, 120);
@@ -51,7 +52,7 @@ TEST(Group, LooksAroundItselfAndNotAtItsOwnSectors) {
 TEST(Group, IsCalledByTheNameOfAnyOfItsSectorsAndOnce) {
     for (const std::vector<std::string>& targets : {std::vector<std::string>{"far"}, {"far", "near"}}) {
         MapFile file = hall_group_cellar(3);
-        TriggerRecord stairs = trigger_on(Occasion::enter, Deed::stairs, targets);
+        TriggerRecord stairs = trigger_on(Activation::enter, TriggerAction::stairs, targets);
         stairs.targets.push_back("cellar");
         sector(file, "hall").triggers = {stairs};
         const Map map = built(file);
@@ -61,7 +62,7 @@ TEST(Group, IsCalledByTheNameOfAnyOfItsSectorsAndOnce) {
 
 TEST(Group, WaitsForABodyInAnyOfItsSectors) {
     MapFile file = hall_group_cellar(3);
-    TriggerRecord close = trigger_on(Occasion::start, Deed::close, {"near"});
+    TriggerRecord close = trigger_on(Activation::start, TriggerAction::close, {"near"});
     sector(file, "hall").triggers = {close};
     place_player(file, "far", {9.5, 2}, kEyeOnFloor);
     Game game(file);
@@ -73,7 +74,7 @@ TEST(Group, WaitsForABodyInAnyOfItsSectors) {
 
 TEST(Group, StopsAtTheHeadsOfSolidThingsInAnyOfItsSectors) {
     MapFile file = hall_group_cellar(3);
-    sector(file, "hall").triggers = {trigger_on(Occasion::start, Deed::close, {"near"})};
+    sector(file, "hall").triggers = {trigger_on(Activation::start, TriggerAction::close, {"near"})};
     ThingRecord barrel;
     barrel.position = {9.5, 2};
     barrel.solid = true;
@@ -86,7 +87,7 @@ TEST(Group, StopsAtTheHeadsOfSolidThingsInAnyOfItsSectors) {
 
 TEST(Group, GetsItsLightTogether) {
     MapFile file = hall_group_cellar(3);
-    TriggerRecord light = trigger_on(Occasion::start, Deed::light, {"far"});
+    TriggerRecord light = trigger_on(Activation::start, TriggerAction::light, {"far"});
     light.light = 0.25;
     sector(file, "hall").triggers = {light};
     const Game game(file);

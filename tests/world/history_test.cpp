@@ -39,8 +39,8 @@ struct Asked {
             if (firing.wall && static_cast<double>(firing.tick) <= tick && (stays || lasts))
                 pressed.insert(firing.wall.index);
         }
-        for (const Taking& taking : history.takings())
-            if (static_cast<double>(taking.tick) <= tick) taken.insert(taking.thing.index);
+        for (const Pickup& pickup : history.pickups())
+            if (static_cast<double>(pickup.tick) <= tick) taken.insert(pickup.thing.index);
     }
 };
 
@@ -65,7 +65,7 @@ TEST(History, TellsOfAnyMomentWhichSwitchesAreTurnedAndWhichThingsAreTaken) {
             if (!map[trigger].once || fired_once.insert(trigger.index).second)
                 history.add(Firing{trigger, has_wall ? WallId(random.below(4)) : WallId(), tick});
             const ThingId thing(random.below(50));
-            if (random.below(3) == 0 && !history.is_taken(thing, 1e9)) history.add(Taking{thing, tick});
+            if (random.below(3) == 0 && !history.is_taken(thing, 1e9)) history.add(Pickup{thing, tick});
         }
         Snapshot snapshot = at_rest(map);
         for (int look = 0; look < 5; ++look) {
@@ -81,8 +81,8 @@ TEST(History, TellsOfAnyMomentWhichSwitchesAreTurnedAndWhichThingsAreTaken) {
 /// What a floor was given last, by asking all of its changes.
 TextureId picture_asked(const Map& map, const History& history, const Change* change, double tick) {
     for (; change; change = change->before == Change::kNone ? nullptr : &history.changes()[change->before]) {
-        const bool rises = change->course.count > 0 && change->course.stops[0].value > change->course.from;
-        const bool has_come = rises || stop_at(change->course, tick) > 0;
+        const bool rises = change->track.count > 0 && change->track.stops[0].value > change->track.from;
+        const bool has_come = rises || stop_at(change->track, tick) > 0;
         if (change->cause && map[change->cause].texture && has_come) return map[change->cause].texture;
     }
     return {};

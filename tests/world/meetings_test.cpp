@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <set>
 
-#include "world/deed.h"
 #include "world/hall_passage_room.h"
 #include "world/instant.h"
 #include "world/snapshot.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade {
 namespace {
@@ -16,8 +16,8 @@ using namespace test;
 
 TEST(Floor, ThatMeetsACeilingOnItsWayCarriesIt) {
     MapFile file = hall_passage_room(0, 3);
-    TriggerRecord rise = trigger_on(Occasion::start, Deed::floor, {"passage"});
-    TriggerRecord sink = trigger_on(Occasion::start, Deed::ceiling, {"passage"});
+    TriggerRecord rise = trigger_on(Activation::start, TriggerAction::floor, {"passage"});
+    TriggerRecord sink = trigger_on(Activation::start, TriggerAction::ceiling, {"passage"});
     rise.z = 2.5;
     sink.z = 0.25;
     sector(file, "hall").triggers = {rise, sink};
@@ -35,9 +35,9 @@ TEST(Floor, ThatMeetsACeilingOnItsWayCarriesIt) {
 
 TEST(Crusher, StopsWhereTheFloorHoldsItUp) {
     MapFile file = hall_passage_room(0, 3);
-    TriggerRecord crush = trigger_on(Occasion::start, Deed::crush, {"passage"});
-    TriggerRecord rise = trigger_on(Occasion::start, Deed::floor, {"passage"});
-    TriggerRecord stop = trigger_on(Occasion::use, Deed::stop);
+    TriggerRecord crush = trigger_on(Activation::start, TriggerAction::crush, {"passage"});
+    TriggerRecord rise = trigger_on(Activation::start, TriggerAction::floor, {"passage"});
+    TriggerRecord stop = trigger_on(Activation::use, TriggerAction::stop);
     rise.z = 1;
     sector(file, "hall").triggers = {crush, rise};
     sector(file, "passage").triggers = {stop};
@@ -51,7 +51,7 @@ TEST(Crusher, StopsWhereTheFloorHoldsItUp) {
 
 TEST(Crusher, SlowsDownOnABodyUntilItHasBeenDown) {
     MapFile file = hall_passage_room(0, 3);
-    TriggerRecord crush = trigger_on(Occasion::enter, Deed::crush);
+    TriggerRecord crush = trigger_on(Activation::enter, TriggerAction::crush);
     crush.crush_speed = 0.25;
     sector(file, "passage").triggers = {crush};
     Game game(file);
@@ -68,9 +68,9 @@ TEST(Crusher, SlowsDownOnABodyUntilItHasBeenDown) {
 }
 
 /// Where the ceiling of the passage comes down to over a solid thing of 1.25 m.
-double lowest_over_a_thing(HoldsUp holds_up, Deed deed) {
+double lowest_over_a_thing(HoldsUp holds_up, TriggerAction action) {
     MapFile file = hall_passage_room(0, 3);
-    sector(file, "hall").triggers = {trigger_on(Occasion::start, deed, {"passage"})};
+    sector(file, "hall").triggers = {trigger_on(Activation::start, action, {"passage"})};
     ThingRecord thing;
     thing.position = {8.5, 2};
     thing.height = 1.25;
@@ -87,12 +87,12 @@ double lowest_over_a_thing(HoldsUp holds_up, Deed deed) {
 }
 
 TEST(Ceiling, StopsShortOfSolidThingsThatHoldItUp) {
-    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all, Deed::crush), 1.25);
-    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all, Deed::close), 1.25);
-    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all_but_crushers, Deed::crush), kCrushedHeight);
-    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all_but_crushers, Deed::close), 1.25);
-    EXPECT_EQ(lowest_over_a_thing(HoldsUp::nothing, Deed::crush), kCrushedHeight);
-    EXPECT_EQ(lowest_over_a_thing(HoldsUp::nothing, Deed::close), 0);
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all, TriggerAction::crush), 1.25);
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all, TriggerAction::close), 1.25);
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all_but_crushers, TriggerAction::crush), kCrushedHeight);
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::all_but_crushers, TriggerAction::close), 1.25);
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::nothing, TriggerAction::crush), kCrushedHeight);
+    EXPECT_EQ(lowest_over_a_thing(HoldsUp::nothing, TriggerAction::close), 0);
 }
 
 /// The light of a room that strobes between 0.75 and 0.25 and that a trigger then sets to 0.5, over ten seconds.
@@ -102,10 +102,10 @@ std::set<double> lights_of_a_strobe(bool lasts, bool is_triggers) {
     strobe.kind = LightKind::strobe;
     strobe.dark = 0.25;
     strobe.lasts = lasts;
-    TriggerRecord flash = trigger_on(Occasion::start, Deed::light, {"room"});
+    TriggerRecord flash = trigger_on(Activation::start, TriggerAction::light, {"room"});
     flash.light = 0.75;
     if (is_triggers) flash.effect = strobe;
-    TriggerRecord set = trigger_on(Occasion::start, Deed::light, {"room"});
+    TriggerRecord set = trigger_on(Activation::start, TriggerAction::light, {"room"});
     set.light = 0.5;
     sector(file, "hall").triggers = {flash, set};
     sector(file, "room").light = 0.75;
@@ -132,7 +132,7 @@ TEST(Floor, GoesToTheLowestCeilingAroundOrToItsOwnIfThatIsLower) {
     for (const double ceiling : {1.5, 6.0}) {  // around: 3
         const MapFile file = hall_passage_room(0, ceiling);
         const Map map = built(file);
-        const double around_or_own = height_of(map, SectorId(1u), Level::lowest_ceiling_or_own, 0);
+        const double around_or_own = height_of(map, SectorId(1u), HeightLevel::lowest_ceiling_or_own, 0);
         EXPECT_EQ(around_or_own, std::min(ceiling, 3.0));
     }
 }

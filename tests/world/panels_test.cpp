@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "math/predicates.h"
+#include "world/activation.h"
 #include "world/door_and_link.h"
 #include "world/game.h"
-#include "world/happen.h"
 #include "world/instant.h"
 #include "world/soak.h"
 #include "world/walk.h"
@@ -39,8 +39,8 @@ PanelRecord line(Vec2 a, Vec2 b, TriggerRecord trigger) {
     return record;
 }
 
-TriggerRecord dims(Occasion on, double light, std::vector<std::string> targets = {}) {
-    TriggerRecord trigger = trigger_on(on, Deed::light, std::move(targets));
+TriggerRecord dims(Activation on, double light, std::vector<std::string> targets = {}) {
+    TriggerRecord trigger = trigger_on(on, TriggerAction::light, std::move(targets));
     trigger.light = light;
     return trigger;
 }
@@ -173,7 +173,8 @@ TEST(Fence, IsNotCrossedByWhoIsMovedOffAWallAtTheStart) {
 
 TEST(Fence, IsLeftByWhoIsTeleportedOntoIt) {
     MapFile file = hall_with(
-        {fence({5, 2}, {5, 8}), line({2, 0}, {2, 10}, trigger_on(Occasion::cross, Deed::teleport, {"pad"}))}, {1, 5});
+        {fence({5, 2}, {5, 8}), line({2, 0}, {2, 10}, trigger_on(Activation::cross, TriggerAction::teleport, {"pad"}))},
+        {1, 5});
     ThingRecord pad;
     pad.name = "pad";
     pad.position = {5, 5};
@@ -361,7 +362,7 @@ TEST(Fence, HoldsWhereEveryDoorwayIsALink) {
 
 TEST(PanelTrigger, GoesOffForWhoPassesEitherWay) {
     for (const double yaw : {0., 180.}) {
-        Game game(hall_with({line({5, 2}, {5, 8}, dims(Occasion::cross, 0.25))}, {yaw == 0 ? 4. : 6., 5}, yaw));
+        Game game(hall_with({line({5, 2}, {5, 8}, dims(Activation::cross, 0.25))}, {yaw == 0 ? 4. : 6., 5}, yaw));
         EXPECT_EQ(light(game), 1);
         game.hold(kForward, 60);
         EXPECT_EQ(light(game), 0.25);
@@ -369,7 +370,7 @@ TEST(PanelTrigger, GoesOffForWhoPassesEitherWay) {
 }
 
 TEST(PanelTrigger, DoesNotGoOffForWhoPassesBesideIt) {
-    Game game(hall_with({line({5, 2}, {5, 4.75}, dims(Occasion::cross, 0.25))}, {4, 5}));
+    Game game(hall_with({line({5, 2}, {5, 4.75}, dims(Activation::cross, 0.25))}, {4, 5}));
     game.hold(kForward, 60);
     EXPECT_EQ(light(game), 1);
 }
@@ -377,7 +378,7 @@ TEST(PanelTrigger, DoesNotGoOffForWhoPassesBesideIt) {
 TEST(PanelTrigger, ThatIsOneWayGoesOffFromItsRightOnly) {
     // From (5, 2) to (5, 8) the right is where x is smaller.
     for (const bool from_right : {true, false}) {
-        const PanelRecord wire = line({5, 2}, {5, 8}, one_way(dims(Occasion::cross, 0.25)));
+        const PanelRecord wire = line({5, 2}, {5, 8}, one_way(dims(Activation::cross, 0.25)));
         Game game(hall_with({wire}, {from_right ? 4. : 6., 5}, from_right ? 0 : 180));
         game.hold(kForward, 60);
         EXPECT_EQ(light(game), from_right ? 0.25 : 1);
@@ -388,10 +389,10 @@ TEST(PanelTrigger, GoesOffInOrderWithPortals) {
     // Within one tick: out of the first panel, through the portal, and through the last.
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 0, 8, 4)});
     join_all(file);
-    sector(file, "a").panels = {line({4, 1}, {4, 3}, dims(Occasion::cross, 0.1, {"a"}))};
-    wall(file, "a", {4, 0}, {4, 4}).triggers = {dims(Occasion::cross, 0.2, {"a"})};
-    sector(file, "b").panels = {line({4, 1}, {4, 3}, dims(Occasion::cross, 0.3, {"a"})),
-                                line({4.0625, 0}, {4.0625, 4}, dims(Occasion::cross, 0.4, {"a"}))};
+    sector(file, "a").panels = {line({4, 1}, {4, 3}, dims(Activation::cross, 0.1, {"a"}))};
+    wall(file, "a", {4, 0}, {4, 4}).triggers = {dims(Activation::cross, 0.2, {"a"})};
+    sector(file, "b").panels = {line({4, 1}, {4, 3}, dims(Activation::cross, 0.3, {"a"})),
+                                line({4.0625, 0}, {4.0625, 4}, dims(Activation::cross, 0.4, {"a"}))};
     place_player(file, "a", {3, 2}, kEyeOnFloor);
     Game game(file);
     const Walk walked = walk(game.map, body_of(game.map, game.player()), {100, 0}, kTickSeconds);
@@ -403,7 +404,7 @@ TEST(PanelTrigger, GoesOffInOrderWithPortals) {
 
 TEST(PanelTrigger, IsUsedFromEitherSide) {
     for (const double yaw : {0., 180.}) {
-        Game game(hall_with({line({5, 2}, {5, 8}, dims(Occasion::use, 0.25))}, {yaw == 0 ? 4. : 6., 5}, yaw));
+        Game game(hall_with({line({5, 2}, {5, 8}, dims(Activation::use, 0.25))}, {yaw == 0 ? 4. : 6., 5}, yaw));
         game.hold(kUse);
         EXPECT_EQ(light(game), 0.25);
     }
@@ -411,7 +412,7 @@ TEST(PanelTrigger, IsUsedFromEitherSide) {
 
 TEST(PanelTrigger, ThatIsOneWayIsUsedFromItsRightOnly) {
     for (const bool from_right : {true, false}) {
-        const PanelRecord lever = line({5, 2}, {5, 8}, one_way(dims(Occasion::use, 0.25)));
+        const PanelRecord lever = line({5, 2}, {5, 8}, one_way(dims(Activation::use, 0.25)));
         Game game(hall_with({lever}, {from_right ? 4. : 6., 5}, from_right ? 0 : 180));
         game.hold(kUse);
         EXPECT_EQ(light(game), from_right ? 0.25 : 1);
@@ -419,14 +420,14 @@ TEST(PanelTrigger, ThatIsOneWayIsUsedFromItsRightOnly) {
 }
 
 TEST(PanelTrigger, OutOfReachIsNotUsed) {
-    Game game(hall_with({line({5, 2}, {5, 8}, dims(Occasion::use, 0.25))}, {5 - kArm - 0.25, 5}));
+    Game game(hall_with({line({5, 2}, {5, 8}, dims(Activation::use, 0.25))}, {5 - kArm - 0.25, 5}));
     game.hold(kUse);
     EXPECT_EQ(light(game), 1);
 }
 
 TEST(PanelTrigger, IsUsedBeforeTheWallBehindIt) {
-    MapFile file = hall_with({line({9.5, 2}, {9.5, 8}, dims(Occasion::use, 0.25))}, {9, 5});
-    wall(file, "hall", {10, 0}, {10, 10}).triggers = {dims(Occasion::use, 0.5, {"hall"})};
+    MapFile file = hall_with({line({9.5, 2}, {9.5, 8}, dims(Activation::use, 0.25))}, {9, 5});
+    wall(file, "hall", {10, 0}, {10, 10}).triggers = {dims(Activation::use, 0.5, {"hall"})};
     Game game(file);
     game.hold(kUse);
     EXPECT_EQ(light(game), 0.25);
@@ -434,7 +435,7 @@ TEST(PanelTrigger, IsUsedBeforeTheWallBehindIt) {
 }
 
 TEST(PanelTrigger, IsNotUsedThroughAWall) {
-    MapFile file = hall_with({line({6.5, 2}, {6.5, 8}, dims(Occasion::use, 0.25))}, {5, 5});
+    MapFile file = hall_with({line({6.5, 2}, {6.5, 8}, dims(Activation::use, 0.25))}, {5, 5});
     cut_pillar(file.sectors[0], 6, 4, 6.25, 6);
     Game game(file);
     game.hold(kUse);
@@ -442,25 +443,25 @@ TEST(PanelTrigger, IsNotUsedThroughAWall) {
 }
 
 TEST(PanelTrigger, IsUsedThroughAFence) {
-    Game game(hall_with({fence({5, 2}, {5, 8}), line({5.5, 2}, {5.5, 8}, dims(Occasion::use, 0.25))}, {4, 5}));
+    Game game(hall_with({fence({5, 2}, {5, 8}), line({5.5, 2}, {5.5, 8}, dims(Activation::use, 0.25))}, {4, 5}));
     game.hold(kUse);
     EXPECT_EQ(light(game), 0.25);
 }
 
 TEST(PanelTrigger, OfAFenceIsUsed) {
     PanelRecord grate = fence({5, 2}, {5, 8});
-    grate.triggers = {dims(Occasion::use, 0.25)};
+    grate.triggers = {dims(Activation::use, 0.25)};
     Game game(hall_with({grate}, {4, 5}));
     game.hold(kUse);
     EXPECT_EQ(light(game), 0.25);
 }
 
 TEST(PanelTrigger, GoesOffAtTheStart) {
-    EXPECT_EQ(light(Game(hall_with({line({5, 2}, {5, 8}, dims(Occasion::start, 0.25))}, {4, 5}))), 0.25);
+    EXPECT_EQ(light(Game(hall_with({line({5, 2}, {5, 8}, dims(Activation::start, 0.25))}, {4, 5}))), 0.25);
 }
 
 TEST(PanelTrigger, WorksOnceWhereItSaysSo) {
-    TriggerRecord once = dims(Occasion::cross, 0.25);
+    TriggerRecord once = dims(Activation::cross, 0.25);
     once.once = true;
     Game game(hall_with({line({5, 2}, {5, 8}, once)}, {4, 5}));
     for (int i = 0; i < 4; ++i) game.hold(i % 2 == 0 ? kForward : kBack, 60);

@@ -8,8 +8,8 @@
 #include "base/files.h"
 #include "base/hash.h"
 #include "map/load.h"
-#include "world/deed.h"
 #include "world/soak.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade {
 namespace {
@@ -24,19 +24,20 @@ TEST(Soak, StaysInTheWorldOverMosaicsOfSteps) {
     }
 }
 
-/// Any deed on any occasion, to any sectors.
-Trigger random_trigger(Map& map, Occasion occasion, Random& random) {
-    static constexpr Deed kDeeds[] = {Deed::door,  Deed::open,   Deed::close,   Deed::close_then_open,
-                                      Deed::lift,  Deed::floor,  Deed::shuttle, Deed::ceiling,
-                                      Deed::crush, Deed::stairs, Deed::stop,    Deed::teleport};
+/// Any action on any activation, to any sectors.
+Trigger random_trigger(Map& map, Activation activation, Random& random) {
+    static constexpr TriggerAction kActions[] = {
+        TriggerAction::door,  TriggerAction::open,   TriggerAction::close,   TriggerAction::close_then_open,
+        TriggerAction::lift,  TriggerAction::floor,  TriggerAction::shuttle, TriggerAction::ceiling,
+        TriggerAction::crush, TriggerAction::stairs, TriggerAction::stop,    TriggerAction::teleport};
     Trigger trigger;
-    trigger.on = occasion;
-    trigger.deed = kDeeds[random.below(std::size(kDeeds))];
+    trigger.on = activation;
+    trigger.action = kActions[random.below(std::size(kActions))];
     trigger.targets = {static_cast<std::uint32_t>(map.targets.size()), static_cast<std::uint32_t>(1 + random.below(3))};
     for (std::uint32_t i = 0; i < trigger.targets.count; ++i)
         map.targets.emplace_back(random.below(map.sectors.size()));
-    if (trigger.deed == Deed::teleport) trigger.destination = ThingId(random.below(map.things.size()));
-    trigger.to = static_cast<Level>(random.below(9));
+    if (trigger.action == TriggerAction::teleport) trigger.destination = ThingId(random.below(map.things.size()));
+    trigger.to = static_cast<HeightLevel>(random.below(9));
     trigger.by = random.uniform(-1, 1);
     trigger.speed = random.uniform(0.5, 12);
     trigger.wait_s = random.uniform(0, 2);
@@ -59,11 +60,11 @@ Map restless(Map map, std::uint64_t seed) {
     }
     for (Sector& sector : map.sectors) {
         sector.triggers = {static_cast<std::uint32_t>(map.triggers.size()), 2};
-        for (const Occasion on : {Occasion::enter, Occasion::use})
+        for (const Activation on : {Activation::enter, Activation::use})
             map.triggers.push_back(random_trigger(map, on, random));
         Surface moving = map[sector.floor.surface];
         moving.scroll = {random.uniform(-3, 3), random.uniform(-3, 3)};
-        sector.floor.surface = LayId(map.surfaces.size());
+        sector.floor.surface = SurfaceId(map.surfaces.size());
         map.surfaces.push_back(moving);
         sector.floor.carries = random.below(4) == 0;
     }

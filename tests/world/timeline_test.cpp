@@ -14,8 +14,8 @@ MapFile busy_rooms() {
     MapFile file = map_of({box_room("hall", 0, 0, 8, 4, 0, 3), box_room("gate", 8, 0, 9, 4, 0, 3),
                            box_room("room", 9, 0, 17, 4, 0.5, 3)});
     join_all(file);
-    sector(file, "gate").triggers = {trigger_on(Occasion::enter, Deed::close_then_open)};
-    sector(file, "room").triggers = {trigger_on(Occasion::start, Deed::shuttle)};
+    sector(file, "gate").triggers = {trigger_on(Activation::enter, TriggerAction::close_then_open)};
+    sector(file, "room").triggers = {trigger_on(Activation::start, TriggerAction::shuttle)};
     for (const char* name : {"gate", "room"}) sector(file, name).triggers[0].wait = 0.25;
     ThingRecord gem;
     gem.position = {4, 2};
@@ -41,7 +41,7 @@ struct Played {
 TEST(Timeline, GivesEveryMomentOfThePastAgain) {
     const Played played;
     EXPECT_GT(played.timeline.world().history.changes().size(), 3u);
-    EXPECT_EQ(played.timeline.world().history.takings().size(), 1u);
+    EXPECT_EQ(played.timeline.world().history.pickups().size(), 1u);
     for (std::size_t tick = 0; tick <= 1000; tick += 7)
         ASSERT_EQ(hash(played.timeline.after(played.map, tick)), played.hashes[tick]) << tick;
 }

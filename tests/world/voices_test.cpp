@@ -127,7 +127,7 @@ MapFile hall_door_room() {
         {box_room("hall", 0, 0, 8, 4, 0, 3), box_room("door", 8, 0, 9, 4, 0, 0), box_room("room", 9, 0, 17, 4, 0, 3)});
     join_all(file);
     place_player(file, "hall", {6.5, 2}, kEyeOnFloor);
-    TriggerRecord opens = trigger_on(Occasion::use, Deed::door);
+    TriggerRecord opens = trigger_on(Activation::use, TriggerAction::door);
     opens.wait = 1;
     sector(file, "door").triggers = {opens};
     return file;
@@ -266,7 +266,7 @@ TEST(Voices, OfADoorThatTurnsRoundDoNotSayThatItArrived) {
 
 TEST(Voices, OfASwitchComeFromItsWall) {
     MapFile file = map_of({box_room("hall", 0, 0, 8, 4)});
-    TriggerRecord click = trigger_on(Occasion::use, Deed::sound);
+    TriggerRecord click = trigger_on(Activation::use, TriggerAction::sound);
     click.sound = "click";
     wall(file, "hall", {8, 0}, {8, 4}).triggers = {click};
     place_player(file, "hall", {7, 2}, kEyeOnFloor);
@@ -282,7 +282,7 @@ TEST(Voices, OfASwitchComeFromItsWall) {
 
 TEST(Voices, OfAPanelComeFromItsMiddle) {
     MapFile file = map_of({box_room("hall", 0, 0, 8, 4)});
-    TriggerRecord click = trigger_on(Occasion::use, Deed::sound);
+    TriggerRecord click = trigger_on(Activation::use, TriggerAction::sound);
     click.sound = "click";
     PanelRecord lever;
     lever.a = {7.5, 0.5};

@@ -135,7 +135,7 @@ TEST(WayBack, IsGoneWhenOneIsCarriedOff) {
     ThingRecord& there = file.things.emplace_back();
     there.name = "there";
     there.position = {302, 100};
-    sector(file, "far").triggers = {trigger_on(Occasion::enter, Deed::teleport, {"there"})};
+    sector(file, "far").triggers = {trigger_on(Activation::enter, TriggerAction::teleport, {"there"})};
     Game game(file);
     game.hold(kForward, 60);
     ASSERT_EQ(game.room(), "third");

@@ -51,14 +51,14 @@ void Overlay::dot(int x, int y, Color color) {
     pixel = blend(pixel, color);
 }
 
-void Overlay::fill(const Box& box, Color color) {
+void Overlay::fill(const Rect& box, Color color) {
     const int left = std::max(box.left, 0), right = std::min(box.left + box.width, frame_.width);
     const int top = std::max(box.top, 0), bottom = std::min(box.top + box.height, frame_.height);
     for (int y = top; y < bottom; ++y)
         for (int x = left; x < right; ++x) dot(x, y, color);
 }
 
-void Overlay::outline(const Box& box, Color color) {
+void Overlay::outline(const Rect& box, Color color) {
     fill({box.left, box.top, box.width, scale_}, color);
     fill({box.left, box.top + box.height - scale_, box.width, scale_}, color);
     fill({box.left, box.top + scale_, scale_, box.height - 2 * scale_}, color);

@@ -21,7 +21,7 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t most);
 using Color = std::uint32_t;
 
 /// A rectangle of pixels [left, left + width) x [top, top + height).
-struct Box {
+struct Rect {
     int left = 0, top = 0, width = 0, height = 0;
     bool contains(double x, double y) const { return x >= left && x < left + width && y >= top && y < top + height; }
 };
@@ -39,8 +39,8 @@ public:
     int text_width(std::string_view text) const { return length_of(text) * Font::kWidth * scale_; }
 
     void dot(int x, int y, Color color);
-    void fill(const Box& box, Color color);
-    void outline(const Box& box, Color color);
+    void fill(const Rect& box, Color color);
+    void outline(const Rect& box, Color color);
     /// From the pixel that holds a to the pixel that holds b; without gaps, scale() thick.
     void line(Vec2 a, Vec2 b, Color color);
     /// One line of text, its top left corner at (x, y).

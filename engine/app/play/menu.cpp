@@ -34,20 +34,20 @@ MenuAction Menu::handle(const InputEvent& event, PlaySettings& settings) {
     return MenuAction::none;
 }
 
-MenuAction Menu::handle_key(Key key, PlaySettings& settings) {
+MenuAction Menu::handle_key(KeyCode key, PlaySettings& settings) {
     switch (key) {
-        case Key::escape: return MenuAction::resume;
-        case Key::up:
-        case Key::w: move(-1); return MenuAction::none;
-        case Key::down:
-        case Key::s: move(1); return MenuAction::none;
-        case Key::left:
-        case Key::a: return adjust(-1, settings);
-        case Key::right:
-        case Key::d: return adjust(1, settings);
-        case Key::enter:
-        case Key::space:
-        case Key::e: return choose(settings);
+        case KeyCode::escape: return MenuAction::resume;
+        case KeyCode::up:
+        case KeyCode::w: move(-1); return MenuAction::none;
+        case KeyCode::down:
+        case KeyCode::s: move(1); return MenuAction::none;
+        case KeyCode::left:
+        case KeyCode::a: return adjust(-1, settings);
+        case KeyCode::right:
+        case KeyCode::d: return adjust(1, settings);
+        case KeyCode::enter:
+        case KeyCode::space:
+        case KeyCode::e: return choose(settings);
         default: return MenuAction::none;
     }
 }
@@ -74,26 +74,28 @@ MenuAction Menu::handle_click(const MouseButtonChange& click, PlaySettings& sett
 }
 
 MenuAction Menu::choose(PlaySettings& settings) {
-    switch (static_cast<Entry>(chosen_)) {
-        case Entry::resume: return MenuAction::resume;
-        case Entry::restart: return MenuAction::restart;
-        case Entry::quit: return MenuAction::quit;
+    switch (static_cast<MenuEntry>(chosen_)) {
+        case MenuEntry::resume: return MenuAction::resume;
+        case MenuEntry::restart: return MenuAction::restart;
+        case MenuEntry::quit: return MenuAction::quit;
         default: return adjust(1, settings);
     }
 }
 
 MenuAction Menu::adjust(int steps, PlaySettings& settings) {
-    switch (static_cast<Entry>(chosen_)) {
-        case Entry::fov: widen_view(settings, steps); return MenuAction::settings_changed;
-        case Entry::mouse_speed:
+    switch (static_cast<MenuEntry>(chosen_)) {
+        case MenuEntry::fov: widen_view(settings, steps); return MenuAction::settings_changed;
+        case MenuEntry::mouse_speed:
             settings.mouse_speed = slide(settings.mouse_speed, steps, kMouseStep, kSlowestMouse, kFastestMouse);
             return MenuAction::settings_changed;
-        case Entry::fullscreen: settings.fullscreen = !settings.fullscreen; return MenuAction::settings_changed;
-        case Entry::true_pitch: settings.true_pitch = !settings.true_pitch; return MenuAction::settings_changed;
-        case Entry::volume:
+        case MenuEntry::fullscreen: settings.fullscreen = !settings.fullscreen; return MenuAction::settings_changed;
+        case MenuEntry::true_pitch: settings.true_pitch = !settings.true_pitch; return MenuAction::settings_changed;
+        case MenuEntry::volume:
             settings.volume = slide(settings.volume, steps, kVolumeStep, 0, 1);
             return MenuAction::settings_changed;
-        case Entry::pause: settings.pauses_unfocused = !settings.pauses_unfocused; return MenuAction::settings_changed;
+        case MenuEntry::pause:
+            settings.pauses_unfocused = !settings.pauses_unfocused;
+            return MenuAction::settings_changed;
         default: return MenuAction::none;
     }
 }
@@ -101,21 +103,22 @@ MenuAction Menu::adjust(int steps, PlaySettings& settings) {
 void Menu::move(int steps) { chosen_ = (chosen_ + steps + kEntries) % kEntries; }
 
 int Menu::entry_at(double x, double y) const {
-    const auto under = std::ranges::find_if(boxes_, [&](const Box& box) { return box.contains(x, y); });
+    const auto under = std::ranges::find_if(boxes_, [&](const Rect& box) { return box.contains(x, y); });
     return under == boxes_.end() ? -1 : int(under - boxes_.begin());
 }
 
-std::string Menu::label(Entry entry, const PlaySettings& settings) {
+std::string Menu::label(MenuEntry entry, const PlaySettings& settings) {
     switch (entry) {
-        case Entry::resume: return "Resume";
-        case Entry::restart: return "Restart map";
-        case Entry::fov: return fmt::format("Field of view   < {:3.0f} >", settings.fov_degrees);
-        case Entry::mouse_speed: return fmt::format("Mouse speed     < {:.1f} >", settings.mouse_speed);
-        case Entry::fullscreen: return fmt::format("Full screen     < {:>3} >", settings.fullscreen ? "on" : "off");
-        case Entry::true_pitch: return fmt::format("True pitch (F2) < {:>3} >", settings.true_pitch ? "on" : "off");
-        case Entry::volume: return fmt::format("Volume          < {:3.0f} >", 100 * settings.volume);
-        case Entry::pause: return fmt::format("Pause when away < {:>3} >", settings.pauses_unfocused ? "on" : "off");
-        case Entry::quit: return "Quit";
+        case MenuEntry::resume: return "Resume";
+        case MenuEntry::restart: return "Restart map";
+        case MenuEntry::fov: return fmt::format("Field of view   < {:3.0f} >", settings.fov_degrees);
+        case MenuEntry::mouse_speed: return fmt::format("Mouse speed     < {:.1f} >", settings.mouse_speed);
+        case MenuEntry::fullscreen: return fmt::format("Full screen     < {:>3} >", settings.fullscreen ? "on" : "off");
+        case MenuEntry::true_pitch: return fmt::format("True pitch (F2) < {:>3} >", settings.true_pitch ? "on" : "off");
+        case MenuEntry::volume: return fmt::format("Volume          < {:3.0f} >", 100 * settings.volume);
+        case MenuEntry::pause:
+            return fmt::format("Pause when away < {:>3} >", settings.pauses_unfocused ? "on" : "off");
+        case MenuEntry::quit: return "Quit";
     }
     return {};
 }
@@ -131,7 +134,7 @@ void Menu::draw(Overlay& overlay, const PlaySettings& settings) {
     const int pitch = overlay.line_height() * 3 / 2, top = (overlay.height() - pitch * kEntries) / 2;
     draw_centered(overlay, top - 2 * pitch, "ENFILADE", kTitleInk);
     for (int i = 0; i < kEntries; ++i) {
-        const std::string text = label(static_cast<Entry>(i), settings);
+        const std::string text = label(static_cast<MenuEntry>(i), settings);
         const int width = std::max(overlay.text_width(text), overlay.width() / 3);
         boxes_[std::size_t(i)] = {(overlay.width() - width) / 2, top + i * pitch, width, pitch};
         draw_centered(overlay, top + i * pitch + pitch / 6, text, i == chosen_ ? kChosenInk : kInk);

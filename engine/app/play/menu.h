@@ -28,10 +28,20 @@ public:
     void draw(Overlay& overlay, const PlaySettings& settings);
 
 private:
-    enum class Entry : std::uint8_t { resume, restart, fov, mouse_speed, fullscreen, true_pitch, volume, pause, quit };
+    enum class MenuEntry : std::uint8_t {
+        resume,
+        restart,
+        fov,
+        mouse_speed,
+        fullscreen,
+        true_pitch,
+        volume,
+        pause,
+        quit
+    };
     static constexpr int kEntries = 9;
 
-    MenuAction handle_key(Key key, PlaySettings& settings);
+    MenuAction handle_key(KeyCode key, PlaySettings& settings);
     MenuAction handle_button(GamepadButton button, PlaySettings& settings);
     MenuAction handle_click(const MouseButtonChange& click, PlaySettings& settings);
     MenuAction choose(PlaySettings& settings);
@@ -39,11 +49,11 @@ private:
     void move(int steps);
     /// The entry under a point, or -1.
     int entry_at(double x, double y) const;
-    static std::string label(Entry entry, const PlaySettings& settings);
+    static std::string label(MenuEntry entry, const PlaySettings& settings);
 
     bool open_ = false;
     int chosen_ = 0;
-    std::array<Box, kEntries> boxes_{};
+    std::array<Rect, kEntries> boxes_{};
 };
 
 }  // namespace enfilade

@@ -77,7 +77,7 @@ constexpr double kZoomFactor = 1.25;
 constexpr int kMostZoom = 10;
 
 /// Where the inset is: the upper right corner, away from notices and health.
-Box inset_box(const Frame& frame) {
+Rect inset_box(const Frame& frame) {
     const int width = std::max(1, int(frame.width * kInset)), height = std::max(1, int(frame.height * kInset));
     return {frame.width - width, 0, width, height};
 }
@@ -94,7 +94,7 @@ void shrink(const Frame& from, Frame& to) {
                 from.pixels[index_of(from, x * from.width / to.width, y * from.height / to.height)];
 }
 
-void put(Frame& frame, const Frame& inset, const Box& box) {
+void put(Frame& frame, const Frame& inset, const Rect& box) {
     for (int y = 0; y < box.height; ++y)
         std::copy_n(inset.pixels.begin() + std::ptrdiff_t(index_of(inset, 0, y)), box.width,
                     frame.pixels.begin() + std::ptrdiff_t(index_of(frame, box.left, box.top + y)));
@@ -111,7 +111,7 @@ void OutsideView::zoom(int steps) { zoom_steps_ = std::clamp(zoom_steps_ + steps
 void OutsideView::draw(Overlay& overlay, Frame& frame, OutsideRenderer& renderer, const Snapshot& snapshot,
                        const View& view, std::size_t threads) {
     if (shown_ == Shown::nowhere) return;
-    const Box box = inset_box(frame);
+    const Rect box = inset_box(frame);
     inset_.resize(box.width, box.height);
     const OutsideLook look{from_, kUsualReach / std::pow(kZoomFactor, zoom_steps_), frame.width, frame.height};
     if (shown_ == Shown::inset) {

@@ -71,11 +71,11 @@ void PlayLoop::handle(const InputEvent& event) {
     if (std::holds_alternative<QuitRequest>(event)) quit_ = true;
     if (const auto* focus = std::get_if<FocusChange>(&event)) change_focus(focus->focused);
     if (const auto* motion = std::get_if<MouseMotion>(&event)) mouse_ = *motion;
-    if (const auto* key = std::get_if<KeyChange>(&event); key && key->key == Key::f1 && key->down && !key->repeat)
+    if (const auto* key = std::get_if<KeyChange>(&event); key && key->key == KeyCode::f1 && key->down && !key->repeat)
         keys_open_ = !keys_open_;
     if (menu_.is_open()) return obey(menu_.handle(event, settings_));
     input_.handle(event, settings_.mouse_speed, window_.mouse_grabbed());
-    if (const auto* key = std::get_if<KeyChange>(&event); key && key->key == Key::r) rewinding_ = key->down;
+    if (const auto* key = std::get_if<KeyChange>(&event); key && key->key == KeyCode::r) rewinding_ = key->down;
     if (const auto* key = std::get_if<KeyChange>(&event); key && key->down && !key->repeat) handle_key(key->key);
     if (const auto* button = std::get_if<GamepadButtonChange>(&event); button && button->down)
         handle_gamepad(button->button);
@@ -83,22 +83,22 @@ void PlayLoop::handle(const InputEvent& event) {
     if (const auto* wheel = std::get_if<MouseWheel>(&event)) turn_wheel(wheel->steps > 0 ? 1 : -1);
 }
 
-void PlayLoop::handle_key(Key key) {
+void PlayLoop::handle_key(KeyCode key) {
     switch (key) {
-        case Key::escape: return open_menu();
-        case Key::tab: return game_.automap().toggle();
-        case Key::plus: return zoom(1);
-        case Key::minus: return zoom(-1);
-        case Key::f2: change_renderer(); return;
-        case Key::f3: readout_open_ = !readout_open_; return;
-        case Key::f4: return outside_.show_next();
-        case Key::f8: return fly_or_land();
-        case Key::f7: pixel_text_open_ = !pixel_text_open_; return;
-        case Key::f6: return outside_.change_side();
-        case Key::f5: return save_game();
-        case Key::f9: return load_game();
-        case Key::f11: settings_.fullscreen = !settings_.fullscreen; return apply_settings();
-        case Key::f12: screenshot_wanted_ = true; return;
+        case KeyCode::escape: return open_menu();
+        case KeyCode::tab: return game_.automap().toggle();
+        case KeyCode::plus: return zoom(1);
+        case KeyCode::minus: return zoom(-1);
+        case KeyCode::f2: change_renderer(); return;
+        case KeyCode::f3: readout_open_ = !readout_open_; return;
+        case KeyCode::f4: return outside_.show_next();
+        case KeyCode::f8: return fly_or_land();
+        case KeyCode::f7: pixel_text_open_ = !pixel_text_open_; return;
+        case KeyCode::f6: return outside_.change_side();
+        case KeyCode::f5: return save_game();
+        case KeyCode::f9: return load_game();
+        case KeyCode::f11: settings_.fullscreen = !settings_.fullscreen; return apply_settings();
+        case KeyCode::f12: screenshot_wanted_ = true; return;
         default: return;
     }
 }
@@ -118,7 +118,7 @@ void PlayLoop::fly_or_land() {
 }
 
 void PlayLoop::turn_wheel(int steps) {
-    if (!input_.held(Key::left_control) && !input_.held(Key::right_control)) return zoom(steps);
+    if (!input_.held(KeyCode::left_control) && !input_.held(KeyCode::right_control)) return zoom(steps);
     widen_view(settings_, -steps);
     notices_.update("fov", fmt::format("Field of view: {:.0f} degrees", settings_.fov_degrees), now_s());
 }

@@ -43,7 +43,7 @@ private:
     void handle(const InputEvent& event);
     /// Away from the window the game stands still, if the player wishes.
     void change_focus(bool focused);
-    void handle_key(Key key);
+    void handle_key(KeyCode key);
     void handle_gamepad(GamepadButton button);
     /// With Control the field of view, else zoom(). steps > 0: nearer.
     void turn_wheel(int steps);
@@ -117,7 +117,7 @@ private:
     Soundscape sounds_;
     FrameTimes times_;
     std::int64_t started_ns_ = 0, passed_until_ns_ = 0, ticked_until_ns_ = 0, looked_ns_ = 0, remembered_ns_ = 0;
-    std::uint64_t told_ = 0;         ///< tick of the news that were told last
+    std::uint64_t told_ = 0;         ///< tick of the message that was told last
     std::size_t rewound_ticks_ = 0;  ///< since R is held
     bool rewinding_ = false;
     MouseMotion mouse_;  ///< the last one

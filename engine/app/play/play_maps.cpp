@@ -57,9 +57,9 @@ void PlayLoop::follow_events() {
     follow_recording();
     const World& world = game_.world();
     if (world.tick < told_) told_ = world.tick;
-    if (world.news && world.news->tick > told_) {
-        told_ = world.news->tick;
-        const std::string text = news_text(game_.map(), *world.news);
+    if (world.message && world.message->tick > told_) {
+        told_ = world.message->tick;
+        const std::string text = message_text(game_.map(), *world.message);
         if (!text.empty()) tell(text);
     }
     if (world.left_by) leave_map();

@@ -47,7 +47,7 @@ std::int32_t clamped(std::int64_t steps) {
 void PlayerInput::handle(const InputEvent& event, double mouse_speed, bool mouse_looks) {
     if (const auto* key = std::get_if<KeyChange>(&event)) {
         hold(key->key, key->down);
-        if (key->key == Key::home && key->down) center_ = true;
+        if (key->key == KeyCode::home && key->down) center_ = true;
         control_zooms_ = control_zooms_ && control_held();
     } else if (std::holds_alternative<MouseWheel>(event)) {
         control_zooms_ = control_held();
@@ -69,27 +69,28 @@ void PlayerInput::handle(const InputEvent& event, double mouse_speed, bool mouse
 
 void PlayerInput::release_all() { *this = {}; }
 
-double PlayerInput::part_of_pace() const { return held(Key::left_alt) || held(Key::right_alt) ? kSlowly : 1; }
+double PlayerInput::part_of_pace() const { return held(KeyCode::left_alt) || held(KeyCode::right_alt) ? kSlowly : 1; }
 
 double PlayerInput::forward() const {
-    const int keys = int{held(Key::w) || held(Key::up)} - int{held(Key::s) || held(Key::down)};
+    const int keys = int{held(KeyCode::w) || held(KeyCode::up)} - int{held(KeyCode::s) || held(KeyCode::down)};
     return keys - pushed(axis(GamepadAxis::left_y));
 }
 
-double PlayerInput::strafe() const { return balance(Key::d, Key::a) + pushed(axis(GamepadAxis::left_x)); }
+double PlayerInput::strafe() const { return balance(KeyCode::d, KeyCode::a) + pushed(axis(GamepadAxis::left_x)); }
 
 LookSteps PlayerInput::held_look() const {
     const double key_turn = pressed() & kButtonRun ? kKeyTurnRunning : kKeyTurn;
-    return {steps_per_tick(balance(Key::right, Key::left) * key_turn + curved(axis(GamepadAxis::right_x)) * kStickTurn),
-            steps_per_tick(balance(Key::page_up, Key::page_down) * kKeyLook -
+    return {steps_per_tick(balance(KeyCode::right, KeyCode::left) * key_turn +
+                           curved(axis(GamepadAxis::right_x)) * kStickTurn),
+            steps_per_tick(balance(KeyCode::page_up, KeyCode::page_down) * kKeyLook -
                            curved(axis(GamepadAxis::right_y)) * kStickLook)};
 }
 
 std::uint8_t PlayerInput::pressed() const {
-    const bool run = held(Key::left_shift) || held(Key::right_shift) || held(GamepadButton::left_shoulder) ||
+    const bool run = held(KeyCode::left_shift) || held(KeyCode::right_shift) || held(GamepadButton::left_shoulder) ||
                      held(GamepadButton::left_stick);
-    const bool crouch = held(Key::c) || (control_held() && !control_zooms_) || held(GamepadButton::b);
-    const bool use = held(Key::e) || held(Key::space) || held(GamepadButton::a) || held(GamepadButton::x);
+    const bool crouch = held(KeyCode::c) || (control_held() && !control_zooms_) || held(GamepadButton::b);
+    const bool use = held(KeyCode::e) || held(KeyCode::space) || held(GamepadButton::a) || held(GamepadButton::x);
     return static_cast<std::uint8_t>((run ? kButtonRun : 0) | (crouch ? kButtonCrouch : 0) | (use ? kButtonUse : 0));
 }
 

@@ -27,7 +27,7 @@ public:
     /// mouse_speed: factor on the turn per pixel. The mouse turns the head only where `mouse_looks`.
     void handle(const InputEvent& event, double mouse_speed, bool mouse_looks);
 
-    bool held(Key key) const { return keys_[static_cast<std::size_t>(key)]; }
+    bool held(KeyCode key) const { return keys_[static_cast<std::size_t>(key)]; }
 
     /// Everything is let go, e.g. because a menu opened.
     void release_all();
@@ -41,12 +41,12 @@ public:
     LookSteps ahead(double part) const;
 
 private:
-    void hold(Key key, bool down) { keys_[static_cast<std::size_t>(key)] = down; }
+    void hold(KeyCode key, bool down) { keys_[static_cast<std::size_t>(key)] = down; }
     void hold(GamepadButton button, bool down) { buttons_[static_cast<std::size_t>(button)] = down; }
     bool held(GamepadButton button) const { return buttons_[static_cast<std::size_t>(button)]; }
     double axis(GamepadAxis axis) const { return axes_[static_cast<std::size_t>(axis)]; }
     /// 1, 0 or -1.
-    int balance(Key plus, Key minus) const { return int{held(plus)} - int{held(minus)}; }
+    int balance(KeyCode plus, KeyCode minus) const { return int{held(plus)} - int{held(minus)}; }
 
     /// The part of the pace that is asked for, 0..1.
     double part_of_pace() const;
@@ -54,7 +54,7 @@ private:
     double strafe() const;
     LookSteps held_look() const;
     std::uint8_t pressed() const;
-    bool control_held() const { return held(Key::left_control) || held(Key::right_control); }
+    bool control_held() const { return held(KeyCode::left_control) || held(KeyCode::right_control); }
 
     std::array<bool, kKeyCount> keys_{};
     std::array<bool, 16> buttons_{};

@@ -26,14 +26,14 @@ std::string keys_text(const Map& map, const World& world) {
 
 }  // namespace
 
-std::string news_text(const Map& map, const News& news) {
-    switch (news.kind) {
-        case NewsKind::needs_key: return fmt::format("You need the {} key.", map.keys[news.number]);
-        case NewsKind::got_key: return fmt::format("You have the {} key.", map.keys[news.number]);
-        case NewsKind::healed: return "You feel better.";
-        case NewsKind::secret: return "You found a secret place.";
-        case NewsKind::hurt:
-        case NewsKind::died: return "";
+std::string message_text(const Map& map, const PlayerMessage& message) {
+    switch (message.kind) {
+        case PlayerMessageKind::needs_key: return fmt::format("You need the {} key.", map.keys[message.number]);
+        case PlayerMessageKind::got_key: return fmt::format("You have the {} key.", map.keys[message.number]);
+        case PlayerMessageKind::healed: return "You feel better.";
+        case PlayerMessageKind::secret: return "You found a secret place.";
+        case PlayerMessageKind::hurt:
+        case PlayerMessageKind::died: return "";
     }
     return "";
 }
@@ -156,7 +156,7 @@ void draw_keys(Overlay& overlay) {
     int width = 0;
     for (const std::string& line : lines) width = std::max(width, overlay.text_width(line));
     const int pitch = overlay.line_height(), height = pitch * static_cast<int>(lines.size() + 1);
-    const Box panel{(overlay.width() - width - pitch) / 2, (overlay.height() - height) / 2, width + pitch, height};
+    const Rect panel{(overlay.width() - width - pitch) / 2, (overlay.height() - height) / 2, width + pitch, height};
     overlay.fill(panel, kKeysPanel);
     int y = panel.top + pitch / 2;
     for (const std::string& line : lines) {
@@ -210,7 +210,7 @@ void Notices::draw(Overlay& overlay, double now_s) {
     std::vector<std::string> lines;
     for (const std::string& line : pinned_)
         for (std::string& piece : wrapped(line, most)) lines.push_back(std::move(piece));
-    const Box panel{margin, y, overlay.width() - 2 * margin, int(lines.size()) * overlay.line_height() + margin};
+    const Rect panel{margin, y, overlay.width() - 2 * margin, int(lines.size()) * overlay.line_height() + margin};
     overlay.fill(panel, kPanel);
     for (std::size_t i = 0; i < lines.size(); ++i)
         overlay.text(2 * margin, y + margin / 2 + int(i) * overlay.line_height(), lines[i], kInk);

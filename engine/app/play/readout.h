@@ -13,10 +13,10 @@
 
 namespace enfilade {
 
-// What the player is told while playing: news, health, keys.
+// What the player is told while playing: messages, health, keys.
 
-/// The news as a sentence; empty where it is shown otherwise.
-std::string news_text(const Map& map, const News& news);
+/// The message as a sentence; empty where it is shown otherwise.
+std::string message_text(const Map& map, const PlayerMessage& message);
 
 /// In the lower left corner: health, once it is less than full, and the keys one has. Nothing in a map without either.
 void draw_status(Overlay& overlay, const Map& map, const World& world);

@@ -32,7 +32,7 @@ void Soundscape::hear(const Map& map, const World& world, double volume) {
     heard_tick_ = world.tick;
     const Listener listener{world.player.place, world.player.yaw};
     const auto tick = static_cast<double>(world.tick);
-    audio_->hear(voices_at(now(map, world), *hearing_, listener, lengths_s_, Hearing::kGlancesATick), tick, volume);
+    audio_->hear(voices_at(now(map, world), *hearing_, listener, lengths_s_, Hearing::kBeamsATick), tick, volume);
 }
 
 void Soundscape::fall_silent() {

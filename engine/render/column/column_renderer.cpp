@@ -17,7 +17,7 @@ using namespace column;
 struct ColumnRenderer::Scratch {
     const Map& map;
     const TextureSet& textures;
-    Screen screen;
+    RayTables screen;
     Canvas own_canvas;  ///< without memory as long as others are given
     FrameState state;
     ViewportDrawer drawer;
@@ -87,7 +87,8 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Snaps
     canvas.set(columns.begin, columns.end, frame.height);
     s.column.start_frame(frame.width, frame.height);
     LightGrids* lights = built_in::kPointLights ? s.lights.where_lit() : nullptr;
-    const Scene scene{s.map, s.textures, snapshot, s.screen, canvas, facts, lights, s.column, s.kernels, s.passes};
+    const ColumnScene scene{s.map, s.textures, snapshot, s.screen,  canvas,
+                            facts, lights,     s.column, s.kernels, s.passes};
     start_frame(s.state, s.map, view, columns, frame.height);
     while (!s.state.stack.empty()) {
         Viewport& next = *s.state.stack.back();

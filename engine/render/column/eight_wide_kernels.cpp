@@ -114,7 +114,7 @@ void fill_walls(const PlainWalls& w) {
 }
 
 /// What all columns of a flat have in common.
-struct Picture {
+struct FlatPicture {
     __m256i width, height;
     __m128i to_column, to_row, row_bits;
     __m256d base_u, base_v;
@@ -123,7 +123,7 @@ struct Picture {
     const std::uint32_t* colors;
 };
 
-WITH_AVX2 inline Picture picture_of(const PlainFlats& f) {
+WITH_AVX2 inline FlatPicture picture_of(const PlainFlats& f) {
     const Texture& t = *f.texture;
     return {_mm256_set1_epi32(static_cast<int>(t.width)),
             _mm256_set1_epi32(static_cast<int>(t.height)),
@@ -138,7 +138,7 @@ WITH_AVX2 inline Picture picture_of(const PlainFlats& f) {
 }
 
 template <bool kByShifts>
-WITH_AVX2 inline __m256i texel_numbers(const Picture& p, __m256i u, __m256i v) {
+WITH_AVX2 inline __m256i texel_numbers(const FlatPicture& p, __m256i u, __m256i v) {
     if (kByShifts)
         return _mm256_or_si256(_mm256_sll_epi32(_mm256_srl_epi32(u, p.to_column), p.row_bits),
                                _mm256_srl_epi32(v, p.to_row));
@@ -146,7 +146,7 @@ WITH_AVX2 inline __m256i texel_numbers(const Picture& p, __m256i u, __m256i v) {
 }
 
 /// One column of a flat.
-struct FlatColumn {
+struct FlatPixels {
     std::uint32_t* pixels;  ///< the first that is drawn
     int count;
     const double* depths;
@@ -155,13 +155,13 @@ struct FlatColumn {
 };
 
 /// The numbers of eight texels, by pixel.
-struct Numbers {
+struct EightNumbers {
     std::uint64_t p01, p23, p45, p67;
 };
 
 template <bool kByShifts>
-WITH_AVX2 inline Numbers numbers_at(const Picture& p, const FlatColumn& column, int i, __m256d step_u, __m256d step_v,
-                                    __m256d farthest) {
+WITH_AVX2 inline EightNumbers numbers_at(const FlatPicture& p, const FlatPixels& column, int i, __m256d step_u,
+                                         __m256d step_v, __m256d farthest) {
     const __m256d shift = _mm256_set1_pd(kStepShift);
     const __m256d a = _mm256_min_pd(_mm256_loadu_pd(column.depths + i), farthest);
     const __m256d b = _mm256_min_pd(_mm256_loadu_pd(column.depths + i + 4), farthest);
@@ -176,7 +176,7 @@ WITH_AVX2 inline Numbers numbers_at(const Picture& p, const FlatColumn& column, 
             static_cast<std::uint64_t>(_mm_extract_epi64(second, 1))};
 }
 
-WITH_AVX2 inline __m256i shaded_texels(const Picture& p, const FlatColumn& column, int i, const Numbers& at) {
+WITH_AVX2 inline __m256i shaded_texels(const FlatPicture& p, const FlatPixels& column, int i, const EightNumbers& at) {
     const auto texel = [&](std::uint64_t n) __attribute__((always_inline)) { return static_cast<int>(p.texels[n]); };
     const __m256i eight = _mm256_setr_epi32(
         texel(at.p01 & 0xFFFFFFFFu), texel(at.p01 >> 32), texel(at.p23 & 0xFFFFFFFFu), texel(at.p23 >> 32),
@@ -184,7 +184,7 @@ WITH_AVX2 inline __m256i shaded_texels(const Picture& p, const FlatColumn& colum
     return shaded_eight(eight, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(column.darkness + i)));
 }
 
-inline void lay_looked_up(const Picture& p, const FlatColumn& column, int i, const Numbers& at) {
+inline void lay_looked_up(const FlatPicture& p, const FlatPixels& column, int i, const EightNumbers& at) {
     const std::uint32_t* const darkness = column.darkness + i;
     std::uint32_t* const pixels = column.pixels + i;
     const auto lay_two = [&](int k, std::uint64_t two) __attribute__((always_inline)) {
@@ -200,12 +200,12 @@ inline void lay_looked_up(const Picture& p, const FlatColumn& column, int i, con
 }
 
 template <bool kByShifts, bool kByTable>
-WITH_AVX2 inline void fill_column(const Picture& p, const FlatColumn& column) {
+WITH_AVX2 inline void fill_column(const FlatPicture& p, const FlatPixels& column) {
     const __m256d step_u = _mm256_set1_pd(column.step_u), step_v = _mm256_set1_pd(column.step_v);
     const __m256d farthest = _mm256_set1_pd(column.farthest);
     for (int i = 0; i < column.count; i += kWide) {
         if (i + kWide > column.count) i = column.count - kWide;
-        const Numbers at = numbers_at<kByShifts>(p, column, i, step_u, step_v, farthest);
+        const EightNumbers at = numbers_at<kByShifts>(p, column, i, step_u, step_v, farthest);
         if (kByTable)
             lay_looked_up(p, column, i, at);
         else
@@ -215,9 +215,9 @@ WITH_AVX2 inline void fill_column(const Picture& p, const FlatColumn& column) {
 
 /// Fewer than eight pixels: of eight those that are wanted.
 template <bool kByShifts, bool kByTable>
-WITH_AVX2 [[gnu::noinline]] void fill_short_column(const Picture& p, const FlatColumn& column) {
-    const Numbers at = numbers_at<kByShifts>(p, column, 0, _mm256_set1_pd(column.step_u), _mm256_set1_pd(column.step_v),
-                                             _mm256_set1_pd(column.farthest));
+WITH_AVX2 [[gnu::noinline]] void fill_short_column(const FlatPicture& p, const FlatPixels& column) {
+    const EightNumbers at = numbers_at<kByShifts>(p, column, 0, _mm256_set1_pd(column.step_u),
+                                                  _mm256_set1_pd(column.step_v), _mm256_set1_pd(column.farthest));
     if (!kByTable) {
         store_first(column.pixels, column.count, shaded_texels(p, column, 0, at));
         return;
@@ -231,11 +231,11 @@ WITH_AVX2 [[gnu::noinline]] void fill_short_column(const Picture& p, const FlatC
 
 template <bool kByShifts, bool kByTable>
 WITH_AVX2 void fill_flats_as(const PlainFlats& f) {
-    const Picture picture = picture_of(f);
+    const FlatPicture picture = picture_of(f);
     for (int i = 0; i < f.runs.count; ++i) {
         const int top = f.runs.tops[i], count = f.runs.bottoms[i] - top;
         if (count <= 0) continue;
-        const FlatColumn column{f.runs.pixels + i * f.runs.pitch + top,
+        const FlatPixels column{f.runs.pixels + i * f.runs.pitch + top,
                                 count,
                                 f.row_depths + top,
                                 f.row_darkness + top,

@@ -53,12 +53,12 @@ WITH_AVX2 inline __m256i two_and_two(const LightCell* cells, std::uint32_t numbe
 }
 
 /// Eight points of light, and of each the next one.
-struct Neighbours {
+struct CellPairs {
     Channels points, next;
 };
 
 /// Those of these numbers [8].
-WITH_AVX2 inline Neighbours eight_cells(const LightCell* cells, const std::uint32_t* n) {
+WITH_AVX2 inline CellPairs eight_cells(const LightCell* cells, const std::uint32_t* n) {
     const __m256i a = two_and_two(cells, n[0], n[4]), b = two_and_two(cells, n[1], n[5]);
     const __m256i c = two_and_two(cells, n[2], n[6]), d = two_and_two(cells, n[3], n[7]);
     const __m256i even = _mm256_unpacklo_epi64(a, b), odd = _mm256_unpacklo_epi64(c, d);
@@ -68,7 +68,7 @@ WITH_AVX2 inline Neighbours eight_cells(const LightCell* cells, const std::uint3
 }
 
 /// Eight times the same.
-WITH_AVX2 inline Neighbours one_cell(const LightCell* cell) {
+WITH_AVX2 inline CellPairs one_cell(const LightCell* cell) {
     const auto words = [&](std::uint64_t word) __attribute__((always_inline, target("avx2"))) {
         return _mm256_set1_epi32(static_cast<int>(word));
     };
@@ -76,7 +76,7 @@ WITH_AVX2 inline Neighbours one_cell(const LightCell* cell) {
 }
 
 /// light_between().
-WITH_AVX2 inline Channels mixed(const Neighbours& first, const Neighbours& second, __m256i across, __m256i along) {
+WITH_AVX2 inline Channels mixed(const CellPairs& first, const CellPairs& second, __m256i across, __m256i along) {
     return mixed(mixed(first.points, second.points, across), mixed(first.next, second.next, across), along);
 }
 
@@ -148,12 +148,14 @@ struct WallPositions {
 };
 
 template <bool kIsInside>
-WITH_AVX2 inline WallPositions<kIsInside> positions_of(const Run& run, const WallGlow& glow) {
+WITH_AVX2 inline WallPositions<kIsInside> positions_of(const Run& run, const WallLamplight& lamplight) {
     const auto row = [&](std::uint64_t i) {
-        return static_cast<long long>(glow.at_row_0 + glow.per_row * (static_cast<std::uint64_t>(run.first_row) + i));
+        return static_cast<long long>(lamplight.at_row_0 +
+                                      lamplight.per_row * (static_cast<std::uint64_t>(run.first_row) + i));
     };
     return {_mm256_setr_epi64x(row(0), row(1), row(4), row(5)), _mm256_setr_epi64x(row(2), row(3), row(6), row(7)),
-            _mm256_set1_epi64x(static_cast<long long>(glow.per_row * kWide)), _mm256_set1_epi32(glow.cells.count - 2)};
+            _mm256_set1_epi64x(static_cast<long long>(lamplight.per_row * kWide)),
+            _mm256_set1_epi32(lamplight.cells.count - 2)};
 }
 
 /// The light of these cells, none of which is more than seven after the last of them.
@@ -163,10 +165,10 @@ WITH_AVX2 inline Channels near_cells(const LightRow& row, int first, __m256i num
 }
 
 template <bool kIsAbove, bool kIsInside>
-WITH_AVX2 void light_wall_as(const LitRun& to, const WallGlow& glow) {
-    WallPositions<kIsInside> positions = positions_of<kIsInside>(to.run, glow);
-    const __m256i shades = _mm256_set1_epi16(static_cast<short>(glow.shade));
-    const LightRow row = glow.cells;
+WITH_AVX2 void light_wall_as(const LitRun& to, const WallLamplight& lamplight) {
+    WallPositions<kIsInside> positions = positions_of<kIsInside>(to.run, lamplight);
+    const __m256i shades = _mm256_set1_epi16(static_cast<short>(lamplight.shade));
+    const LightRow row = lamplight.cells;
     by_eight<kIsAbove>(
         to, [&](__m256i pixels, __m256i texels, int) __attribute__((always_inline, target("avx2,bmi2"))) {
             const __m256i cells = positions.cells();
@@ -218,16 +220,16 @@ WITH_AVX2 inline Channels light_of_cells(const LightCell* first, const LightCell
 }
 
 template <bool kIsAbove>
-WITH_AVX2 void light_flat_as(const LitRun& to, const FlatGlow& glow) {
-    const LightGrid& grid = *glow.grid;
-    const GridAxis u = axis_of(glow.base_u, glow.step_u, grid.columns);
-    const GridAxis v = axis_of(glow.base_v, glow.step_v, grid.rows);
-    const __m256d farthest = _mm256_set1_pd(glow.farthest);
+WITH_AVX2 void light_flat_as(const LitRun& to, const FlatLamplight& lamplight) {
+    const LightGrid& grid = *lamplight.grid;
+    const GridAxis u = axis_of(lamplight.base_u, lamplight.step_u, grid.columns);
+    const GridAxis v = axis_of(lamplight.base_v, lamplight.step_v, grid.rows);
+    const __m256d farthest = _mm256_set1_pd(lamplight.farthest);
     const __m256i column_length = _mm256_set1_epi32(grid.rows);
     const LightCell* const first = grid.cells.data();
     const LightCell* const second = first + grid.rows;
-    const double* const depths = glow.row_depths + to.run.first_row;
-    const Shade* const shades = glow.row_shades + to.run.first_row;
+    const double* const depths = lamplight.row_depths + to.run.first_row;
+    const Shade* const shades = lamplight.row_shades + to.run.first_row;
     by_eight<kIsAbove>(to, [&](__m256i pixels, __m256i texels,
                                int i) __attribute__((always_inline, target("avx2,bmi2"))) {
         const __m256d a = _mm256_min_pd(_mm256_loadu_pd(depths + i), farthest);
@@ -241,32 +243,34 @@ WITH_AVX2 void light_flat_as(const LitRun& to, const FlatGlow& glow) {
 }
 
 /// Whether eight rows are within eight cells.
-bool is_near(const WallGlow& glow) {
+bool is_near(const WallLamplight& lamplight) {
     constexpr std::int64_t kCell = std::int64_t{1} << 32;
-    const auto per_row = static_cast<std::int64_t>(glow.per_row);
+    const auto per_row = static_cast<std::int64_t>(lamplight.per_row);
     return -kCell <= per_row && per_row <= 0;
 }
 
 /// Whether all rows are at places between the points. The seven that may be looked at after them need not be.
-bool is_inside(const LitRun& to, const WallGlow& glow) {
-    const auto position = [&](int row) { return glow.at_row_0 + glow.per_row * static_cast<std::uint64_t>(row); };
-    const std::uint64_t end = static_cast<std::uint64_t>(glow.cells.count - 1) << 32;
+bool is_inside(const LitRun& to, const WallLamplight& lamplight) {
+    const auto position = [&](int row) {
+        return lamplight.at_row_0 + lamplight.per_row * static_cast<std::uint64_t>(row);
+    };
+    const std::uint64_t end = static_cast<std::uint64_t>(lamplight.cells.count - 1) << 32;
     return position(to.run.first_row) < end && position(to.run.first_row + to.run.count - 1) < end;
 }
 
-void light_wall(const LitRun& to, const WallGlow& glow) {
-    if (!is_near(glow)) return scalar_passes().lamps.light_wall(to, glow);
-    if (is_inside(to, glow))
-        to.texels ? light_wall_as<true, true>(to, glow) : light_wall_as<false, true>(to, glow);
+void light_wall(const LitRun& to, const WallLamplight& lamplight) {
+    if (!is_near(lamplight)) return scalar_passes().lamps.light_wall(to, lamplight);
+    if (is_inside(to, lamplight))
+        to.texels ? light_wall_as<true, true>(to, lamplight) : light_wall_as<false, true>(to, lamplight);
     else
-        to.texels ? light_wall_as<true, false>(to, glow) : light_wall_as<false, false>(to, glow);
+        to.texels ? light_wall_as<true, false>(to, lamplight) : light_wall_as<false, false>(to, lamplight);
 }
 
-void light_flat(const LitRun& to, const FlatGlow& glow) {
+void light_flat(const LitRun& to, const FlatLamplight& lamplight) {
     constexpr int kMostPoints = 1 << 22;  // so that 256 of them to a point are a number of 32 bits
-    if (glow.grid->columns > kMostPoints || glow.grid->rows > kMostPoints)
-        return scalar_passes().lamps.light_flat(to, glow);
-    to.texels ? light_flat_as<true>(to, glow) : light_flat_as<false>(to, glow);
+    if (lamplight.grid->columns > kMostPoints || lamplight.grid->rows > kMostPoints)
+        return scalar_passes().lamps.light_flat(to, lamplight);
+    to.texels ? light_flat_as<true>(to, lamplight) : light_flat_as<false>(to, lamplight);
 }
 
 }  // namespace

@@ -15,44 +15,44 @@ constexpr Shade kFullBright = 256;
 
 /// What a ray climbs from one row to the next: where the sky's rows are straight, per metre of depth; else per metre
 /// along the ground, which is longer by the length of `ray`.
-double rise_per_row(const Scene& scene, Vec2 ray) {
+double rise_per_row(const ColumnScene& scene, Vec2 ray) {
     if (sky_rows(scene.map.render, false) == SkyRows::straight) return 1 / scene.screen.focal_y;
     return 1 / (scene.screen.focal_y * std::sqrt(dot(ray, ray)));
 }
 
 /// The largest length of a ray's part along an axis, per metre of depth.
-double longest_ray(const Screen& screen) {
+double longest_ray(const RayTables& screen) {
     return 1 + std::max(std::fabs(screen.slopes.front()), std::fabs(screen.slopes.back()));
 }
 
 }  // namespace
 
-void FlatPainter::start(const Scene& scene, const Pose& pose, const FlatNow& flat, FlatSide side, double height,
-                        const Lighting& lighting, const LightGrid* glow, SurfaceId id) {
+void FlatPainter::start(const ColumnScene& scene, const Pose& pose, const FlatNow& flat, FlatSide side, double height,
+                        const Lighting& lighting, const LightGrid* lamplight, PixelSurface id) {
     pose_ = &pose;
     flat_ = flat;
     picture_ = picture_of(scene, flat.surface);
     id_ = id;
     height_ = height;
     dimming_ = dimming_of(lighting);
-    glow_ = glow;
+    lamplight_ = lamplight;
     fog_ = fog_of(scene.map);
     is_extended_ = side == FlatSide::floor ? height >= 0 : height <= 0;
     prepared_top_ = prepared_bottom_ = 0;
     row_depths_.resize(scene.screen.row_depths.size() + kRowsBeyond);
     row_shades_.resize(row_depths_.size());
     row_darkness_.resize(row_depths_.size());
-    if (glow_) full_light_.resize(row_depths_.size(), darkness_of(nullptr, kFullBright));
-    if (is_there(fog_)) row_mists_.resize(row_depths_.size());
+    if (lamplight_) full_light_.resize(row_depths_.size(), darkness_of(nullptr, kFullBright));
+    if (is_there(fog_)) row_fog_parts_.resize(row_depths_.size());
     const bool has_layers = built_in::kFlatLayers && flat.layer_count > 0;
-    is_plain_ = !(built_in::kSky && flat.sky) && !(built_in::kPointLights && glow) && !is_there(fog_) &&
+    is_plain_ = !(built_in::kSky && flat.sky) && !(built_in::kPointLights && lamplight) && !is_there(fog_) &&
                 !is_extended_ && !has_layers;
     level_layers_.clear();
     sky_layers_.clear();
     if (has_layers) start_layers(scene);
 }
 
-void FlatPainter::start_layers(const Scene& scene) {
+void FlatPainter::start_layers(const ColumnScene& scene) {
     layer_darkness_.resize(row_depths_.size());
     for (std::uint32_t i = 0; i < flat_.layer_count; ++i) {
         const Surface layer = layer_now(scene.map, scene.snapshot, flat_, i);
@@ -63,7 +63,7 @@ void FlatPainter::start_layers(const Scene& scene) {
     }
 }
 
-FlatPainter::LevelPicture FlatPainter::picture_of(const Scene& scene, const Surface& surface) const {
+FlatPainter::LevelPicture FlatPainter::picture_of(const ColumnScene& scene, const Surface& surface) const {
     const Texture& texture = scene.textures[surface.texture];
     const Vec2 from_origin = pose_->eye - flat_.origin, tile = surface.tile_m;
     return {&texture,
@@ -74,7 +74,7 @@ FlatPainter::LevelPicture FlatPainter::picture_of(const Scene& scene, const Surf
             (kNearTiles - 1) * std::min(tile.x, tile.y) / longest_ray(scene.screen)};
 }
 
-void FlatPainter::paint(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms) {
+void FlatPainter::paint(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) {
     if (is_plain_ && looks.farthest < picture_.near_limit) return paint_plain(scene, looks, tops, bottoms);
     for (int i = 0; i < looks.count; ++i) {
         if (tops[i] >= bottoms[i]) continue;
@@ -85,7 +85,7 @@ void FlatPainter::paint(const Scene& scene, const WallLooks& looks, const int* t
     }
 }
 
-void FlatPainter::paint_plain(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms) {
+void FlatPainter::paint_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) {
     int top = scene.screen.height, bottom = 0;
     for (int i = 0; i < looks.count; ++i) {
         const bool is_seen = tops[i] < bottoms[i];
@@ -108,24 +108,25 @@ void FlatPainter::paint_plain(const Scene& scene, const WallLooks& looks, const 
     for (int i = 0; i < looks.count; ++i) note_level(scene, looks.begin + i, tops[i], bottoms[i], looks.depth[i]);
 }
 
-FlatPainter::FlatColumn FlatPainter::column_at(const Scene& scene, int x, OpenRows rows, double wall_depth) const {
+FlatPainter::FlatColumn FlatPainter::column_at(const ColumnScene& scene, int x, OpenRows rows,
+                                               double wall_depth) const {
     return {x, pose_->forward + pose_->right * scene.screen.slopes[x], wall_depth, rows};
 }
 
-void FlatPainter::paint_level(const Scene& scene, const FlatColumn& column) {
+void FlatPainter::paint_level(const ColumnScene& scene, const FlatColumn& column) {
     const auto [top, bottom] = column.rows;
     prepare_rows(scene, top, bottom);
     if (is_extended_) shade_extended_rows(top, bottom, column.farthest);
     paint_picture(scene, picture_, column, {scene.canvas.column(column.x), row_darkness_.data()});
     for (const LevelPicture& layer : level_layers_) lay_layer(scene, layer, column);
     if (is_there(fog_))
-        scene.passes.mist(scene.canvas.run(column.x, top, bottom), fog_.color, &row_mists_[std::size_t(top)]);
+        scene.passes.add_fog(scene.canvas.run(column.x, top, bottom), fog_.color, &row_fog_parts_[std::size_t(top)]);
     if (scene.facts != nullptr) note_level(scene, column.x, top, bottom, column.farthest);
 }
 
-void FlatPainter::paint_picture(const Scene& scene, const LevelPicture& picture, const FlatColumn& column,
+void FlatPainter::paint_picture(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                                 const LevelTarget& to) const {
-    if (built_in::kPointLights && glow_)
+    if (built_in::kPointLights && lamplight_)
         paint_lit(scene, picture, column, to);
     else
         fill(scene, picture, column, to);
@@ -141,16 +142,16 @@ void FlatPainter::with_flats(const LevelPicture& picture, const FlatColumn& colu
                     row_depths_.data(), to.darkness, picture.color_table});
 }
 
-void FlatPainter::fill(const Scene& scene, const LevelPicture& picture, const FlatColumn& column,
+void FlatPainter::fill(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                        const LevelTarget& to) const {
     with_flats(picture, column, to, column.farthest < picture.near_limit ? scene.kernels.fill_flats : fill_far_flats);
 }
 
-void FlatPainter::paint_lit(const Scene& scene, const LevelPicture& picture, const FlatColumn& column,
+void FlatPainter::paint_lit(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                             const LevelTarget& to) const {
-    const FlatGlow glow = glow_at(column);
+    const FlatLamplight lamplight = lamplight_at(column);
     FlatColumn above = column, lit = column, below = column;
-    lit.rows = lit_rows(glow, column.rows);
+    lit.rows = lit_rows(lamplight, column.rows);
     above.rows.bottom = lit.rows.top;
     below.rows.top = lit.rows.bottom;
     fill(scene, picture, above, to);
@@ -167,11 +168,11 @@ void FlatPainter::paint_lit(const Scene& scene, const LevelPicture& picture, con
     } else {
         fill(scene, as_painted, lit, {to.row_0, full_light_.data()});
     }
-    scene.passes.lamps.light_flat(run, glow);
+    scene.passes.lamps.light_flat(run, lamplight);
 }
 
 /// In the light of the flat, over what is drawn already.
-void FlatPainter::lay_layer(const Scene& scene, const LevelPicture& layer, const FlatColumn& column) {
+void FlatPainter::lay_layer(const ColumnScene& scene, const LevelPicture& layer, const FlatColumn& column) {
     constexpr std::uint32_t kAlpha = 0xFF000000u;
     std::vector<std::uint32_t>&texels = scene.scratch.texels, &colors = scene.scratch.colors;
     const auto [top, bottom] = column.rows;
@@ -179,13 +180,13 @@ void FlatPainter::lay_layer(const Scene& scene, const LevelPicture& layer, const
     paint_picture(scene, layer, column, {colors.data(), layer_darkness_.data()});
     with_flats(layer, column, {texels.data(), nullptr}, read_flats);
     for (int row = top; row < bottom; ++row) colors[row] = (colors[row] & ~kAlpha) | (texels[row] & kAlpha);
-    scene.passes.lay(scene.canvas.run(column.x, top, bottom), colors.data() + top);
+    scene.passes.blend(scene.canvas.run(column.x, top, bottom), colors.data() + top);
 }
 
-FlatGlow FlatPainter::glow_at(const FlatColumn& column) const {
-    return {glow_,
-            (pose_->eye.x - glow_->u) / kLightCell,
-            (pose_->eye.y - glow_->v) / kLightCell,
+FlatLamplight FlatPainter::lamplight_at(const FlatColumn& column) const {
+    return {lamplight_,
+            (pose_->eye.x - lamplight_->u) / kLightCell,
+            (pose_->eye.y - lamplight_->v) / kLightCell,
             column.ray.x / kLightCell,
             column.ray.y / kLightCell,
             column.farthest,
@@ -194,10 +195,11 @@ FlatGlow FlatPainter::glow_at(const FlatColumn& column) const {
 }
 
 /// Which of the rows may be lit: only their ends are looked at.
-OpenRows FlatPainter::lit_rows(const FlatGlow& glow, const OpenRows& rows) const {
+OpenRows FlatPainter::lit_rows(const FlatLamplight& lamplight, const OpenRows& rows) const {
     const auto is_dark = [&](int row) {
-        const double depth = std::min(row_depths_[row], glow.farthest);
-        return is_beyond_light(*glow.grid, glow.base_u + depth * glow.step_u, glow.base_v + depth * glow.step_v);
+        const double depth = std::min(row_depths_[row], lamplight.farthest);
+        return is_beyond_light(*lamplight.grid, lamplight.base_u + depth * lamplight.step_u,
+                               lamplight.base_v + depth * lamplight.step_v);
     };
     OpenRows lit = rows;
     while (lit.top < lit.bottom && is_dark(lit.top)) ++lit.top;
@@ -205,7 +207,7 @@ OpenRows FlatPainter::lit_rows(const FlatGlow& glow, const OpenRows& rows) const
     return lit;
 }
 
-void FlatPainter::note_level(const Scene& scene, int x, int top, int bottom, double wall_depth) const {
+void FlatPainter::note_level(const ColumnScene& scene, int x, int top, int bottom, double wall_depth) const {
     const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
     const Vec2 tile = picture_.tile_m;
     for (int y = top; y < bottom; ++y) {
@@ -215,7 +217,7 @@ void FlatPainter::note_level(const Scene& scene, int x, int top, int bottom, dou
     }
 }
 
-void FlatPainter::paint_sky(const Scene& scene, int x, int top, int bottom) {
+void FlatPainter::paint_sky(const ColumnScene& scene, int x, int top, int bottom) {
     const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
     const SkyColumn column{scene.scratch.turns.of(*pose_, x, ray), rise_per_row(scene, ray)};
     const Run run = scene.canvas.run(x, top, bottom);
@@ -229,7 +231,7 @@ void FlatPainter::paint_sky(const Scene& scene, int x, int top, int bottom) {
     }
 }
 
-SkyRun FlatPainter::sky_run(const Scene& scene, const Surface& surface, const SkyColumn& column) const {
+SkyRun FlatPainter::sky_run(const ColumnScene& scene, const Surface& surface, const SkyColumn& column) const {
     const Texture& texture = scene.textures[surface.texture];
     const SkyTexel horizon = sky_texel(surface.tile_m, surface.offset_tiles, column.turn, 0);
     const std::uint32_t texels = texel_of(place_on_tile(horizon.u), texture.width);
@@ -237,7 +239,7 @@ SkyRun FlatPainter::sky_run(const Scene& scene, const Surface& surface, const Sk
             -column.rise_per_row / surface.tile_m.y, scene.screen.row_rises.data()};
 }
 
-void FlatPainter::prepare_rows(const Scene& scene, int top, int bottom) {
+void FlatPainter::prepare_rows(const ColumnScene& scene, int top, int bottom) {
     if (top >= prepared_top_ && bottom <= prepared_bottom_) return;
     if (prepared_top_ >= prepared_bottom_) prepared_top_ = prepared_bottom_ = top;
     if (top < prepared_top_) prepare_more_rows(scene, top, prepared_top_);
@@ -248,7 +250,7 @@ void FlatPainter::prepare_rows(const Scene& scene, int top, int bottom) {
 
 // A level ray meets a level plane at infinity, also one at its own height. Behind the eye (below 0) only where the eye
 // is above the ceiling or below the floor it looks at.
-void FlatPainter::prepare_more_rows(const Scene& scene, int top, int bottom) {
+void FlatPainter::prepare_more_rows(const ColumnScene& scene, int top, int bottom) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const double* const depths_per_metre = scene.screen.row_depths.data();
     for (int row = top; row < bottom; ++row) {
@@ -265,7 +267,7 @@ void FlatPainter::shade_rows(int top, int bottom, const double* depths) {
     dimming_.at_all(depths, bottom - top, &row_shades_[static_cast<std::size_t>(top)]);
     for (int row = top; row < bottom; ++row) row_darkness_[row] = darkness_of(picture_.color_table, row_shades_[row]);
     if (is_there(fog_))
-        for (int row = top; row < bottom; ++row) row_mists_[row] = mist_at(fog_.reach, depths[row - top]);
+        for (int row = top; row < bottom; ++row) row_fog_parts_[row] = fog_part_at(fog_.reach, depths[row - top]);
 }
 
 /// A flat seen from its wrong side (past a step that is not drawn, or by an eye outside the room's heights) never comes

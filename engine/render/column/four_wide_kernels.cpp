@@ -130,10 +130,10 @@ __m128i places_of(__m128d a, __m128d b) {
 }
 
 /// The numbers of four texels, one by one.
-struct Numbers {
+struct FourNumbers {
     std::uint32_t a, b, c, d;
 
-    explicit Numbers(__m128i four) {
+    explicit FourNumbers(__m128i four) {
         const auto low = static_cast<std::uint64_t>(_mm_cvtsi128_si64(four));
         const auto high = static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_unpackhi_epi64(four, four)));
         a = static_cast<std::uint32_t>(low);
@@ -175,7 +175,7 @@ void fill_flats_as(const PlainFlats& f) {
             const __m128d b = _mm_min_pd(_mm_loadu_pd(depths + i + 2), farthest);
             const __m128i u = places_of(sum(a, step_u, base_u), sum(b, step_u, base_u));
             const __m128i v = places_of(sum(a, step_v, base_v), sum(b, step_v, base_v));
-            const Numbers at(numbers_of(u, v));
+            const FourNumbers at(numbers_of(u, v));
             if (kByTable) {
                 pixels[i] = colors[darkness[i] + numbers[at.a]];
                 pixels[i + 1] = colors[darkness[i + 1] + numbers[at.b]];
@@ -213,7 +213,7 @@ void fill_sky(const Run& run, const SkyRun& sky) {
     if (run.count < kWide) return scalar_kernels().fill_sky(run, sky);
     const __m128i opaque = _mm_set1_epi32(static_cast<int>(0xFF000000u));
     by_four(run.count, [&](int i) {
-        const Numbers at(sky_rows(sky, run.first_row + i));
+        const FourNumbers at(sky_rows(sky, run.first_row + i));
         const std::uint32_t* const t = sky.texels;
         store(run.pixels + i, _mm_or_si128(four_of(t + at.a, t + at.b, t + at.c, t + at.d), opaque));
     });

@@ -17,7 +17,7 @@ int MaskedColumns::add(const WallPainter& painter) {
     return static_cast<int>(painters_.size()) - 1;
 }
 
-void MaskedColumns::draw(const Scene& scene) const {
+void MaskedColumns::draw(const ColumnScene& scene) const {
     for (auto column = columns_.rbegin(); column != columns_.rend(); ++column)
         painters_[static_cast<std::size_t>(column->painter)].lay_over(scene, column->x, column->rows.top,
                                                                       column->rows.bottom, column->hit);
@@ -30,19 +30,19 @@ bool PanelColumns::gather(const RoomView& view, MaskedColumns& masked) {
     const Sector& sector = view.scene.map[view.viewport.sector];
     for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i)
         add(view, PanelId(i), masked);
-    std::sort(boards_.begin(), boards_.end(), [](const Board& a, const Board& b) {
+    std::sort(boards_.begin(), boards_.end(), [](const PanelBoard& a, const PanelBoard& b) {
         return a.place.begin != b.place.begin ? a.place.begin < b.place.begin : a.painter < b.painter;
     });
     return !boards_.empty();
 }
 
 void PanelColumns::add(const RoomView& view, PanelId id, MaskedColumns& masked) {
-    const Scene& scene = view.scene;
+    const ColumnScene& scene = view.scene;
     const Panel& panel = scene.map[id];
     if (!panel.surface.texture) return;
     const Segment seen = facing(panel, view.pose.eye);
     if (panel.one_sided && seen.a != panel.a) return;
-    Board board{seen, project(seen, view.pose, scene.screen), {}, 0};
+    PanelBoard board{seen, project(seen, view.pose, scene.screen), {}, 0};
     if (board.place.begin >= view.viewport.end || board.place.end <= view.viewport.begin) return;
     if (board.place.begin >= board.place.end) return;
     if (view.viewport.entry && !is_panel_beyond(seen, scene.map[view.viewport.entry])) return;
@@ -58,8 +58,8 @@ void PanelColumns::add(const RoomView& view, PanelId id, MaskedColumns& masked) 
 
 /// Of panels on one line the first in the map is the nearer.
 bool PanelColumns::is_before(int a, int b) const {
-    const Board& one = boards_[static_cast<std::size_t>(a)];
-    const Board& other = boards_[static_cast<std::size_t>(b)];
+    const PanelBoard& one = boards_[static_cast<std::size_t>(a)];
+    const PanelBoard& other = boards_[static_cast<std::size_t>(b)];
     const bool is_first = one.painter < other.painter;
     const bool nearer = is_nearer(one.facing, other.facing);
     return nearer && (is_first || !is_nearer(other.facing, one.facing));
@@ -75,34 +75,34 @@ void PanelColumns::move_to(int x) {
     }
 }
 
-bool PanelColumns::is_before_wall(const RoomView& view, const Board& board, int x) const {
+bool PanelColumns::is_before_wall(const RoomView& view, const PanelBoard& board, int x) const {
     const Wall& wall = view.scene.map[view.nearest.wall(view.nearest.at(x)).wall];
     const double to_wall = view.nearest.inverse_depth_at(view.scene.screen, x);
     const double to_panel = inverse_depth(board.place, view.scene.screen.slopes[x]);
     return are_telling(to_panel, to_wall) ? to_panel > to_wall : is_nearer(board.facing, wall);
 }
 
-std::span<const PanelColumns::Look> PanelColumns::at(const RoomView& view, int x) {
+std::span<const PanelColumns::PanelColumn> PanelColumns::at(const RoomView& view, int x) {
     move_to(x);
-    looks_.clear();
+    shown_.clear();
     double depth = 0;
     for (const int index : row_) {
-        const Board& board = boards_[static_cast<std::size_t>(index)];
+        const PanelBoard& board = boards_[static_cast<std::size_t>(index)];
         if (!is_before_wall(view, board, x)) break;  // so are those behind it
-        Look look{index, hit(board.place, view.scene.screen.slopes[x])};
-        depth = look.hit.depth = std::max(depth, look.hit.depth);  // in order whatever rounding did
-        looks_.push_back(look);
+        PanelColumn shown{index, hit(board.place, view.scene.screen.slopes[x])};
+        depth = shown.hit.depth = std::max(depth, shown.hit.depth);  // in order whatever rounding did
+        shown_.push_back(shown);
     }
-    return looks_;
+    return shown_;
 }
 
-void PanelColumns::note(const RoomView& view, const Look& look, int x, MaskedColumns& masked) const {
-    const Board& board = boards_[static_cast<std::size_t>(look.panel)];
-    const RowSplit rows = split_rows(view.scene.screen, view.viewport.rows_at(x), look.hit.depth, board.rows, nullptr);
-    masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, look.hit);
+void PanelColumns::note(const RoomView& view, const PanelColumn& shown, int x, MaskedColumns& masked) const {
+    const PanelBoard& board = boards_[static_cast<std::size_t>(shown.panel)];
+    const RowSplit rows = split_rows(view.scene.screen, view.viewport.rows_at(x), shown.hit.depth, board.rows, nullptr);
+    masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, shown.hit);
 }
 
-bool ThingColumns::is_nearer(const Board& a, const Board& b) {
+bool ThingColumns::is_nearer(const ThingBoard& a, const ThingBoard& b) {
     const std::int64_t a_steps = depth_steps(a.depth), b_steps = depth_steps(b.depth);
     return a_steps != b_steps ? a_steps < b_steps : a.painter < b.painter;
 }
@@ -115,9 +115,9 @@ bool ThingColumns::gather(const RoomView& view, MaskedColumns& masked) {
 }
 
 void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedColumns& masked) {
-    const Scene& scene = view.scene;
+    const ColumnScene& scene = view.scene;
     const Vec2 to_it = presence.position - view.pose.eye;
-    Board board;
+    ThingBoard board;
     board.depth = dot(view.pose.forward, to_it);
     if (board.depth < kNearestSprite) return;
     const SpritePicture picture = picture_of(scene.map, scene.textures, scene.snapshot, presence, view.pose.eye);
@@ -143,8 +143,8 @@ void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedCol
     boards_.push_back(board);
 }
 
-bool ThingColumns::is_met(const RoomView& view, const Board& board, int x) {
-    const Scene& scene = view.scene;
+bool ThingColumns::is_met(const RoomView& view, const ThingBoard& board, int x) {
+    const ColumnScene& scene = view.scene;
     const double entry = 1 / view.viewport.boundary_at(x),
                  exit = 1 / view.nearest.inverse_depth_at(view.scene.screen, x);
     if (thing_edges(scene.map.render, false) == ThingEdges::cut) return is_met_between(board.depth, entry, exit);
@@ -154,7 +154,7 @@ bool ThingColumns::is_met(const RoomView& view, const Board& board, int x) {
 }
 
 void ThingColumns::note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked) const {
-    const Board& board = boards_[i];
+    const ThingBoard& board = boards_[i];
     const OpenRows open = view.viewport.rows_at(x);
     if (x < board.begin || x >= board.end || open.is_closed()) return;
     if (!is_met(view, board, x)) return;
@@ -182,7 +182,7 @@ void RoomColumns::note(const RoomView& view, MaskedColumns& masked) {
 
 void RoomColumns::note_column(const RoomView& view, int x, MaskedColumns& masked) {
     std::size_t thing = 0;
-    for (const PanelColumns::Look& panel : panels_.at(view, x)) {
+    for (const PanelColumns::PanelColumn& panel : panels_.at(view, x)) {
         for (; thing < things_.count() && depth_steps(things_.depth(thing)) <= depth_steps(panel.hit.depth); ++thing)
             things_.note(view, thing, x, masked);
         panels_.note(view, panel, x, masked);

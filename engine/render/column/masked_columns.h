@@ -17,7 +17,7 @@ namespace enfilade::column {
 // A viewport while what stands in its room is looked for.
 
 struct RoomView {
-    const Scene& scene;
+    const ColumnScene& scene;
     const Viewport& viewport;
     const Pose& pose;
     const RelativeHeights& here;
@@ -43,10 +43,10 @@ public:
     }
 
     /// Lays all of them over the picture, the last noted first.
-    void draw(const Scene& scene) const;
+    void draw(const ColumnScene& scene) const;
 
 private:
-    struct Column {
+    struct MaskedColumn {
         int painter;
         int x;
         OpenRows rows;
@@ -54,7 +54,7 @@ private:
     };
 
     std::vector<WallPainter> painters_;
-    std::vector<Column> columns_;
+    std::vector<MaskedColumn> columns_;
 };
 
 // Which columns and rows of a viewport show panels, and in which order.
@@ -68,21 +68,21 @@ public:
     bool gather(const RoomView& view, MaskedColumns& masked);
 
     /// What column x shows of a panel.
-    struct Look {
+    struct PanelColumn {
         int panel;  ///< number of this search
         WallHit hit;
     };
 
     /// Those in column x that are met between the entry to the room and the wall behind, the nearest first; their
     /// depths never fall. Valid until the next call. x grows from call to call after gather().
-    std::span<const Look> at(const RoomView& view, int x);
+    std::span<const PanelColumn> at(const RoomView& view, int x);
 
     /// Notes what column x shows of the panel.
-    void note(const RoomView& view, const Look& look, int x, MaskedColumns& masked) const;
+    void note(const RoomView& view, const PanelColumn& shown, int x, MaskedColumns& masked) const;
 
 private:
     /// A panel that is somewhere on the screen.
-    struct Board {
+    struct PanelBoard {
         Segment facing;       ///< turned so that it faces the eye
         ProjectedWall place;  ///< `swapped` says whether its left end is the panel's b
         RelativeHeights rows;
@@ -92,12 +92,12 @@ private:
     void add(const RoomView& view, PanelId id, MaskedColumns& masked);
     bool is_before(int a, int b) const;
     void move_to(int x);
-    bool is_before_wall(const RoomView& view, const Board& board, int x) const;
+    bool is_before_wall(const RoomView& view, const PanelBoard& board, int x) const;
 
-    std::vector<Board> boards_;  ///< by where they begin, from left to right
-    std::size_t next_ = 0;       ///< the first that begins to the right of the present column
-    std::vector<int> row_;       ///< those that cover the present column, the nearest first
-    std::vector<Look> looks_;
+    std::vector<PanelBoard> boards_;  ///< by where they begin, from left to right
+    std::size_t next_ = 0;            ///< the first that begins to the right of the present column
+    std::vector<int> row_;            ///< those that cover the present column, the nearest first
+    std::vector<PanelColumn> shown_;
 };
 
 // Which columns and rows of a viewport show things, and in which order.
@@ -122,7 +122,7 @@ public:
 
 private:
     /// A picture that is somewhere on the screen.
-    struct Board {
+    struct ThingBoard {
         int begin, end;  ///< columns, within the viewport
         double depth;    ///< [m]
         double left_v;   ///< its left edge in view space [m]
@@ -133,11 +133,11 @@ private:
         int painter;  ///< in MaskedColumns
     };
 
-    static bool is_nearer(const Board& a, const Board& b);
+    static bool is_nearer(const ThingBoard& a, const ThingBoard& b);
     void add(const RoomView& view, const Presence& presence, MaskedColumns& masked);
-    static bool is_met(const RoomView& view, const Board& board, int x);
+    static bool is_met(const RoomView& view, const ThingBoard& board, int x);
 
-    std::vector<Board> boards_;
+    std::vector<ThingBoard> boards_;
 };
 
 // What stands in a room: its things and panels, in one order in every column.

@@ -6,14 +6,14 @@ namespace enfilade::column {
 namespace {
 
 /// The first stretch that ends beyond column x.
-std::vector<Stretch>::const_iterator first_ending_after(const std::vector<Stretch>& stretches, int x) {
+std::vector<WallColumns>::const_iterator first_ending_after(const std::vector<WallColumns>& stretches, int x) {
     return std::lower_bound(stretches.begin(), stretches.end(), x,
-                            [](const Stretch& stretch, int column) { return stretch.end <= column; });
+                            [](const WallColumns& stretch, int column) { return stretch.end <= column; });
 }
 
 }  // namespace
 
-void NearestWalls::choose(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose,
+void NearestWalls::choose(const Map& map, const RayTables& screen, const Viewport& viewport, const Pose& pose,
                           std::span<const ProjectedWall> walls) {
     walls_ = walls;
     lost_.clear();
@@ -30,7 +30,7 @@ void NearestWalls::choose(const Map& map, const Screen& screen, const Viewport& 
     find_lost(map, screen, viewport, pose);
 }
 
-void NearestWalls::offer(const Map& map, const Screen& screen, Stretch offered) {
+void NearestWalls::offer(const Map& map, const RayTables& screen, WallColumns offered) {
     if (stretches_.empty() || stretches_.back().end <= offered.begin) return stretches_.push_back(offered);
     const auto first = first_ending_after(stretches_, offered.begin);
     if (offered.end <= first->begin)
@@ -40,13 +40,13 @@ void NearestWalls::offer(const Map& map, const Screen& screen, Stretch offered) 
 }
 
 /// first: of the stretches that share a column with the offered one.
-void NearestWalls::merge(const Map& map, const Screen& screen, std::size_t first, Stretch offered) {
+void NearestWalls::merge(const Map& map, const RayTables& screen, std::size_t first, WallColumns offered) {
     merged_.clear();
     std::size_t last = first;
     int x = offered.begin;
     for (; last < stretches_.size() && stretches_[last].begin < offered.end; ++last) {
-        const Stretch& old = stretches_[last];
-        const Stretch shared{std::max(old.begin, offered.begin), std::min(old.end, offered.end), old.wall};
+        const WallColumns& old = stretches_[last];
+        const WallColumns shared{std::max(old.begin, offered.begin), std::min(old.end, offered.end), old.wall};
         add(old.begin, offered.begin, old.wall);
         add(x, old.begin, offered.wall);
         add(shared.begin, shared.end, is_nearer_in(map, screen, offered.wall, shared) ? offered.wall : old.wall);
@@ -69,18 +69,19 @@ void NearestWalls::add(int begin, int end, int wall) {
 }
 
 /// In the middle of their columns inverse depths mostly tell; where they do not, the walls' ends do.
-bool NearestWalls::is_nearer_in(const Map& map, const Screen& screen, int candidate, const Stretch& shared) const {
+bool NearestWalls::is_nearer_in(const Map& map, const RayTables& screen, int candidate,
+                                const WallColumns& shared) const {
     const double slope = screen.slopes[static_cast<std::size_t>((shared.begin + shared.end) / 2)];
     const ProjectedWall &a = wall(candidate), &b = wall(shared.wall);
     const double inverse = inverse_depth(a, slope), other = inverse_depth(b, slope);
     return are_telling(inverse, other) ? inverse > other : is_nearer(map[a.wall], map[b.wall]);
 }
 
-void NearestWalls::find_lost(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose) {
+void NearestWalls::find_lost(const Map& map, const RayTables& screen, const Viewport& viewport, const Pose& pose) {
     merged_.assign(stretches_.begin(), stretches_.end());
     stretches_.clear();
     int x = viewport.begin;
-    for (const Stretch& found : merged_) {
+    for (const WallColumns& found : merged_) {
         lose(map, screen, viewport, pose, x, found.begin);
         stretches_.push_back(found);
         x = found.end;
@@ -89,7 +90,7 @@ void NearestWalls::find_lost(const Map& map, const Screen& screen, const Viewpor
 }
 
 /// Finds what stands in for a wall in each open column that none covers.
-void NearestWalls::lose(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose, int begin,
+void NearestWalls::lose(const Map& map, const RayTables& screen, const Viewport& viewport, const Pose& pose, int begin,
                         int end) {
     for (int x = begin; x < end; ++x) {
         if (viewport.rows_at(x).is_closed()) continue;
@@ -103,7 +104,7 @@ int NearestWalls::at(int x) const {
     return found != stretches_.end() && found->begin <= x ? found->wall : kNoWall;
 }
 
-double NearestWalls::inverse_depth_at(const Screen& screen, int x) const {
+double NearestWalls::inverse_depth_at(const RayTables& screen, int x) const {
     return inverse_depth_seen(wall(at(x)), screen.slopes[static_cast<std::size_t>(x)]);
 }
 

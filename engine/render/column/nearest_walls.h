@@ -9,7 +9,7 @@
 namespace enfilade::column {
 
 /// Columns [begin, end) that see the same wall first.
-struct Stretch {
+struct WallColumns {
     int begin, end;
     int wall;  ///< a number for NearestWalls::wall()
 };
@@ -22,15 +22,15 @@ public:
 
     /// Keeps of the viewport's projected walls those beyond its boundary, and of those the nearest in each column. The
     /// walls must stay where they are as long as questions are asked.
-    void choose(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose,
+    void choose(const Map& map, const RayTables& screen, const Viewport& viewport, const Pose& pose,
                 std::span<const ProjectedWall> walls);
 
     /// Without gaps but where columns are closed.
-    std::span<const Stretch> stretches() const { return stretches_; }
+    std::span<const WallColumns> stretches() const { return stretches_; }
 
     /// Of an open column. Cost: the logarithm of the number of stretches.
     int at(int x) const;
-    double inverse_depth_at(const Screen& screen, int x) const;
+    double inverse_depth_at(const RayTables& screen, int x) const;
 
     /// Numbers given out are below this.
     std::size_t count() const { return walls_.size() + lost_.size(); }
@@ -40,16 +40,16 @@ public:
     }
 
 private:
-    void offer(const Map& map, const Screen& screen, Stretch offered);
-    void merge(const Map& map, const Screen& screen, std::size_t first, Stretch offered);
+    void offer(const Map& map, const RayTables& screen, WallColumns offered);
+    void merge(const Map& map, const RayTables& screen, std::size_t first, WallColumns offered);
     void add(int begin, int end, int wall);
-    bool is_nearer_in(const Map& map, const Screen& screen, int candidate, const Stretch& shared) const;
-    void find_lost(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose);
-    void lose(const Map& map, const Screen& screen, const Viewport& viewport, const Pose& pose, int begin, int end);
+    bool is_nearer_in(const Map& map, const RayTables& screen, int candidate, const WallColumns& shared) const;
+    void find_lost(const Map& map, const RayTables& screen, const Viewport& viewport, const Pose& pose);
+    void lose(const Map& map, const RayTables& screen, const Viewport& viewport, const Pose& pose, int begin, int end);
 
     std::span<const ProjectedWall> walls_;
-    std::vector<Stretch> stretches_;
-    std::vector<Stretch> merged_;      ///< scratch
+    std::vector<WallColumns> stretches_;
+    std::vector<WallColumns> merged_;  ///< scratch
     std::vector<ProjectedWall> lost_;  ///< one for each column that no projected wall covers; numbered after those
 };
 

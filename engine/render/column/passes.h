@@ -25,7 +25,7 @@ struct LightRow {
 inline constexpr int kCellsBeyond = 8;
 
 /// The light of lamps down one column of a wall.
-struct WallGlow {
+struct WallLamplight {
     Shade shade;  ///< without lamps
     LightRow cells;
     std::uint64_t at_row_0;  ///< position among them, in 2^-32 of a cell; beyond them counts as at their ends
@@ -33,7 +33,7 @@ struct WallGlow {
 };
 
 /// The light of lamps on a floor or ceiling along one column: position in the grid = base + depth(row) * step.
-struct FlatGlow {
+struct FlatLamplight {
     const LightGrid* grid;
     double base_u, base_v;     ///< under the eye [cells]
     double step_u, step_v;     ///< per metre of depth along this column's ray [cells/m]
@@ -45,16 +45,16 @@ struct FlatGlow {
 struct LampPasses {
     /// between() two columns of a grid, `part` of 256 of the way from a to b: to.count points.
     void (*mix_cells)(const LightCell* a, const LightCell* b, std::uint32_t part, const LightRow& to);
-    void (*light_wall)(const LitRun& lit, const WallGlow& glow);
-    void (*light_flat)(const LitRun& lit, const FlatGlow& glow);
+    void (*light_wall)(const LitRun& lit, const WallLamplight& lamplight);
+    void (*light_flat)(const LitRun& lit, const FlatLamplight& lamplight);
 };
 
 struct Passes {
     LampPasses lamps;
-    /// Fog of a colour. mists: of each pixel, and kRowsBeyond more that may be read.
-    void (*mist)(const Run& run, std::uint32_t fog, const Mist* mists);
+    /// Fog of a colour. fog_parts: of each pixel, and kRowsBeyond more that may be read.
+    void (*add_fog)(const Run& run, std::uint32_t fog, const FogPart* fog_parts);
     /// above: laid_over() the run's pixels [count].
-    void (*lay)(const Run& run, const std::uint32_t* above);
+    void (*blend)(const Run& run, const std::uint32_t* above);
 };
 
 /// The definition, pixel by pixel.

@@ -65,7 +65,7 @@ struct ColumnScratch {
     std::vector<std::uint32_t> red_blue, green;  ///< of the light of lamps down a wall, as a LightRow has them
     std::vector<std::uint32_t> texels;           ///< by row: as painted
     std::vector<std::uint32_t> colors;           ///< by row: of what is laid over the canvas
-    std::vector<Mist> mists;                     ///< of a wall's rows [height + kRowsBeyond]
+    std::vector<FogPart> fog_parts;              ///< of a wall's rows [height + kRowsBeyond]
 
     /// Room for so many points of light.
     LightRow cells(int count) {
@@ -83,16 +83,16 @@ struct ColumnScratch {
         const auto rows = static_cast<std::size_t>(height);
         texels.resize(rows);
         colors.resize(rows);
-        mists.resize(rows + kRowsBeyond);
+        fog_parts.resize(rows + kRowsBeyond);
         turns.start_frame(width);
     }
 };
 
-struct Scene {
+struct ColumnScene {
     const Map& map;
     const TextureSet& textures;
     const Snapshot& snapshot;
-    const Screen& screen;
+    const RayTables& screen;
     Canvas& canvas;
     FrameFacts* facts;   ///< null where nobody asked what the pixels show
     LightGrids* lights;  ///< null where the map has no point lights
@@ -109,7 +109,8 @@ struct Scene {
 };
 
 /// Notes that something with holes covers what the pixel showed. Only where facts are wanted.
-inline void note_over(const Scene& scene, int x, int y, SurfaceId id, double depth, double u_tiles, double v_tiles) {
+inline void note_over(const ColumnScene& scene, int x, int y, PixelSurface id, double depth, double u_tiles,
+                      double v_tiles) {
     const auto i =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.screen.width) + static_cast<std::size_t>(x);
     scene.facts->ids[i] = id;
@@ -118,7 +119,8 @@ inline void note_over(const Scene& scene, int x, int y, SurfaceId id, double dep
 }
 
 /// Notes what one pixel shows, and that the opaque pass wrote it. Called outside the inner loops.
-inline void note(const Scene& scene, int x, int y, SurfaceId id, double depth, double u_tiles, double v_tiles) {
+inline void note(const ColumnScene& scene, int x, int y, PixelSurface id, double depth, double u_tiles,
+                 double v_tiles) {
     note_over(scene, x, y, id, depth, u_tiles, v_tiles);
     ++scene.facts->writes[static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.screen.width) +
                           static_cast<std::size_t>(x)];

@@ -9,7 +9,7 @@
 
 namespace enfilade::column {
 
-void Screen::set(const Projection& projection) {
+void RayTables::set(const Projection& projection) {
     width = projection.width();
     height = projection.height();
     focal_y = projection.focal_y();
@@ -29,7 +29,7 @@ void Screen::set(const Projection& projection) {
 
 namespace {
 
-void set_columns(ProjectedWall& w, const Pose& pose, const Screen& screen) {
+void set_columns(ProjectedWall& w, const Pose& pose, const RayTables& screen) {
     const CoveredColumns covered = covered_columns(w.left_v, w.right_v, pose, {screen.slopes, screen.column_scale});
     w.begin = covered.begin;
     w.end = covered.end;
@@ -60,7 +60,8 @@ WallHit hit(const ProjectedWall& w, double slope) {
     return {std::clamp(w.cross / span, w.nearest, w.farthest), is_swapped ? 1 - along : along};
 }
 
-void project(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, std::vector<ProjectedWall>& out) {
+void project(const Map& map, SectorId sector, const Pose& pose, const RayTables& screen,
+             std::vector<ProjectedWall>& out) {
     out.clear();
     const Sector& s = map[sector];
     for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
@@ -72,14 +73,14 @@ void project(const Map& map, SectorId sector, const Pose& pose, const Screen& sc
     }
 }
 
-ProjectedWall project(const Segment& facing, const Pose& pose, const Screen& screen) {
+ProjectedWall project(const Segment& facing, const Pose& pose, const RayTables& screen) {
     ProjectedWall w = ends_of(facing, pose);
     set_columns(w, pose, screen);
     if (w.begin < w.end) set_depths(w, facing, pose);
     return w;
 }
 
-ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, int column,
+ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const RayTables& screen, int column,
                            WallId entry) {
     const WallId wall = enfilade::least_missed(map, sector, pose, screen.slopes[column], entry);
     ProjectedWall best = ends_of(map[wall], pose);
@@ -108,9 +109,9 @@ void ProjectionCache::start_frame() {
 }
 
 const std::vector<ProjectedWall>& ProjectionCache::get(const Map& map, SectorId sector, int pose_index,
-                                                       const Pose& pose, const Screen& screen) {
+                                                       const Pose& pose, const RayTables& screen) {
     const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(pose_index)} << 32 | sector.index;
-    Slot* slot = &find(key);
+    TableSlot* slot = &find(key);
     if (slot->frame == frame_) return projections_[slot->projection];
     if (walls_ > kMostWalls || used_ > kMostProjections) {
         start_frame();
@@ -127,7 +128,7 @@ const std::vector<ProjectedWall>& ProjectionCache::get(const Map& map, SectorId 
     return projections_[used_++];
 }
 
-ProjectionCache::Slot& ProjectionCache::find(std::uint64_t key) {
+ProjectionCache::TableSlot& ProjectionCache::find(std::uint64_t key) {
     const std::size_t mask = slots_.size() - 1;
     std::size_t i = (key * 0x9E3779B97F4A7C15u) >> 32;  // Fibonacci hashing: the golden ratio spreads close keys
     while (slots_[i & mask].frame == frame_ && slots_[i & mask].key != key) ++i;
@@ -135,8 +136,8 @@ ProjectionCache::Slot& ProjectionCache::find(std::uint64_t key) {
 }
 
 void ProjectionCache::grow() {
-    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(slots_.size() * 2));
-    for (const Slot& slot : old)
+    const std::vector<TableSlot> old = std::exchange(slots_, std::vector<TableSlot>(slots_.size() * 2));
+    for (const TableSlot& slot : old)
         if (slot.frame == frame_) find(slot.key) = slot;
 }
 

@@ -13,7 +13,7 @@ namespace enfilade::column {
 // The numbers of one picture size and look, worked out once a frame for every column and row.
 
 /// Rays by index: what Projection computes, kept in tables.
-struct Screen {
+struct RayTables {
     int width = 0;
     int height = 0;
     double focal_y = 1;              ///< [px]
@@ -62,15 +62,16 @@ inline double inverse_depth_seen(const ProjectedWall& w, double slope) {
 
 /// The walls of `sector` that face the eye and cover at least one column, in the order of the map.
 /// `out` is emptied first and keeps its memory.
-void project(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, std::vector<ProjectedWall>& out);
+void project(const Map& map, SectorId sector, const Pose& pose, const RayTables& screen,
+             std::vector<ProjectedWall>& out);
 
 /// For a column that no wall of the sector covers: the one that stands in (render/least_missed.h), as if it covered
 /// that column alone.
-ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const Screen& screen, int column,
+ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const RayTables& screen, int column,
                            WallId entry);
 
 /// A single edge, which faces the eye: without its number. Covers no column (begin >= end) where it is not seen.
-ProjectedWall project(const Segment& facing, const Pose& pose, const Screen& screen);
+ProjectedWall project(const Segment& facing, const Pose& pose, const RayTables& screen);
 
 // One sector may be seen in one frame through many doorways and many transforms: its walls are projected once for
 // each pose, not once for each viewport.
@@ -83,20 +84,20 @@ public:
     /// Where the sector's walls stand; projected now if nobody asked before, or what was known had to make room. Valid
     /// until the next call.
     const std::vector<ProjectedWall>& get(const Map& map, SectorId sector, int pose_index, const Pose& pose,
-                                          const Screen& screen);
+                                          const RayTables& screen);
 
 private:
     /// A place in an open-addressed table; empty where frame is not the present one.
-    struct Slot {
+    struct TableSlot {
         std::uint64_t key = 0;
         std::uint32_t frame = 0;
         std::uint32_t projection = 0;
     };
 
-    Slot& find(std::uint64_t key);
+    TableSlot& find(std::uint64_t key);
     void grow();
 
-    std::vector<Slot> slots_{std::vector<Slot>(256)};  ///< a power of two, at most half full
+    std::vector<TableSlot> slots_{std::vector<TableSlot>(256)};  ///< a power of two, at most half full
     std::deque<std::vector<ProjectedWall>> projections_;
     std::uint32_t used_ = 0;
     std::size_t walls_ = 0;  ///< of all that are used

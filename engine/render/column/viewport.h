@@ -69,7 +69,7 @@ inline constexpr double kAnInstant = 0x1p-1000;
 /// The rows of one column at a depth.
 class RowsAt {
 public:
-    RowsAt(const Screen& screen, double depth)
+    RowsAt(const RayTables& screen, double depth)
         : rises_(screen.tied_rises.data()),
           focal_y_(screen.focal_y),
           guess_at_eye_(screen.horizon + 0.5),
@@ -95,7 +95,7 @@ private:
 };
 
 /// Splits the open rows at a wall `depth` away. behind: null for a solid wall.
-inline RowSplit split_rows(const Screen& screen, OpenRows open, double depth, const RelativeHeights& here,
+inline RowSplit split_rows(const RayTables& screen, OpenRows open, double depth, const RelativeHeights& here,
                            const RelativeHeights* behind) {
     const RowsAt rows_at(screen, depth);
     RowSplit rows;

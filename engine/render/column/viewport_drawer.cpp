@@ -13,41 +13,41 @@ namespace {
 
 constexpr double kBrightestDepth = 0;
 
-RelativeHeights heights_above(const Scene& scene, SectorId id, double eye_z) {
+RelativeHeights heights_above(const ColumnScene& scene, SectorId id, double eye_z) {
     if (!built_in::kMovers) return {scene.map[id].floor.z - eye_z, scene.map[id].ceiling.z - eye_z};
     const Heights heights = heights_at(scene.snapshot, id);
     return {heights.floor_z - eye_z, heights.ceiling_z - eye_z};
 }
 
-Lighting flat_lighting(const Scene& scene, SectorId sector) {
+Lighting flat_lighting(const ColumnScene& scene, SectorId sector) {
     return lighting_in(scene.map, sector, light_now(scene.snapshot, sector), 1);
 }
 
-Rigid passage_of(const Scene& scene, const Wall& portal) {
+Rigid passage_of(const ColumnScene& scene, const Wall& portal) {
     return built_in::kLinks ? scene.map.passage(portal) : Rigid{};
 }
 
 }  // namespace
 
-void ViewportDrawer::draw(const Scene& scene, FrameState& state, Viewport& viewport) {
+void ViewportDrawer::draw(const ColumnScene& scene, FrameState& state, Viewport& viewport) {
     start_viewport(scene, state, viewport);
-    for (const Stretch& stretch : nearest_.stretches()) draw_stretch(scene, state, stretch);
+    for (const WallColumns& stretch : nearest_.stretches()) draw_stretch(scene, state, stretch);
     push_children(state);
 }
 
-void ViewportDrawer::start_viewport(const Scene& scene, FrameState& state, Viewport& viewport) {
+void ViewportDrawer::start_viewport(const ColumnScene& scene, FrameState& state, Viewport& viewport) {
     viewport_ = &viewport;
     pose_ = state.poses[static_cast<std::size_t>(viewport.pose)];
     nearest_.choose(scene.map, scene.screen, viewport, pose_,
                     state.projections.get(scene.map, viewport.sector, viewport.pose, pose_, scene.screen));
     here_ = heights_above(scene, viewport.sector, pose_.eye_z);
     is_floor_started_ = is_ceiling_started_ = false;
-    furniture_.note({scene, viewport, pose_, here_, nearest_}, state.masked);
+    room_columns_.note({scene, viewport, pose_, here_, nearest_}, state.masked);
     openings_.assign(nearest_.count(), {});
     wall_index_ = NearestWalls::kNoWall;
 }
 
-void ViewportDrawer::draw_stretch(const Scene& scene, FrameState& state, Stretch stretch) {
+void ViewportDrawer::draw_stretch(const ColumnScene& scene, FrameState& state, WallColumns stretch) {
     while (stretch.begin < stretch.end && viewport_->rows_at(stretch.begin).is_closed()) ++stretch.begin;
     while (stretch.begin < stretch.end && viewport_->rows_at(stretch.end - 1).is_closed()) --stretch.end;
     if (stretch.begin == stretch.end) return;
@@ -56,7 +56,7 @@ void ViewportDrawer::draw_stretch(const Scene& scene, FrameState& state, Stretch
         draw_columns(scene, state, x, std::min(x + WallLooks::kMost, stretch.end));
 }
 
-void ViewportDrawer::draw_columns(const Scene& scene, FrameState& state, int begin, int end) {
+void ViewportDrawer::draw_columns(const ColumnScene& scene, FrameState& state, int begin, int end) {
     look_at(nearest_.wall(wall_index_), scene.screen, begin, end - begin, looks_);
     split_rows(scene.screen, looks_, &viewport_->rows_at(begin), here_, is_portal_ ? &behind_ : nullptr, rows_);
     if (rows_.has_ceiling) ceiling(scene).paint(scene, looks_, rows_.top, rows_.wall_top);
@@ -69,7 +69,7 @@ void ViewportDrawer::draw_columns(const Scene& scene, FrameState& state, int beg
 
 // Many viewports and walls show only some of their surfaces: each is made ready when the first of its rows is seen.
 
-FlatPainter& ViewportDrawer::floor(const Scene& scene) {
+FlatPainter& ViewportDrawer::floor(const ColumnScene& scene) {
     const SectorId sector = viewport_->sector;
     if (!is_floor_started_)
         floor_.start(scene, pose_, floor_now(scene.map, scene.snapshot, sector), FlatSide::floor, here_.floor,
@@ -78,7 +78,7 @@ FlatPainter& ViewportDrawer::floor(const Scene& scene) {
     return floor_;
 }
 
-FlatPainter& ViewportDrawer::ceiling(const Scene& scene) {
+FlatPainter& ViewportDrawer::ceiling(const ColumnScene& scene) {
     const SectorId sector = viewport_->sector;
     if (!is_ceiling_started_)
         ceiling_.start(scene, pose_, ceiling_now(scene.map, scene.snapshot, sector), FlatSide::ceiling, here_.ceiling,
@@ -87,36 +87,36 @@ FlatPainter& ViewportDrawer::ceiling(const Scene& scene) {
     return ceiling_;
 }
 
-const WallPainter& ViewportDrawer::upper(const Scene& scene) {
+const WallPainter& ViewportDrawer::upper(const ColumnScene& scene) {
     if (!is_upper_started_) start_part(scene, upper_, scene.map[wall_].upper, WallPart::upper, &behind_);
     is_upper_started_ = true;
     return upper_;
 }
 
-const WallPainter& ViewportDrawer::lower(const Scene& scene) {
+const WallPainter& ViewportDrawer::lower(const ColumnScene& scene) {
     if (!is_lower_started_) start_part(scene, lower_, scene.map[wall_].lower, WallPart::lower, &behind_);
     is_lower_started_ = true;
     return lower_;
 }
 
 /// behind: null for a solid wall.
-void ViewportDrawer::start_part(const Scene& scene, WallPainter& painter, LayId lay, WallPart part,
+void ViewportDrawer::start_part(const ColumnScene& scene, WallPainter& painter, SurfaceId surface, WallPart part,
                                 const RelativeHeights* behind) const {
     const Wall& wall = scene.map[wall_];
-    painter.start(scene, wall, picture_now(scene.map, scene.snapshot, wall_, lay),
-                  peg_height(scene.map[lay].peg, here_, behind), light_now(scene.snapshot, wall.sector),
+    painter.start(scene, wall, picture_now(scene.map, scene.snapshot, wall_, surface),
+                  peg_height(scene.map[surface].peg, here_, behind), light_now(scene.snapshot, wall.sector),
                   wall_id(scene.map, wall_, part));
-    painter.light_up(glow_, wall.length, pose_.eye_z);
+    painter.light_up(lamplight_, wall.length, pose_.eye_z);
 }
 
-void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_index) {
+void ViewportDrawer::start_wall(const ColumnScene& scene, FrameState& state, int wall_index) {
     wall_index_ = wall_index;
     wall_ = nearest_.wall(wall_index).wall;
     const Wall& wall = scene.map[wall_];
     const WallKind kind = kind_now(scene.map, scene.snapshot, wall_);
     is_portal_ = kind != WallKind::solid;
     masked_ = kNoMasked;
-    glow_ = scene.light_on(wall_);
+    lamplight_ = scene.light_on(wall_);
     is_upper_started_ = is_lower_started_ = false;
     if (!is_portal_) return start_part(scene, middle_, wall.texture, WallPart::middle, nullptr);
     if (built_in::kMirrors && kind == WallKind::mirror) {
@@ -132,7 +132,7 @@ void ViewportDrawer::start_wall(const Scene& scene, FrameState& state, int wall_
 
 /// A fence or window in the portal. Its picture is shown once from top to bottom, hanging from its peg or standing on
 /// it; where it scrolls it runs through that place, which itself stays.
-void ViewportDrawer::start_masked(const Scene& scene, FrameState& state) {
+void ViewportDrawer::start_masked(const ColumnScene& scene, FrameState& state) {
     const Wall& wall = scene.map[wall_];
     const Surface surface = picture_now(scene.map, scene.snapshot, wall_, wall.middle);
     const bool stands = surface.peg == Peg::floor || surface.peg == Peg::opening_bottom;
@@ -142,14 +142,14 @@ void ViewportDrawer::start_masked(const Scene& scene, FrameState& state) {
     WallPainter painter;
     painter.start(scene, wall, surface, top, light_now(scene.snapshot, wall.sector),
                   wall_id(scene.map, wall_, WallPart::middle));
-    painter.light_up(glow_, wall.length, pose_.eye_z);
+    painter.light_up(lamplight_, wall.length, pose_.eye_z);
     if (surface.scroll.y == 0) painter.show_once();
     masked_ = state.masked.add(painter);
 }
 
 bool ViewportDrawer::has_masked() const { return built_in::kMasked && masked_ != kNoMasked; }
 
-void ViewportDrawer::open_behind(const Scene& scene, FrameState& state) {
+void ViewportDrawer::open_behind(const ColumnScene& scene, FrameState& state) {
     const int* const tops = upper_open_ ? rows_.wall_top : rows_.opening_top;
     const int* const bottoms = lower_open_ ? rows_.wall_bottom : rows_.opening_bottom;
     for (int i = 0; i < looks_.count; ++i) {
@@ -167,31 +167,31 @@ void ViewportDrawer::open_behind(const Scene& scene, FrameState& state) {
     }
 }
 
-void ViewportDrawer::note_masked(const Scene& scene, FrameState& state, int i, OpenRows open) {
+void ViewportDrawer::note_masked(const ColumnScene& scene, FrameState& state, int i, OpenRows open) {
     const RowSplit picture = split_rows(scene.screen, open, looks_.depth[i], picture_, nullptr);
     state.masked.note(masked_, looks_.begin + i, {picture.wall_top, picture.wall_bottom}, looks_.at(i));
 }
 
 /// Where a limit of the frame is reached there is nothing to be seen.
-void ViewportDrawer::fill_cut(const Scene& scene, int x, OpenRows open) const {
+void ViewportDrawer::fill_cut(const ColumnScene& scene, int x, OpenRows open) const {
     fill_color(scene.canvas.run(x, open.top, open.bottom), pixel_of(scene.map.render.recursion_color));
     if (scene.facts == nullptr) return;
     for (int y = open.top; y < open.bottom; ++y) note(scene, x, y, kRecursionEnd, kBrightestDepth, 0, 0);
 }
 
 /// What is seen through the wall being drawn, or null where a limit of the frame is reached; asked once for each wall.
-Viewport* ViewportDrawer::viewport_behind(const Scene& scene, FrameState& state) {
-    Opening& opening = openings_[static_cast<std::size_t>(wall_index_)];
-    if (opening.state == Opening::State::unknown) {
+Viewport* ViewportDrawer::viewport_behind(const ColumnScene& scene, FrameState& state) {
+    PortalOpening& opening = openings_[static_cast<std::size_t>(wall_index_)];
+    if (opening.state == PortalOpening::State::unknown) {
         const ProjectedWall& projected = nearest_.wall(wall_index_);
         opening.viewport = child_of(scene, state, scene.map[projected.wall], projected);
-        opening.state = opening.viewport ? Opening::State::open : Opening::State::cut;
+        opening.state = opening.viewport ? PortalOpening::State::open : PortalOpening::State::cut;
     }
     return opening.viewport;
 }
 
 /// A viewport for what is seen through the portal, or null where a limit of the frame is reached.
-Viewport* ViewportDrawer::child_of(const Scene& scene, FrameState& state, const Wall& wall,
+Viewport* ViewportDrawer::child_of(const ColumnScene& scene, FrameState& state, const Wall& wall,
                                    const ProjectedWall& projected) {
     const bool is_link = built_in::kLinks && wall.link != Wall::kNoLink;
     const bool is_spent = viewport_->spent >= kLookBudget;
@@ -216,7 +216,7 @@ Viewport* ViewportDrawer::child_of(const Scene& scene, FrameState& state, const 
 }
 
 void ViewportDrawer::push_children(FrameState& state) {
-    for (const Opening& opening : openings_)
+    for (const PortalOpening& opening : openings_)
         if (opening.viewport != nullptr && opening.viewport->trim()) state.stack.push_back(opening.viewport);
 }
 

@@ -28,26 +28,26 @@ struct FrameState {
 class ViewportDrawer {
 public:
     /// Draws `viewport` and pushes onto state.stack what is open behind its portals.
-    void draw(const Scene& scene, FrameState& state, Viewport& viewport);
+    void draw(const ColumnScene& scene, FrameState& state, Viewport& viewport);
 
 private:
-    void start_viewport(const Scene& scene, FrameState& state, Viewport& viewport);
-    void draw_stretch(const Scene& scene, FrameState& state, Stretch stretch);
-    void draw_columns(const Scene& scene, FrameState& state, int begin, int end);
-    void start_wall(const Scene& scene, FrameState& state, int wall_index);
-    void start_part(const Scene& scene, WallPainter& painter, LayId lay, WallPart part,
+    void start_viewport(const ColumnScene& scene, FrameState& state, Viewport& viewport);
+    void draw_stretch(const ColumnScene& scene, FrameState& state, WallColumns stretch);
+    void draw_columns(const ColumnScene& scene, FrameState& state, int begin, int end);
+    void start_wall(const ColumnScene& scene, FrameState& state, int wall_index);
+    void start_part(const ColumnScene& scene, WallPainter& painter, SurfaceId surface, WallPart part,
                     const RelativeHeights* behind) const;
-    void start_masked(const Scene& scene, FrameState& state);
-    FlatPainter& floor(const Scene& scene);
-    FlatPainter& ceiling(const Scene& scene);
-    const WallPainter& upper(const Scene& scene);
-    const WallPainter& lower(const Scene& scene);
-    void open_behind(const Scene& scene, FrameState& state);
-    void note_masked(const Scene& scene, FrameState& state, int i, OpenRows open);
-    void fill_cut(const Scene& scene, int x, OpenRows open) const;
-    Viewport* viewport_behind(const Scene& scene, FrameState& state);
+    void start_masked(const ColumnScene& scene, FrameState& state);
+    FlatPainter& floor(const ColumnScene& scene);
+    FlatPainter& ceiling(const ColumnScene& scene);
+    const WallPainter& upper(const ColumnScene& scene);
+    const WallPainter& lower(const ColumnScene& scene);
+    void open_behind(const ColumnScene& scene, FrameState& state);
+    void note_masked(const ColumnScene& scene, FrameState& state, int i, OpenRows open);
+    void fill_cut(const ColumnScene& scene, int x, OpenRows open) const;
+    Viewport* viewport_behind(const ColumnScene& scene, FrameState& state);
     bool has_masked() const;
-    Viewport* child_of(const Scene& scene, FrameState& state, const Wall& wall, const ProjectedWall& projected);
+    Viewport* child_of(const ColumnScene& scene, FrameState& state, const Wall& wall, const ProjectedWall& projected);
     void push_children(FrameState& state);
 
     // The viewport being drawn.
@@ -57,20 +57,20 @@ private:
     NearestWalls nearest_;
     FlatPainter floor_, ceiling_;
     bool is_floor_started_ = false, is_ceiling_started_ = false;
-    RoomColumns furniture_;
+    RoomColumns room_columns_;
 
     /// A portal wall of the viewport, and where what is seen through it is gathered.
-    struct Opening {
+    struct PortalOpening {
         enum class State : unsigned char { unknown, open, cut } state = State::unknown;
         Viewport* viewport = nullptr;
     };
-    std::vector<Opening> openings_;  ///< by number of nearest_
+    std::vector<PortalOpening> openings_;  ///< by number of nearest_
 
     // The wall being drawn.
     static constexpr int kNoMasked = -1;
     int wall_index_ = NearestWalls::kNoWall;
     WallId wall_;
-    const LightGrid* glow_ = nullptr;  ///< of point lights on it
+    const LightGrid* lamplight_ = nullptr;  ///< of point lights on it
     bool is_portal_ = false;
     bool upper_open_ = false, lower_open_ = false;  ///< a step that is not drawn: one sees over it
     RelativeHeights behind_;

@@ -12,7 +12,7 @@ double between(double value, double low, double high) {
 
 }  // namespace
 
-void look_at(const ProjectedWall& wall, const Screen& screen, int begin, int count, WallLooks& looks) {
+void look_at(const ProjectedWall& wall, const RayTables& screen, int begin, int count, WallLooks& looks) {
     looks.begin = begin;
     looks.count = count;
     looks.farthest = wall.farthest;
@@ -36,7 +36,7 @@ void look_at(const ProjectedWall& wall, const Screen& screen, int begin, int cou
     }
 }
 
-void split_rows(const Screen& screen, const WallLooks& looks, const OpenRows* open, const RelativeHeights& here,
+void split_rows(const RayTables& screen, const WallLooks& looks, const OpenRows* open, const RelativeHeights& here,
                 const RelativeHeights* behind, RowSplits& rows) {
     rows.has_ceiling = rows.has_upper = rows.has_lower = rows.has_floor = false;
     for (int i = 0; i < looks.count; ++i) {

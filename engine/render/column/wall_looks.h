@@ -20,7 +20,7 @@ struct WallLooks {
 };
 
 /// count: 1..WallLooks::kMost. Every column gets what hit() and inverse_depth_seen() say.
-void look_at(const ProjectedWall& wall, const Screen& screen, int begin, int count, WallLooks& looks);
+void look_at(const ProjectedWall& wall, const RayTables& screen, int begin, int count, WallLooks& looks);
 
 /// RowSplit by column, and the open rows that were split: top to bottom as there.
 struct RowSplits {
@@ -30,7 +30,7 @@ struct RowSplits {
 };
 
 /// open: of each column. behind: null for a solid wall.
-void split_rows(const Screen& screen, const WallLooks& looks, const OpenRows* open, const RelativeHeights& here,
+void split_rows(const RayTables& screen, const WallLooks& looks, const OpenRows* open, const RelativeHeights& here,
                 const RelativeHeights* behind, RowSplits& rows);
 
 }  // namespace enfilade::column

@@ -20,21 +20,21 @@ TileSteps steps_of(double tiles) { return std::fabs(tiles) <= kNearTiles ? near_
 
 }  // namespace
 
-void WallPainter::start(const Scene& scene, const Wall& wall, const Surface& surface, double peg, double light,
-                        SurfaceId id) {
+void WallPainter::start(const ColumnScene& scene, const Wall& wall, const Surface& surface, double peg, double light,
+                        PixelSurface id) {
     hang(scene, surface, wall.length, peg);
     id_ = id;
     shade_by(scene, lighting_in(scene.map, wall.sector, light, wall.contrast));
 }
 
-void WallPainter::start_panel(const Scene& scene, const Panel& panel, double top, double light, SurfaceId id) {
+void WallPainter::start_panel(const ColumnScene& scene, const Panel& panel, double top, double light, PixelSurface id) {
     hang(scene, picture_now(scene.snapshot, panel), panel.length, top);
     id_ = id;
     shade_by(scene, lighting_in(scene.map, panel.sector, light, panel.contrast));
 }
 
 /// length: of the wall [m].
-void WallPainter::hang(const Scene& scene, const Surface& surface, double length, double peg) {
+void WallPainter::hang(const ColumnScene& scene, const Surface& surface, double length, double peg) {
     texture_ = &scene.textures[surface.texture];
     light_grid_ = nullptr;
     is_once_ = false;
@@ -44,8 +44,8 @@ void WallPainter::hang(const Scene& scene, const Surface& surface, double length
     v_at_peg_ = peg * v_per_m_ - surface.offset_tiles.y;
 }
 
-void WallPainter::start_picture(const Scene& scene, const Texture& texture, double top, double height,
-                                const Lighting& lighting, SurfaceId id) {
+void WallPainter::start_picture(const ColumnScene& scene, const Texture& texture, double top, double height,
+                                const Lighting& lighting, PixelSurface id) {
     texture_ = &texture;
     light_grid_ = nullptr;
     is_once_ = true;
@@ -64,7 +64,8 @@ void WallPainter::light_up(const LightGrid* grid, double length, double eye_z) {
 }
 
 /// The light down a column: of each row of the grid that the rows from top to bottom come near.
-WallGlow WallPainter::glow_at(const Scene& scene, int top, int bottom, Shade shade, const WallHit& hit) const {
+WallLamplight WallPainter::lamplight_at(const ColumnScene& scene, int top, int bottom, Shade shade,
+                                        const WallHit& hit) const {
     constexpr double kWrap = 0x1p-32;  // cells are counted modulo 2^32
     const LightGrid& grid = *light_grid_;
     const double cells_per_row = -hit.depth / scene.screen.focal_y / kLightCell;
@@ -89,18 +90,18 @@ bool WallPainter::is_dark_at(const WallHit& hit) const {
            (light_grid_->is_dark_after_u && across >= light_grid_->columns - 1);
 }
 
-void WallPainter::shade_by(const Scene& scene, const Lighting& lighting) {
+void WallPainter::shade_by(const ColumnScene& scene, const Lighting& lighting) {
     color_table_ = texture_->numbers.empty() ? nullptr : &scene.textures.color_table;
     dimming_ = dimming_of(lighting);
     fog_ = fog_of(scene.map);
 }
 
-WallPainter::ColumnTexels WallPainter::texels_at(const Scene& scene, const WallHit& hit) const {
+WallPainter::ColumnTexels WallPainter::texels_at(const ColumnScene& scene, const WallHit& hit) const {
     const double v_per_row = hit.depth / scene.screen.focal_y * v_per_m_;
     return {hit.along * u_per_along_ - u_offset_, v_at_peg_ - (scene.screen.horizon - 0.5) * v_per_row, v_per_row};
 }
 
-void WallPainter::paint(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const {
+void WallPainter::paint(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const {
     int first = 0, end = looks.count;
     while (first < end && tops[first] >= bottoms[first]) ++first;
     while (first < end && tops[end - 1] >= bottoms[end - 1]) --end;
@@ -115,20 +116,20 @@ void WallPainter::paint(const Scene& scene, const WallLooks& looks, const int* t
     fill(scene, runs, placed, looks.depth + first, looks.along + first);
     if (is_there(fog_))
         for (int i = first; i < end; ++i)
-            mist(scene, scene.canvas.run(looks.begin + i, tops[i], std::max(tops[i], bottoms[i])), looks.depth[i]);
+            add_fog(scene, scene.canvas.run(looks.begin + i, tops[i], std::max(tops[i], bottoms[i])), looks.depth[i]);
     if (scene.facts == nullptr) return;
     for (int i = first; i < end; ++i) note_column(scene, looks.begin + i, tops[i], bottoms[i], looks.at(i));
 }
 
 /// Whether no position on the picture is farther than kNearTiles, at depths up to `farthest`.
-bool WallPainter::is_near(const Scene& scene, double farthest) const {
+bool WallPainter::is_near(const ColumnScene& scene, double farthest) const {
     const double most_per_row = farthest / scene.screen.focal_y * v_per_m_;
     return std::fabs(v_at_peg_) + (std::fabs(scene.screen.horizon) + 1) * most_per_row < kNearTiles &&
            u_per_along_ + std::fabs(u_offset_) < kNearTiles;
 }
 
 /// As place_one(), of columns that are near.
-void WallPainter::place(const Scene& scene, const double* depths, const double* along, int count,
+void WallPainter::place(const ColumnScene& scene, const double* depths, const double* along, int count,
                         Placed& placed) const {
     const double rows_to_horizon = scene.screen.horizon - 0.5, focal_y = scene.screen.focal_y;
     for (int i = 0; i < count; ++i) {
@@ -156,7 +157,7 @@ PlainWalls WallPainter::walls_at(const ColumnRuns& runs, const Placed& placed, i
 }
 
 /// As placed; depths, along: of the columns.
-void WallPainter::fill(const Scene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
+void WallPainter::fill(const ColumnScene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
                        const double* along) const {
     if (built_in::kPointLights && light_grid_)
         fill_lit(scene, runs, placed, depths, along);
@@ -165,7 +166,7 @@ void WallPainter::fill(const Scene& scene, const ColumnRuns& runs, Placed& place
 }
 
 // Out of line, so that walls without lamps do not save registers for it.
-[[gnu::noinline]] void WallPainter::fill_lit(const Scene& scene, const ColumnRuns& runs, Placed& placed,
+[[gnu::noinline]] void WallPainter::fill_lit(const ColumnScene& scene, const ColumnRuns& runs, Placed& placed,
                                              const double* depths, const double* along) const {
     const auto is_lit = [&](int i) { return runs.tops[i] < runs.bottoms[i] && !is_dark_at({depths[i], along[i]}); };
     Shade shades[WallLooks::kMost];
@@ -178,7 +179,7 @@ void WallPainter::fill(const Scene& scene, const ColumnRuns& runs, Placed& place
 }
 
 /// One column that is filled.
-void WallPainter::light(const Scene& scene, PlainWalls wall, Shade shade, const WallHit& hit) const {
+void WallPainter::light(const ColumnScene& scene, PlainWalls wall, Shade shade, const WallHit& hit) const {
     const int top = *wall.runs.tops, bottom = *wall.runs.bottoms;
     LitRun lit{{wall.runs.pixels + top, top, bottom - top}};
     if (color_table_) {
@@ -186,20 +187,20 @@ void WallPainter::light(const Scene& scene, PlainWalls wall, Shade shade, const 
         read_wall(wall);
         lit.texels = wall.runs.pixels + top;
     }
-    scene.passes.lamps.light_wall(lit, glow_at(scene, top, bottom, shade, hit));
+    scene.passes.lamps.light_wall(lit, lamplight_at(scene, top, bottom, shade, hit));
 }
 
-void WallPainter::mist(const Scene& scene, const Run& run, double depth) const {
-    std::fill_n(scene.scratch.mists.begin(), run.count, mist_at(fog_.reach, depth));
-    scene.passes.mist(run, fog_.color, scene.scratch.mists.data());
+void WallPainter::add_fog(const ColumnScene& scene, const Run& run, double depth) const {
+    std::fill_n(scene.scratch.fog_parts.begin(), run.count, fog_part_at(fog_.reach, depth));
+    scene.passes.add_fog(run, fog_.color, scene.scratch.fog_parts.data());
 }
 
-void WallPainter::note_column(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
+void WallPainter::note_column(const ColumnScene& scene, int x, int top, int bottom, const WallHit& hit) const {
     const ColumnTexels at = texels_at(scene, hit);
     for (int y = top; y < bottom; ++y) note(scene, x, y, id_, hit.depth, at.u, at.v_at_row_0 + y * at.v_per_row);
 }
 
-void WallPainter::lay_over(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const {
+void WallPainter::lay_over(const ColumnScene& scene, int x, int top, int bottom, const WallHit& hit) const {
     if (top >= bottom) return;
     const ColumnTexels at = texels_at(scene, hit);
     const int end = is_once_ ? end_of_picture(at, top, bottom) : bottom;
@@ -214,7 +215,8 @@ int WallPainter::end_of_picture(const ColumnTexels& at, int top, int bottom) con
     return end;
 }
 
-void WallPainter::lay_rows(const Scene& scene, int x, OpenRows rows, const ColumnTexels& at, const WallHit& hit) const {
+void WallPainter::lay_rows(const ColumnScene& scene, int x, OpenRows rows, const ColumnTexels& at,
+                           const WallHit& hit) const {
     if (rows.is_closed()) return;
     Placed placed;
     place_one(at, hit.depth, placed, 0);
@@ -224,9 +226,9 @@ void WallPainter::lay_rows(const Scene& scene, int x, OpenRows rows, const Colum
     const ColumnRuns to_colors{colors.data(), 0, 1, &rows.top, &rows.bottom};
     fill(scene, to_colors, placed, &hit.depth, &hit.along);
     const int top = rows.top, count = rows.bottom - rows.top;
-    if (is_there(fog_)) mist(scene, {colors.data() + top, top, count}, hit.depth);
+    if (is_there(fog_)) add_fog(scene, {colors.data() + top, top, count}, hit.depth);
     for (int y = top; y < rows.bottom; ++y) colors[y] = (colors[y] & 0x00FFFFFFu) | (texels[y] & 0xFF000000u);
-    scene.passes.lay(scene.canvas.run(x, top, rows.bottom), colors.data() + top);
+    scene.passes.blend(scene.canvas.run(x, top, rows.bottom), colors.data() + top);
     if (scene.facts == nullptr) return;
     for (int y = top; y < rows.bottom; ++y)
         if (texels[y] >> 24 >= kSolidAlpha)

@@ -12,28 +12,28 @@ class WallPainter {
 public:
     /// What the next calls of paint() draw.
     /// peg_height: of the texture's anchor above the eye [m]. light: of the sector, 0..1.
-    void start(const Scene& scene, const Wall& wall, const Surface& surface, double peg_height, double light,
-               SurfaceId id);
+    void start(const ColumnScene& scene, const Wall& wall, const Surface& surface, double peg_height, double light,
+               PixelSurface id);
 
     /// Point lights on it, too. grid: null: none, which is so after each start. eye_z: height of the eye [m].
     void light_up(const LightGrid* grid, double length, double eye_z);
 
     /// The same for a panel. top: above the eye [m].
-    void start_panel(const Scene& scene, const Panel& panel, double top, double light, SurfaceId id);
+    void start_panel(const ColumnScene& scene, const Panel& panel, double top, double light, PixelSurface id);
 
     /// The same for a thing's picture, which is shown once: a hit is `along` it from its left edge.
     /// top: above the eye [m]. height: [m].
-    void start_picture(const Scene& scene, const Texture& texture, double top, double height, const Lighting& lighting,
-                       SurfaceId id);
+    void start_picture(const ColumnScene& scene, const Texture& texture, double top, double height,
+                       const Lighting& lighting, PixelSurface id);
 
     /// Shows its picture once from top to bottom, as start_picture() does, instead of over and over.
     void show_once() { is_once_ = true; }
 
     /// Rows [tops[i], bottoms[i]) of the columns that look at the wall.
-    void paint(const Scene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
+    void paint(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
 
     /// The same for a picture with holes, laid over what is there already.
-    void lay_over(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
+    void lay_over(const ColumnScene& scene, int x, int top, int bottom, const WallHit& hit) const;
 
 private:
     /// Where on the picture the rows of some columns are, and how dark they are there.
@@ -46,29 +46,29 @@ private:
     struct ColumnTexels {
         double u, v_at_row_0, v_per_row;  ///< [tiles]
     };
-    ColumnTexels texels_at(const Scene& scene, const WallHit& hit) const;
-    bool is_near(const Scene& scene, double farthest) const;
-    void place(const Scene& scene, const double* depths, const double* along, int count, Placed& placed) const;
+    ColumnTexels texels_at(const ColumnScene& scene, const WallHit& hit) const;
+    bool is_near(const ColumnScene& scene, double farthest) const;
+    void place(const ColumnScene& scene, const double* depths, const double* along, int count, Placed& placed) const;
     void place_one(const ColumnTexels& at, double depth, Placed& placed, int i) const;
     PlainWalls walls_at(const ColumnRuns& runs, const Placed& placed, int i) const;
-    void fill(const Scene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
+    void fill(const ColumnScene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
               const double* along) const;
-    void fill_lit(const Scene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
+    void fill_lit(const ColumnScene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
                   const double* along) const;
-    void light(const Scene& scene, PlainWalls wall, Shade shade, const WallHit& hit) const;
+    void light(const ColumnScene& scene, PlainWalls wall, Shade shade, const WallHit& hit) const;
     double across_at(const WallHit& hit) const;
     bool is_dark_at(const WallHit& hit) const;
-    void mist(const Scene& scene, const Run& run, double depth) const;
-    void note_column(const Scene& scene, int x, int top, int bottom, const WallHit& hit) const;
-    WallGlow glow_at(const Scene& scene, int top, int bottom, Shade shade, const WallHit& hit) const;
-    void hang(const Scene& scene, const Surface& surface, double length, double peg);
+    void add_fog(const ColumnScene& scene, const Run& run, double depth) const;
+    void note_column(const ColumnScene& scene, int x, int top, int bottom, const WallHit& hit) const;
+    WallLamplight lamplight_at(const ColumnScene& scene, int top, int bottom, Shade shade, const WallHit& hit) const;
+    void hang(const ColumnScene& scene, const Surface& surface, double length, double peg);
     int end_of_picture(const ColumnTexels& at, int top, int bottom) const;
-    void lay_rows(const Scene& scene, int x, OpenRows rows, const ColumnTexels& at, const WallHit& hit) const;
-    void shade_by(const Scene& scene, const Lighting& lighting);
+    void lay_rows(const ColumnScene& scene, int x, OpenRows rows, const ColumnTexels& at, const WallHit& hit) const;
+    void shade_by(const ColumnScene& scene, const Lighting& lighting);
 
     const Texture* texture_ = nullptr;
     const ColorTable* color_table_ = nullptr;  ///< that it goes by, if it does
-    SurfaceId id_ = kNothing;
+    PixelSurface id_ = kNothing;
     Dimming dimming_;
     Fog fog_;
     double u_per_along_ = 1, u_offset_ = 0;  ///< [tiles]

@@ -34,8 +34,8 @@ TexturePyramid::TexturePyramid(const Texture& texture) {
     while (levels_.back().width > 1 || levels_.back().height > 1) levels_.push_back(halved(levels_.back()));
 }
 
-TexturePyramid::Level TexturePyramid::halved(const Level& from) {
-    Level to{std::max(from.width / 2, 1u), std::max(from.height / 2, 1u), {}};
+TexturePyramid::MipLevel TexturePyramid::halved(const MipLevel& from) {
+    MipLevel to{std::max(from.width / 2, 1u), std::max(from.height / 2, 1u), {}};
     const auto pixel = [&](std::uint32_t x, std::uint32_t y) {
         return from.pixels[std::size_t{std::min(x, from.width - 1)} * from.height + std::min(y, from.height - 1)];
     };
@@ -48,7 +48,7 @@ TexturePyramid::Level TexturePyramid::halved(const Level& from) {
 
 std::uint32_t TexturePyramid::at(TilePlace u, TilePlace v, double texels_per_px) const {
     const auto whole = static_cast<std::uint32_t>(std::clamp(texels_per_px / 2, 0.0, 65536.0));
-    const Level& level =
+    const MipLevel& level =
         levels_[std::min<std::size_t>(static_cast<std::size_t>(std::bit_width(whole)), levels_.size() - 1)];
     return level.pixels[std::size_t{texel_of(u, level.width)} * level.height + texel_of(v, level.height)];
 }

@@ -31,13 +31,13 @@ public:
     std::uint32_t at(TilePlace u, TilePlace v, double texels_per_px) const;
 
 private:
-    struct Level {
+    struct MipLevel {
         std::uint32_t width = 1, height = 1;
         std::vector<std::uint32_t> pixels;  ///< by column, as in Texture
     };
-    static Level halved(const Level& from);
+    static MipLevel halved(const MipLevel& from);
 
-    std::vector<Level> levels_;  ///< the largest first
+    std::vector<MipLevel> levels_;  ///< the largest first
 };
 
 /// What hides what, whatever the depth: the first hides all others.

@@ -106,7 +106,7 @@ private:
         return own_.top;
     }
 
-    void add_part(WallId id, LayId at_rest, const HeightRange& part, const HeightRange& behind) {
+    void add_part(WallId id, SurfaceId at_rest, const HeightRange& part, const HeightRange& behind) {
         const Wall& wall = scene_.map[id];
         const Surface surface = picture_now(scene_.map, scene_.snapshot, id, at_rest);
         FacetLook look = look_of(surface, wall.contrast);

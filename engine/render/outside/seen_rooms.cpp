@@ -39,12 +39,13 @@ Gap gap_of(const Map& map, const Snapshot& snapshot, const Wall& wall) {
 }
 
 /// The look as it goes on after a mirror; none where rounding lets it miss the mirror.
-std::optional<Leg> leg_in_mirror(const Map& map, const Leg& leg, WallId mirror) {
+std::optional<PathSegment> segment_in_mirror(const Map& map, const PathSegment& segment, WallId mirror) {
     const Wall& wall = map[mirror];
     const Rigid passage = map.passage(wall);
-    const Vec2 from = snap_to_point_grid(passage.apply(leg.from)), to = snap_to_point_grid(passage.apply(leg.to));
+    const Vec2 from = snap_to_point_grid(passage.apply(segment.from)),
+               to = snap_to_point_grid(passage.apply(segment.to));
     if (!comes_in_through(wall, from, to)) return {};
-    return Leg{wall.sector, from, to, mirror};
+    return PathSegment{wall.sector, from, to, mirror};
 }
 
 SectorId sector_behind(const Wall& wall) { return wall.kind == WallKind::mirror ? wall.sector : wall.behind; }
@@ -72,35 +73,36 @@ void SeenRooms::follow(const Map& map, const Snapshot& snapshot, int column) {
     const double slope = slopes_[static_cast<std::size_t>(column)];
     const Vec2 way = view_.forward + right_of(view_.forward) * (slope * view_.flip);
     const double farthest = kWorldLimit / std::sqrt(1 + slope * slope);  // so that the end is where points may be [m]
-    Leg leg{view_.sector, view_.eye, snap_to_point_grid(view_.eye + way * farthest), {}};
-    Part part{0, {}, 0, lowest_, highest_};
-    double begin = 0;  // of the leg, in parts of the whole look
+    PathSegment segment{view_.sector, view_.eye, snap_to_point_grid(view_.eye + way * farthest), {}};
+    SeenPart part{0, {}, 0, lowest_, highest_};
+    double begin = 0;  // of the segment, in parts of the whole look
     int links = 0;
-    for (std::uint32_t spent = 0; spent < kLookBudget; spent += cost_of_look_into(map[leg.sector])) {
-        part.exit = way_out(map, leg);
+    for (std::uint32_t spent = 0; spent < kLookBudget; spent += cost_of_look_into(map[segment.sector])) {
+        part.exit = way_out(map, segment);
         const double met =
-            part.exit ? fraction_along_path(leg.from, leg.to, map[part.exit].a, map[part.exit].b).value() : 1;
+            part.exit ? fraction_along_path(segment.from, segment.to, map[part.exit].a, map[part.exit].b).value() : 1;
         const double at = begin + (1 - begin) * met;
         part.exit_depth = at * farthest;
         parts_.push_back(part);
         if (!part.exit || kind_now(map, snapshot, part.exit) == WallKind::solid) return;
         if (map[part.exit].link != Wall::kNoLink && ++links > map.render.max_depth) return;
-        const auto next = go_on(map, snapshot, leg, part);
+        const auto next = go_on(map, snapshot, segment, part);
         if (!next) return;
-        leg = *next;
-        if (leg.hop) begin = at;
+        segment = *next;
+        if (segment.hop) begin = at;
     }
 }
 
-std::optional<Leg> SeenRooms::go_on(const Map& map, const Snapshot& snapshot, const Leg& leg, Part& part) {
+std::optional<PathSegment> SeenRooms::go_on(const Map& map, const Snapshot& snapshot, const PathSegment& segment,
+                                            SeenPart& part) {
     const Wall& wall = map[part.exit];
     const Gap gap = gap_of(map, snapshot, wall);
     const double eye_z = view_.eye_z - rooms_[part.room].to_eye.rise;
     part.low = std::max(part.low, (gap.bottom - eye_z) / part.exit_depth);
     part.high = std::min(part.high, (gap.top - eye_z) / part.exit_depth);
     if (!(part.low < part.high)) return {};
-    const auto next =
-        wall.kind == WallKind::mirror ? leg_in_mirror(map, leg, part.exit) : leg_behind(map, leg, part.exit);
+    const auto next = wall.kind == WallKind::mirror ? segment_in_mirror(map, segment, part.exit)
+                                                    : segment_behind(map, segment, part.exit);
     if (!next) return {};
     part.room = room_behind(map, part.room, part.exit);
     return part.room == kNone ? std::nullopt : next;
@@ -151,7 +153,7 @@ bool SeenRooms::shows(std::size_t room, WallId wall, Vec2 p, double z) const {
     const double climb = (z - view_.eye_z) / depth;
     double entry_depth = 0;
     for (std::size_t i = first_[x]; i < first_[x + 1]; ++i) {
-        const Part& part = parts_[i];
+        const SeenPart& part = parts_[i];
         const bool is_there = wall ? part.exit == wall : depth >= entry_depth && depth < part.exit_depth;
         if (part.room == room && is_there) return climb >= part.low && climb <= part.high;
         entry_depth = part.exit_depth;

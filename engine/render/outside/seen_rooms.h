@@ -7,7 +7,7 @@
 
 #include "map/map.h"
 #include "render/view.h"
-#include "space/leg.h"
+#include "space/path_segment.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
@@ -62,7 +62,7 @@ private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
     /// What a look sees of one room.
-    struct Part {
+    struct SeenPart {
         std::uint32_t room = 0;
         WallId exit;               ///< the wall that it meets there, or none: it ends in the air
         double exit_depth = 0;     ///< along the view's forward [m]
@@ -71,7 +71,8 @@ private:
 
     void follow(const Map& map, const Snapshot& snapshot, int column);
     /// The look beyond the wall that it meets, or none: it ends there.
-    std::optional<Leg> go_on(const Map& map, const Snapshot& snapshot, const Leg& leg, Part& part);
+    std::optional<PathSegment> go_on(const Map& map, const Snapshot& snapshot, const PathSegment& segment,
+                                     SeenPart& part);
     /// The room that `room` has behind one of its walls, or kNone: there are too many.
     std::uint32_t room_behind(const Map& map, std::uint32_t room, WallId wall);
     std::uint32_t find_or_add(const Map& map, const UnfoldedRoom& room);
@@ -83,7 +84,7 @@ private:
     double lowest_ = 0, highest_ = 0;  ///< climbs of the picture's last and first row [1]
     std::vector<UnfoldedRoom> rooms_;
     std::vector<std::uint32_t> first_behind_, behind_;  ///< rooms behind a room's walls: behind_[first_behind_[room]…]
-    std::vector<Part> parts_;
+    std::vector<SeenPart> parts_;
     std::vector<std::size_t> first_;  ///< those of column x are parts_[first_[x]] to parts_[first_[x + 1]]
 };
 

@@ -10,15 +10,17 @@
 
 namespace enfilade {
 
-int side_of_edge(const Edge& line, const Edge& e) {
+int side_of_edge(const DirectedEdge& line, const DirectedEdge& e) {
     const int a = corner(line.a, line.b, e.a), b = corner(line.a, line.b, e.b);
     if (a * b < 0) return 0;
     return (a + b > 0) - (a + b < 0);
 }
 
-bool are_on_one_line(const Edge& e, const Edge& f) { return corner(e.a, e.b, f.a) == 0 && corner(e.a, e.b, f.b) == 0; }
+bool are_on_one_line(const DirectedEdge& e, const DirectedEdge& f) {
+    return corner(e.a, e.b, f.a) == 0 && corner(e.a, e.b, f.b) == 0;
+}
 
-bool is_in_front(const Edge& e, const Edge& f) {
+bool is_in_front(const DirectedEdge& e, const DirectedEdge& f) {
     const int side = side_of_edge(e, f);
     return side != 0 ? side < 0 : side_of_edge(f, e) > 0;
 }
@@ -57,12 +59,12 @@ constexpr double kNormalSteps = 0x1p55;
 /// What offset() counts in, as metres.
 constexpr double kOffsetUnit = 0x1p-87;
 
-bool faces(const Edge& edge, Vec2 eye) { return side_of_line(edge.a, edge.b, eye) > 0; }
+bool faces(const DirectedEdge& edge, Vec2 eye) { return side_of_line(edge.a, edge.b, eye) > 0; }
 
 /// The panel seen from the side on which the eye is.
-Edge turned_to(const Panel& panel, Vec2 eye) {
-    const Edge edge(panel.a, panel.b);
-    return faces(edge, eye) ? edge : Edge(panel.b, panel.a);
+DirectedEdge turned_to(const Panel& panel, Vec2 eye) {
+    const DirectedEdge edge(panel.a, panel.b);
+    return faces(edge, eye) ? edge : DirectedEdge(panel.b, panel.a);
 }
 
 /// Nearer to each other than anybody should rely on. Two walls that both pass through the eye are at depth 0 exactly.
@@ -132,20 +134,20 @@ int RayPath::side(Vec2 vertex, Vec2 eye) const {
 
 /// For an edge that faces the eye: does the ray, ahead of the eye, run between its ends? Facing, its a is the left end,
 /// in a mirror the right one; behind the eye left and right change places, which is why nothing else need be asked.
-bool RayPath::covers(const Edge& edge, const EyeSpace& space) const {
+bool RayPath::covers(const DirectedEdge& edge, const EyeSpace& space) const {
     const bool mirrored = space.flip < 0;
     const Vec2 left = mirrored ? edge.b : edge.a, right = mirrored ? edge.a : edge.b;
     return side(left, space.eye) > 0 && side(right, space.eye) < 0;
 }
 
 /// For an edge that faces the eye and covers the ray.
-double RayPath::depth_of(const Edge& edge, const EyeSpace& space) const {
+double RayPath::depth_of(const DirectedEdge& edge, const EyeSpace& space) const {
     const Int128 across = offset(edge.a, space.eye) - offset(edge.b, space.eye);
     return exact_cross(edge.a, edge.b, space.eye) / (static_cast<double>(across) * kOffsetUnit * space.flip);
 }
 
 /// Of two edges of a sector, the entry being met from behind and `edge` from the front: is `edge` met later?
-bool RayPath::is_beyond_entry(const Edge& edge) const {
+bool RayPath::is_beyond_entry(const DirectedEdge& edge) const {
     if (entry_.is_none()) return true;
     const Wall& entry = map_[entry_];
     const int side = side_of_edge(entry, edge);
@@ -203,7 +205,7 @@ RayHit RayPath::next_hit(const EyeSpace& space, SectorId sector) const {
 }
 
 /// An end of the edge, between the entry and the hit, is within kAmbiguous of the ray.
-bool RayPath::ends_near_ray(const Edge& edge, const RayHit& hit) const {
+bool RayPath::ends_near_ray(const DirectedEdge& edge, const RayHit& hit) const {
     const EyeSpace& space = hit.space;
     const double normal_length = std::sqrt(1 + slope_ * slope_);
     const auto ahead = [&](Vec2 vertex) { return dot(space.forward, vertex - space.eye); };
@@ -244,8 +246,8 @@ void RayPath::add_panels(RayHit& hit) const {
     for (std::uint32_t i = s.first_panel; i < s.first_panel + s.panel_count; ++i) {
         const Panel& panel = map_.panels[i];
         if (!panel.surface.texture) continue;
-        if (panel.one_sided && !faces(Edge(panel.a, panel.b), hit.space.eye)) continue;
-        const Edge edge = turned_to(panel, hit.space.eye);
+        if (panel.one_sided && !faces(DirectedEdge(panel.a, panel.b), hit.space.eye)) continue;
+        const DirectedEdge edge = turned_to(panel, hit.space.eye);
         hit.ambiguous |= ends_near_ray(edge, hit);
         if (!covers(edge, hit.space)) continue;
         PanelHit met{PanelId(i), 0, depth_of(edge, hit.space)};
@@ -263,7 +265,7 @@ void RayPath::add_panels(RayHit& hit) const {
 
 void RayPath::put_in_order(RayHit& hit) const {
     const auto is_before = [&](const PanelHit& p, const PanelHit& q) {
-        const Edge e = turned_to(map_[p.panel], hit.space.eye), f = turned_to(map_[q.panel], hit.space.eye);
+        const DirectedEdge e = turned_to(map_[p.panel], hit.space.eye), f = turned_to(map_[q.panel], hit.space.eye);
         return are_on_one_line(e, f) ? p.panel < q.panel : is_in_front(e, f);
     };
     std::sort(hit.panels.begin(), hit.panels.end(), is_before);

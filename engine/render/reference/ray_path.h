@@ -12,22 +12,22 @@ namespace enfilade {
 // Walls and panels as edges in the plane, and which of two a ray meets first.
 
 /// A directed edge.
-struct Edge {
+struct DirectedEdge {
     Vec2 a, b;  ///< on the vertex grid
 
-    Edge(Vec2 start, Vec2 end) : a(start), b(end) {}
-    Edge(const Wall& wall) : a(wall.a), b(wall.b) {}  // NOLINT(google-explicit-constructor): a wall is one
+    DirectedEdge(Vec2 start, Vec2 end) : a(start), b(end) {}
+    DirectedEdge(const Wall& wall) : a(wall.a), b(wall.b) {}  // NOLINT(google-explicit-constructor): a wall is one
 };
 
 /// Where e lies as seen from the line of another: 1 on its right, -1 on its left (touching allowed), 0 on both sides or
 /// all on the line. Edges of a sector and its panels never cross: where this is 0 one way round, it is not the other,
 /// unless both are on one line.
-int side_of_edge(const Edge& line, const Edge& e);
+int side_of_edge(const DirectedEdge& line, const DirectedEdge& e);
 
-bool are_on_one_line(const Edge& e, const Edge& f);
+bool are_on_one_line(const DirectedEdge& e, const DirectedEdge& f);
 
 /// Both face the eye and cover the ray: is e met before f? Not if both are on one line.
-bool is_in_front(const Edge& e, const Edge& f);
+bool is_in_front(const DirectedEdge& e, const DirectedEdge& f);
 
 // How a ray of a tilted picture is followed: in the plane of its own, like a ray of a picture that is not tilted and
 // looks where the ray goes.
@@ -103,15 +103,15 @@ private:
     WallId nearest_covering(const EyeSpace& space, SectorId sector) const;
     WallId least_missed(const EyeSpace& space, SectorId sector) const;
     bool is_ambiguous(const RayHit& hit) const;
-    bool ends_near_ray(const Edge& edge, const RayHit& hit) const;
-    bool is_beyond_entry(const Edge& edge) const;
+    bool ends_near_ray(const DirectedEdge& edge, const RayHit& hit) const;
+    bool is_beyond_entry(const DirectedEdge& edge) const;
     void add_panels(RayHit& hit) const;
     void put_in_order(RayHit& hit) const;
 
     Int128 offset(Vec2 vertex, Vec2 eye) const;
     int side(Vec2 vertex, Vec2 eye) const;
-    bool covers(const Edge& edge, const EyeSpace& space) const;
-    double depth_of(const Edge& edge, const EyeSpace& space) const;
+    bool covers(const DirectedEdge& edge, const EyeSpace& space) const;
+    double depth_of(const DirectedEdge& edge, const EyeSpace& space) const;
 
     const Map& map_;
     double slope_;

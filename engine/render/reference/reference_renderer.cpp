@@ -8,7 +8,7 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
-#include "render/reference/look.h"
+#include "render/reference/cast_ray.h"
 
 namespace enfilade {
 namespace {
@@ -49,12 +49,12 @@ private:
 /// it goes; else each has its own.
 class ColumnOfRays {
 public:
-    ColumnOfRays(const Scene& scene, const View& view, const Projection& projection, int x)
+    ColumnOfRays(const ReferenceScene& scene, const View& view, const Projection& projection, int x)
         : scene_(scene), view_(view), projection_(projection), x_(x) {
         if (!view.tilt) path_.emplace(scene.map, view, projection.slope(x));
     }
 
-    Seen look(int y) {
+    Seen cast_ray(int y) {
         const Seen seen = follow(ray_course(projection_.ray(x_, y)));
         is_cut_short_ |= seen.cut_short;
         return seen;
@@ -65,12 +65,12 @@ public:
 
 private:
     Seen follow(const RayCourse& course) {
-        if (!view_.tilt) return enfilade::look(scene_, *path_, course);
+        if (!view_.tilt) return enfilade::cast_ray(scene_, *path_, course);
         RayPath path(scene_.map, turned(view_, course.quarters), course.slope);
-        return enfilade::look(scene_, path, course);
+        return enfilade::cast_ray(scene_, path, course);
     }
 
-    const Scene& scene_;
+    const ReferenceScene& scene_;
     const View& view_;
     const Projection& projection_;
     int x_;
@@ -79,11 +79,11 @@ private:
 };
 
 /// One ray a pixel: the centre's. True where one of them was cut short.
-bool render_column(Frame& frame, FrameFacts* facts, const Scene& scene, const View& view, const Projection& projection,
-                   int x) {
+bool render_column(Frame& frame, FrameFacts* facts, const ReferenceScene& scene, const View& view,
+                   const Projection& projection, int x) {
     ColumnOfRays rays(scene, view, projection, x);
     for (int y = 0; y < frame.height; ++y) {
-        const Seen seen = rays.look(y);
+        const Seen seen = rays.cast_ray(y);
         const std::size_t i =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x);
         frame.pixels[i] = seen.color;
@@ -99,15 +99,15 @@ bool render_column(Frame& frame, FrameFacts* facts, const Scene& scene, const Vi
 
 /// Replaces the colours of a column by means of samples x samples rays a pixel. `fine` is the projection of a
 /// picture that many times larger, whose pixel centres are the samples. True where a ray was cut short.
-bool supersample_column(Frame& frame, const Scene& scene, const View& view, const Projection& fine, int samples,
-                        int x) {
+bool supersample_column(Frame& frame, const ReferenceScene& scene, const View& view, const Projection& fine,
+                        int samples, int x) {
     static const std::array<double, 256> linear = linear_light_table();
     std::vector<LightMean> means(static_cast<std::size_t>(frame.height));
     bool is_cut_short = false;
     for (int sub_x = x * samples; sub_x < (x + 1) * samples; ++sub_x) {
         ColumnOfRays rays(scene, view, fine, sub_x);
         for (int sub_y = 0; sub_y < frame.height * samples; ++sub_y)
-            means[static_cast<std::size_t>(sub_y / samples)].add(linear, rays.look(sub_y).color);
+            means[static_cast<std::size_t>(sub_y / samples)].add(linear, rays.cast_ray(sub_y).color);
         is_cut_short |= rays.is_cut_short();
     }
     for (int y = 0; y < frame.height; ++y)
@@ -125,7 +125,7 @@ void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const Tex
     const Projection projection(view, frame.width, frame.height);
     const Projection fine(view, frame.width * options.samples, frame.height * options.samples);
     LightGrids own_lights(map), &lights = options.lights ? *options.lights : own_lights;
-    const Scene scene{map, textures, snapshot, lights.where_lit(), view.tilt.has_value()};
+    const ReferenceScene scene{map, textures, snapshot, lights.where_lit(), view.tilt.has_value()};
     frame.resize(frame.width, frame.height);
     if (facts) reset(*facts, frame.width, frame.height);
     std::vector<char> cut_short(static_cast<std::size_t>(frame.width));
@@ -142,8 +142,8 @@ PixelFacts look_through_pixel(const Map& map, const TextureSet& textures, const 
                               int width, int height, int x, int y) {
     ENFILADE_CHECK(x >= 0 && x < width && y >= 0 && y < height && snapshot.sectors.size() == map.sectors.size());
     const Projection projection(view, width, height);
-    const Scene scene{map, textures, snapshot, nullptr};
-    const Seen seen = ColumnOfRays(scene, view, projection, x).look(y);
+    const ReferenceScene scene{map, textures, snapshot, nullptr};
+    const Seen seen = ColumnOfRays(scene, view, projection, x).cast_ray(y);
     return {seen.id, seen.depth, seen.texel};
 }
 

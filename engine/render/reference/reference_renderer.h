@@ -28,7 +28,7 @@ void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const Tex
 
 /// What one pixel of a picture shows.
 struct PixelFacts {
-    SurfaceId id = kNothing;
+    PixelSurface id = kNothing;
     double depth = 0;  ///< along the view's `forward` [m]; sky: infinity
     TexelPosition texel;
 };

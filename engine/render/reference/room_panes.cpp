@@ -40,7 +40,7 @@ bool is_order_close(const MetPane& a, const MetPane& b) {
 
 }  // namespace
 
-bool add_room_panes(const Scene& scene, const RoomRay& ray, std::vector<Pane>& panes) {
+bool add_room_panes(const ReferenceScene& scene, const RoomRay& ray, std::vector<Pane>& panes) {
     std::vector<MetPane> things, panels, met;
     bool ambiguous = find_things_met(scene, ray, things);
     ambiguous |= find_panels_met(scene, ray, panels);
@@ -67,7 +67,7 @@ bool is_close_to(const RoomRay& ray, const PanelHit& at, double height) {
     return std::fabs(ray.course.climb * at.depth - height) < kAmbiguous;
 }
 
-Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
+Pane pane_of(const ReferenceScene& scene, const RoomRay& ray, const PanelHit& at) {
     const Panel& panel = scene.map[at.panel];
     const Surface surface = picture_now(scene.snapshot, panel);
     const Texture& texture = scene.textures[surface.texture];
@@ -86,14 +86,14 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const PanelHit& at) {
     const LightGrid* grid = scene.lights ? scene.lights->on_panel(scene.snapshot, at.panel) : nullptr;
     const double z = ray.hit.space.eye_z + ray.course.climb * at.depth;
     pane.seen.color =
-        in_fog(scene, lit(scene, shown, lighting, depth, glow_on(grid, at.along * panel.length, z)), depth);
+        in_fog(scene, lit(scene, shown, lighting, depth, lamplight_on(grid, at.along * panel.length, z)), depth);
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, surface.tile_m);
     return pane;
 }
 
 }  // namespace
 
-bool find_panels_met(const Scene& scene, const RoomRay& ray, std::vector<MetPane>& met) {
+bool find_panels_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met) {
     bool ambiguous = false;
     const Heights room = heights_at(scene.snapshot, ray.hit.sector);
     const double eye_z = ray.hit.space.eye_z;
@@ -138,7 +138,9 @@ double sight_per_course(const RayCourse& course) {
     return parts[course.quarters];
 }
 
-bool is_whole(const Scene& scene) { return thing_edges(scene.map.render, scene.is_tilted) == ThingEdges::whole; }
+bool is_whole(const ReferenceScene& scene) {
+    return thing_edges(scene.map.render, scene.is_tilted) == ThingEdges::whole;
+}
 
 /// That a picture `away` along the sight and `depth` along the course is in the room, and not too near.
 void require_in_room(Verdict& verdict, const RoomRay& ray, double away, double depth) {
@@ -151,7 +153,8 @@ void require_in_room(Verdict& verdict, const RoomRay& ray, double away, double d
 }
 
 /// The same for a picture that is not cut: its middle is.
-void require_middle_in_room(Verdict& verdict, const Scene& scene, const RoomRay& ray, Vec2 place, double away) {
+void require_middle_in_room(Verdict& verdict, const ReferenceScene& scene, const RoomRay& ray, Vec2 place,
+                            double away) {
     const Middle middle{ray.hit.space.eye, ray.hit.space.forward, place, away};
     verdict.require(away >= kNearestSprite, are_close(away, kNearestSprite));
     const auto is_seen = [&](double shift) {
@@ -162,7 +165,7 @@ void require_middle_in_room(Verdict& verdict, const Scene& scene, const RoomRay&
 }
 
 /// A picture where a ray meets its plane.
-struct Meeting {
+struct ThingHit {
     ThingId thing;
     double depth;  ///< along the ray's course [m]
     Vec2 place_m;  ///< from the picture's upper left corner, as it was painted, right and down [m]
@@ -171,8 +174,8 @@ struct Meeting {
 
 /// That the ray goes through the picture, if that is cut between floor and ceiling. height: of the ray above the eye
 /// [m].
-void require_on_picture(Verdict& verdict, const Scene& scene, const RoomRay& ray, const SpritePicture& picture,
-                        const Meeting& at, double height) {
+void require_on_picture(Verdict& verdict, const ReferenceScene& scene, const RoomRay& ray, const SpritePicture& picture,
+                        const ThingHit& at, double height) {
     const Heights room = heights_at(scene.snapshot, ray.hit.sector);
     const double eye_z = ray.hit.space.eye_z, top = picture.foot_z - eye_z + picture.origin_m.y;
     const double bottom = top - picture.size_m.y;
@@ -189,7 +192,7 @@ void require_on_picture(Verdict& verdict, const Scene& scene, const RoomRay& ray
 }
 
 /// What the ray sees of the picture, if it goes through it.
-Pane pane_of(const Scene& scene, const RoomRay& ray, const SpritePicture& picture, const Meeting& at) {
+Pane pane_of(const ReferenceScene& scene, const RoomRay& ray, const SpritePicture& picture, const ThingHit& at) {
     const Texture& texture = scene.textures[picture.texture];
     const double u = at.place_m.x / picture.size_m.x, v = std::clamp(at.place_m.y / picture.size_m.y, 0.0, 1.0);
     const Texel shown = texel(texture, place_on_picture(std::clamp(u, 0.0, 1.0)), place_on_picture(v));
@@ -200,18 +203,18 @@ Pane pane_of(const Scene& scene, const RoomRay& ray, const SpritePicture& pictur
     pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
     pane.alpha = shown.color >> 24;
     const LightGrid* grid = scene.lights ? scene.lights->on_thing(scene.snapshot, at.thing) : nullptr;
-    pane.seen.color = in_fog(scene, lit(scene, shown, picture.lighting, depth, glow_on(grid, 0, 0)), depth);
+    pane.seen.color = in_fog(scene, lit(scene, shown, picture.lighting, depth, lamplight_on(grid, 0, 0)), depth);
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, picture.size_m);
     return pane;
 }
 
 /// Adds the meeting if the ray goes through the picture. True where it almost does, or almost does not.
-bool meet(const Scene& scene, const RoomRay& ray, const Presence& presence, std::vector<Meeting>& met) {
+bool meet(const ReferenceScene& scene, const RoomRay& ray, const Presence& presence, std::vector<ThingHit>& met) {
     const EyeSpace& space = ray.hit.space;
     const Vec2 to_it = presence.position - space.eye;
     const Vec2 sight = sight_of(ray);
     const double away = dot(sight, to_it);
-    Meeting at{presence.thing, away / sight_per_course(ray.course), {}, {}};
+    ThingHit at{presence.thing, away / sight_per_course(ray.course), {}, {}};
     Verdict verdict;
     if (is_whole(scene))
         require_middle_in_room(verdict, scene, ray, presence.position, away);
@@ -234,17 +237,17 @@ bool meet(const Scene& scene, const RoomRay& ray, const Presence& presence, std:
 }
 
 /// Of pictures at the same depth the one of the thing with the lower number is the nearer.
-bool is_met_sooner(const Meeting& a, const Meeting& b) { return depth_steps(a.depth) < depth_steps(b.depth); }
+bool is_met_sooner(const ThingHit& a, const ThingHit& b) { return depth_steps(a.depth) < depth_steps(b.depth); }
 
 }  // namespace
 
-bool find_things_met(const Scene& scene, const RoomRay& ray, std::vector<MetPane>& met) {
+bool find_things_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met) {
     bool ambiguous = false;
-    std::vector<Meeting> meetings;
+    std::vector<ThingHit> meetings;
     for (const Presence& presence : scene.snapshot.things.in(ray.hit.sector))
         ambiguous |= meet(scene, ray, presence, meetings);
     std::stable_sort(meetings.begin(), meetings.end(), is_met_sooner);
-    for (const Meeting& meeting : meetings) met.push_back({meeting.depth, meeting.pane});
+    for (const ThingHit& meeting : meetings) met.push_back({meeting.depth, meeting.pane});
     return ambiguous;
 }
 

@@ -5,7 +5,7 @@
 
 #include "math/vec.h"
 #include "render/lighting.h"
-#include "render/reference/look.h"
+#include "render/reference/cast_ray.h"
 #include "render/shade.h"
 
 namespace enfilade {
@@ -47,24 +47,24 @@ inline Texel texel(const Texture& texture, TilePlace u, TilePlace v) {
 }
 
 /// A texel's colour in this light and that of point lights; its alpha is kept.
-inline std::uint32_t lit(const Scene& scene, const Texel& texel, const Lighting& lighting, double depth,
-                         LightCell glow) {
+inline std::uint32_t lit(const ReferenceScene& scene, const Texel& texel, const Lighting& lighting, double depth,
+                         LightCell lamplight) {
     const Shade shade = shade_at(lighting, depth);
-    const std::uint32_t bright =
-        texel.number
-            ? lit_above(darkened_colors(scene.textures.color_table, shade)[*texel.number], texel.color, shade, glow)
-            : lit(texel.color, shade, glow);
+    const std::uint32_t bright = texel.number
+                                     ? lit_above(darkened_colors(scene.textures.color_table, shade)[*texel.number],
+                                                 texel.color, shade, lamplight)
+                                     : lit(texel.color, shade, lamplight);
     return (texel.color & 0xFF000000u) | (bright & 0x00FFFFFFu);
 }
 
 /// The colour behind the map's fog; its alpha is kept.
-inline std::uint32_t in_fog(const Scene& scene, std::uint32_t color, double depth) {
+inline std::uint32_t in_fog(const ReferenceScene& scene, std::uint32_t color, double depth) {
     const RenderRecord& render = scene.map.render;
-    return misted(color, pixel_of(render.fog_color), mist_at(render.fog_reach, depth));
+    return fogged(color, pixel_of(render.fog_color), fog_part_at(render.fog_reach, depth));
 }
 
 /// What point lights throw onto a place of a surface. grid: null: nothing.
-inline LightCell glow_on(const LightGrid* grid, double u, double v) { return grid ? light_on(*grid, u, v) : 0; }
+inline LightCell lamplight_on(const LightGrid* grid, double u, double v) { return grid ? light_on(*grid, u, v) : 0; }
 
 /// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round, or more or less of what is
 /// behind? size_m: of the picture.
@@ -73,18 +73,18 @@ bool is_at_rim_of_hole(const Texture& texture, TexelPosition at, Vec2 size_m);
 /// Adds the things and panels that the ray goes through, the nearest first; of a thing and a panel at one depth, in
 /// steps (render/sprite.h), the thing. True where a shift of kAmbiguous would have met something else, or in another
 /// order.
-bool add_room_panes(const Scene& scene, const RoomRay& ray, std::vector<Pane>& panes);
+bool add_room_panes(const ReferenceScene& scene, const RoomRay& ray, std::vector<Pane>& panes);
 
 // The panels that a ray goes through on its way through one room.
 
 /// Adds the panels that the ray goes through, the nearest first. True where a shift of kAmbiguous would have met
 /// another one, or missed one.
-bool find_panels_met(const Scene& scene, const RoomRay& ray, std::vector<MetPane>& met);
+bool find_panels_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met);
 
 // The pictures of things that a ray meets on its way through one room.
 
 /// Adds the pictures that the ray goes through, the nearest first, by the rules of render/sprite.h. True where a shift
 /// of kAmbiguous would have met another picture.
-bool find_things_met(const Scene& scene, const RoomRay& ray, std::vector<MetPane>& met);
+bool find_things_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met);
 
 }  // namespace enfilade

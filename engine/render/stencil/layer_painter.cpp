@@ -17,26 +17,27 @@ const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(byt
 
 void float_attribute(GLuint index, GLint count, std::size_t at) {
     glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, count, GL_FLOAT, GL_FALSE, sizeof(Vertex), offset(at));
+    glVertexAttribPointer(index, count, GL_FLOAT, GL_FALSE, sizeof(MeshVertex), offset(at));
 }
 
 void describe_vertices() {
-    constexpr std::size_t kLook = offsetof(Vertex, look);
-    float_attribute(0, 2, offsetof(Vertex, x));
-    float_attribute(1, 4, kLook + offsetof(Look, from));
-    float_attribute(2, 3, kLook + offsetof(Look, span));
-    float_attribute(3, 4, kLook + offsetof(Look, nearest));
-    float_attribute(4, 4, kLook + offsetof(Look, a));
-    float_attribute(5, 4, kLook + offsetof(Look, b));
-    float_attribute(6, 4, kLook + offsetof(Look, c));
+    constexpr std::size_t kParams = offsetof(MeshVertex, params);
+    float_attribute(0, 2, offsetof(MeshVertex, x));
+    float_attribute(1, 4, kParams + offsetof(PaintParams, from));
+    float_attribute(2, 3, kParams + offsetof(PaintParams, span));
+    float_attribute(3, 4, kParams + offsetof(PaintParams, nearest));
+    float_attribute(4, 4, kParams + offsetof(PaintParams, a));
+    float_attribute(5, 4, kParams + offsetof(PaintParams, b));
+    float_attribute(6, 4, kParams + offsetof(PaintParams, c));
     glEnableVertexAttribArray(7);
-    glVertexAttribIPointer(7, 4, GL_UNSIGNED_INT, sizeof(Vertex), offset(kLook + offsetof(Look, id_and_paint)));
-    float_attribute(8, 3, kLook + offsetof(Look, left_edge));
-    float_attribute(9, 3, kLook + offsetof(Look, right_edge));
+    glVertexAttribIPointer(7, 4, GL_UNSIGNED_INT, sizeof(MeshVertex),
+                           offset(kParams + offsetof(PaintParams, id_and_paint)));
+    float_attribute(8, 3, kParams + offsetof(PaintParams, left_edge));
+    float_attribute(9, 3, kParams + offsetof(PaintParams, right_edge));
 }
 
 /// The whole point nearest to the picture's middle where rays are nearly level; straight up or down, the middle.
-Corner near_horizon(const RayField& rays) {
+PixelPoint near_horizon(const RayField& rays) {
     const Even& up = rays.up;
     const double x = rays.is_tilted ? rays.width * 0.5 : 0, y = rays.is_tilted ? rays.height * 0.5 : 0;
     const double steepness = up.per_x * up.per_x + up.per_y * up.per_y, away = up.at(x, y) / steepness;
@@ -81,7 +82,7 @@ Status LayerPainter::prepare_for(const Mesh& mesh, bool is_tilted) {
     return {};
 }
 
-void LayerPainter::paint(Target& target, const Scene& scene, const Plan& plan, const Mesh& mesh,
+void LayerPainter::paint(RenderTarget& target, const DrawInput& scene, const Plan& plan, const Mesh& mesh,
                          const std::vector<LayerRanges>& ranges, bool with_facts) {
     draws_ = 0;
     upload(mesh);
@@ -98,13 +99,13 @@ void LayerPainter::paint(Target& target, const Scene& scene, const Plan& plan, c
 void LayerPainter::upload(const Mesh& mesh) {
     glBindVertexArray(vertex_array_.id());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices().size() * sizeof(Vertex)), mesh.vertices().data(),
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices().size() * sizeof(MeshVertex)), mesh.vertices().data(),
                  GL_STREAM_DRAW);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices().size() * sizeof(std::uint32_t)),
                  mesh.indices().data(), GL_STREAM_DRAW);
 }
 
-void LayerPainter::set_uniforms(const Scene& scene) const {
+void LayerPainter::set_uniforms(const DrawInput& scene) const {
     for (const SurfaceProgram& program : programs_->surfaces)
         if (program.program.id() != 0) set_uniforms(program, scene);
     const GLuint textures[] = {scene.store.texture(), scene.records.texture(), scene.store.color_numbers(),
@@ -115,9 +116,9 @@ void LayerPainter::set_uniforms(const Scene& scene) const {
     }
 }
 
-void LayerPainter::set_uniforms(const SurfaceProgram& program, const Scene& scene) const {
+void LayerPainter::set_uniforms(const SurfaceProgram& program, const DrawInput& scene) const {
     const RayField& rays = scene.rays;
-    const Corner level = near_horizon(rays);
+    const PixelPoint level = near_horizon(rays);
     glUseProgram(program.program.id());
     glUniform2f(program.level, static_cast<float>(level.x), static_cast<float>(level.y));
     glUniform3f(program.climb, static_cast<float>(rays.up.at(level.x, level.y)), static_cast<float>(rays.up.per_x),
@@ -132,7 +133,7 @@ void LayerPainter::set_uniforms(const SurfaceProgram& program, const Scene& scen
     glUniform1i(program.color_table, 3);
 }
 
-void LayerPainter::set_entry(const SurfaceProgram& program, const Job& job, const Layer& layer) {
+void LayerPainter::set_entry(const SurfaceProgram& program, const PaintJob& job, const Layer& layer) {
     const WallOnScreen& doorway = layer.opened;
     const double x = (doorway.begin + doorway.end) / 2, y = 0;
     const Even there = span(job.scene.rays, doorway);
@@ -142,7 +143,7 @@ void LayerPainter::set_entry(const SurfaceProgram& program, const Job& job, cons
                 static_cast<float>(there.per_y));
 }
 
-void LayerPainter::paint_layer(const Job& job, std::size_t index, int level) {
+void LayerPainter::paint_layer(const PaintJob& job, std::size_t index, int level) {
     const Layer& layer = job.plan.layers[index];
     const LayerRanges& ranges = job.ranges[index];
     use_layer(layer, level);
@@ -153,7 +154,7 @@ void LayerPainter::paint_layer(const Job& job, std::size_t index, int level) {
     if (!ranges.panes.range.is_empty()) paint_panes(job, layer, ranges, level);
 }
 
-void LayerPainter::paint_surfaces(const Job& job, const Layer& layer, const LayerRanges& ranges) {
+void LayerPainter::paint_surfaces(const PaintJob& job, const Layer& layer, const LayerRanges& ranges) {
     for (const auto& [kind, range] : ranges.surfaces) {
         const SurfaceProgram& program = programs_->surfaces[kind];
         glUseProgram(program.program.id());
@@ -163,7 +164,7 @@ void LayerPainter::paint_surfaces(const Job& job, const Layer& layer, const Laye
 }
 
 void LayerPainter::use_layer(const Layer& layer, int level) {
-    const Box& box = layer.box;
+    const ScreenBox& box = layer.box;
     glScissor(box.begin_x, box.begin_y, box.end_x - box.begin_x, box.end_y - box.begin_y);
     glDepthMask(GL_TRUE);
     at_level(level, GL_KEEP);
@@ -175,7 +176,7 @@ void LayerPainter::use_masks(bool is_far) const {
     depth_range(is_far ? 0 : 1);
 }
 
-void LayerPainter::look_through(const Job& job, const Layer& layer, const LayerRanges& ranges, int level) {
+void LayerPainter::look_through(const PaintJob& job, const Layer& layer, const LayerRanges& ranges, int level) {
     const auto is_followed = [](const Exit& exit) { return exit.layer != Exit::kCut; };
     const bool is_deepest = level == kDeepestLevel && std::any_of(layer.exits.begin(), layer.exits.end(), is_followed);
     if (is_deepest) count_on_from_one(job, layer);
@@ -185,7 +186,7 @@ void LayerPainter::look_through(const Job& job, const Layer& layer, const LayerR
     if (is_deepest) job.target.bring_back_levels();
 }
 
-void LayerPainter::count_on_from_one(const Job& job, const Layer& layer) {
+void LayerPainter::count_on_from_one(const PaintJob& job, const Layer& layer) {
     job.target.keep_levels();
     use_layer(layer, kDeepestLevel);
     use_masks(false);
@@ -202,7 +203,8 @@ void LayerPainter::count_on_from_one(const Job& job, const Layer& layer) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening, int level) {
+void LayerPainter::look_through(const PaintJob& job, const Layer& layer, const Exit& exit, const IndexRange& opening,
+                                int level) {
     use_layer(layer, level);
     use_masks(false);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -230,7 +232,7 @@ void LayerPainter::look_through(const Job& job, const Layer& layer, const Exit& 
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges, int level) {
+void LayerPainter::paint_panes(const PaintJob& job, const Layer& layer, const LayerRanges& ranges, int level) {
     use_layer(layer, level);
     const SurfaceProgram& program = programs_->surfaces[ranges.panes.kind];
     glUseProgram(program.program.id());
@@ -249,7 +251,7 @@ void LayerPainter::paint_panes(const Job& job, const Layer& layer, const LayerRa
     glDisable(GL_BLEND);
 }
 
-void LayerPainter::draw(const Range& range) {
+void LayerPainter::draw(const IndexRange& range) {
     if (range.is_empty()) return;
     ++draws_;
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.end - range.begin), GL_UNSIGNED_INT,

@@ -24,35 +24,35 @@ public:
     Status prepare_for(const Mesh& mesh, bool is_tilted);
 
     /// Draws all layers into the target, which is prepared and cleared. Everything was prepared, records uploaded.
-    void paint(Target& target, const Scene& scene, const Plan& plan, const Mesh& mesh,
+    void paint(RenderTarget& target, const DrawInput& scene, const Plan& plan, const Mesh& mesh,
                const std::vector<LayerRanges>& ranges, bool with_facts);
 
     std::size_t draws() const { return draws_; }
 
 private:
-    struct Job {
-        Target& target;
-        const Scene& scene;
+    struct PaintJob {
+        RenderTarget& target;
+        const DrawInput& scene;
         const Plan& plan;
         const std::vector<LayerRanges>& ranges;
-        Range sheet;
+        IndexRange sheet;
         bool with_facts;
     };
 
     void upload(const Mesh& mesh);
-    void set_uniforms(const Scene& scene) const;
+    void set_uniforms(const DrawInput& scene) const;
     void use_masks(bool is_far) const;
-    void set_uniforms(const SurfaceProgram& program, const Scene& scene) const;
-    void paint_surfaces(const Job& job, const Layer& layer, const LayerRanges& ranges);
-    void set_entry(const SurfaceProgram& program, const Job& job, const Layer& layer);
+    void set_uniforms(const SurfaceProgram& program, const DrawInput& scene) const;
+    void paint_surfaces(const PaintJob& job, const Layer& layer, const LayerRanges& ranges);
+    void set_entry(const SurfaceProgram& program, const PaintJob& job, const Layer& layer);
     // level: what the stencil buffer holds where the layer is.
-    void paint_layer(const Job& job, std::size_t index, int level);
-    void look_through(const Job& job, const Layer& layer, const LayerRanges& ranges, int level);
-    void look_through(const Job& job, const Layer& layer, const Exit& exit, const Range& opening, int level);
-    void count_on_from_one(const Job& job, const Layer& layer);
-    void paint_panes(const Job& job, const Layer& layer, const LayerRanges& ranges, int level);
+    void paint_layer(const PaintJob& job, std::size_t index, int level);
+    void look_through(const PaintJob& job, const Layer& layer, const LayerRanges& ranges, int level);
+    void look_through(const PaintJob& job, const Layer& layer, const Exit& exit, const IndexRange& opening, int level);
+    void count_on_from_one(const PaintJob& job, const Layer& layer);
+    void paint_panes(const PaintJob& job, const Layer& layer, const LayerRanges& ranges, int level);
     void use_layer(const Layer& layer, int level);
-    void draw(const Range& range);
+    void draw(const IndexRange& range);
 
     struct Programs {
         std::array<SurfaceProgram, kKinds> surfaces;

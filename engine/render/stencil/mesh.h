@@ -5,19 +5,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/stencil/look.h"
 #include "render/stencil/outline.h"
+#include "render/stencil/paint_params.h"
 #include "render/stencil/surfaces.h"
 
 namespace enfilade::stencil {
 
-struct Vertex {
+struct MeshVertex {
     float x = 0, y = 0;  ///< in the picture, -1..1, y down
-    Look look;
+    PaintParams params;
 };
 
 /// Indices [begin, end) of a mesh: whole triangles.
-struct Range {
+struct IndexRange {
     std::size_t begin = 0, end = 0;
     bool is_empty() const { return begin == end; }
 };
@@ -25,7 +25,7 @@ struct Range {
 /// Those that one program draws.
 struct KindRange {
     Kind kind = 0;
-    Range range;
+    IndexRange range;
 };
 
 /// All polygons of one frame.
@@ -35,34 +35,35 @@ public:
 
     /// The part of a wall between two heights above the eye [m]; infinite ones reach the picture's edge. It adds
     /// nothing where there is no such part.
-    void add_strip(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights, const Look& look);
+    void add_strip(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights,
+                   const PaintParams& params);
 
-    /// All of the picture, without a look. Once for each picture.
+    /// All of the picture, without PaintParams. Once for each picture.
     void add_sheet();
-    const Range& sheet() const { return sheet_; }  ///< empty: none was added
+    const IndexRange& sheet() const { return sheet_; }  ///< empty: none was added
 
     /// Puts the triangles from index `begin` on in the order of their kinds, and says where those of each kind are.
     std::vector<KindRange> sort_by_kind(std::size_t begin);
 
     /// A kind that can draw all of a range of walls and pictures with holes, which stay in their order.
-    KindRange with_holes(const Range& range);
+    KindRange with_holes(const IndexRange& range);
 
     /// Whether a range of that kind was asked for.
     bool has(Kind kind) const { return has_[kind]; }
 
     std::size_t index_count() const { return indices_.size(); }
-    const std::vector<Vertex>& vertices() const { return vertices_; }
+    const std::vector<MeshVertex>& vertices() const { return vertices_; }
     const std::vector<std::uint32_t>& indices() const { return indices_; }
 
 private:
-    void add_half(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights, const Look& look,
-                  double up);
-    void add_outline(const RayField& rays, const Look& look);
+    void add_half(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights,
+                  const PaintParams& params, double up);
+    void add_outline(const RayField& rays, const PaintParams& params);
 
-    std::vector<Vertex> vertices_;
+    std::vector<MeshVertex> vertices_;
     std::vector<std::uint32_t> indices_;
     std::array<bool, kKinds> has_{};
-    Range sheet_;
+    IndexRange sheet_;
     std::array<std::vector<std::uint32_t>, kKinds> sorted_;  ///< while they are put in order
     Outline outline_;
 };
@@ -72,11 +73,11 @@ private:
 /// Where one layer's polygons are in the mesh.
 struct LayerRanges {
     std::vector<KindRange> surfaces;  ///< what hides everything behind it
-    std::vector<Range> exits;         ///< by Layer::exits: the portal's opening
+    std::vector<IndexRange> exits;    ///< by Layer::exits: the portal's opening
     KindRange panes;                  ///< farthest first
 };
 
 /// Adds the polygons of all layers to the mesh. Cost: the walls of the layers' sectors.
-std::vector<LayerRanges> build_mesh(Mesh& mesh, const Scene& scene, const Plan& plan);
+std::vector<LayerRanges> build_mesh(Mesh& mesh, const DrawInput& scene, const Plan& plan);
 
 }  // namespace enfilade::stencil

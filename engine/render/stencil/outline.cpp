@@ -13,12 +13,12 @@ void Outline::set(double left, double right, double top, double bottom) {
 void Outline::keep(const Even& where) {
     cut_.clear();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-        const Corner p = corners_[i], q = corners_[(i + 1) % corners_.size()];
+        const PixelPoint p = corners_[i], q = corners_[(i + 1) % corners_.size()];
         const double at_p = where.at(p.x, p.y), at_q = where.at(q.x, q.y);
         if (at_p >= 0) cut_.push_back(p);
         if ((at_p >= 0) == (at_q >= 0)) continue;
         const bool in_order = p.x < q.x || (p.x == q.x && p.y < q.y);
-        const Corner a = in_order ? p : q, b = in_order ? q : p;
+        const PixelPoint a = in_order ? p : q, b = in_order ? q : p;
         const double at_a = in_order ? at_p : at_q, at_b = in_order ? at_q : at_p, part = at_a / (at_a - at_b);
         cut_.push_back({a.x + (b.x - a.x) * part, a.y + (b.y - a.y) * part});
     }
@@ -60,13 +60,13 @@ void keep_between(Outline& outline, const RayField& rays, const WallOnScreen& wa
     if (!std::isinf(heights.floor)) outline.keep(below(rays, wall, heights.floor) * -1);
 }
 
-Box box_around(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights) {
+ScreenBox box_around(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights) {
     Outline outline;
     set_between_ends(outline, rays, wall);
     keep_between(outline, rays, wall, heights);
     if (outline.is_empty()) return {};
-    const auto by_x = [](const Corner& a, const Corner& b) { return a.x < b.x; };
-    const auto by_y = [](const Corner& a, const Corner& b) { return a.y < b.y; };
+    const auto by_x = [](const PixelPoint& a, const PixelPoint& b) { return a.x < b.x; };
+    const auto by_y = [](const PixelPoint& a, const PixelPoint& b) { return a.y < b.y; };
     const auto [left, right] = std::minmax_element(outline.corners().begin(), outline.corners().end(), by_x);
     const auto [top, bottom] = std::minmax_element(outline.corners().begin(), outline.corners().end(), by_y);
     const auto whole = [](double px, int most) { return static_cast<int>(std::clamp(px, 0.0, double(most))); };
@@ -74,7 +74,7 @@ Box box_around(const RayField& rays, const WallOnScreen& wall, const RelativeHei
             whole(std::floor(top->y), rays.height), whole(std::ceil(bottom->y), rays.height)};
 }
 
-Box common(const Box& a, const Box& b) {
+ScreenBox common(const ScreenBox& a, const ScreenBox& b) {
     return {std::max(a.begin_x, b.begin_x), std::min(a.end_x, b.end_x), std::max(a.begin_y, b.begin_y),
             std::min(a.end_y, b.end_y)};
 }

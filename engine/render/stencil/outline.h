@@ -9,7 +9,7 @@
 namespace enfilade::stencil {
 
 /// A point of the picture [px].
-struct Corner {
+struct PixelPoint {
     double x, y;
 };
 
@@ -25,10 +25,10 @@ public:
     void keep(const Even& where);
 
     bool is_empty() const { return corners_.size() < 3; }
-    const std::vector<Corner>& corners() const { return corners_; }
+    const std::vector<PixelPoint>& corners() const { return corners_; }
 
 private:
-    std::vector<Corner> corners_, cut_;
+    std::vector<PixelPoint> corners_, cut_;
 };
 
 // Where in the picture the parts of an upright edge are: bounds of their pixels, tilted or not.
@@ -58,8 +58,8 @@ void set_between_ends(Outline& outline, const RayField& rays, const WallOnScreen
 void keep_between(Outline& outline, const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights);
 
 /// Whole pixels around that part of the wall, within the picture.
-Box box_around(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights);
+ScreenBox box_around(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights);
 
-Box common(const Box& a, const Box& b);
+ScreenBox common(const ScreenBox& a, const ScreenBox& b);
 
 }  // namespace enfilade::stencil

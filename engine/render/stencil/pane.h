@@ -4,9 +4,9 @@
 #include <optional>
 #include <variant>
 
+#include "render/pixel_surface.h"
 #include "render/sprite.h"
 #include "render/stencil/wall_on_screen.h"
-#include "render/surface_id.h"
 
 namespace enfilade::stencil {
 
@@ -17,7 +17,7 @@ struct ThingOnScreen {
     WallOnScreen place;
     ThingId thing;
     Vec2 position;  ///< of the thing, in the sector's space
-    SurfaceId id = kNothing;
+    PixelSurface id = kNothing;
     TextureId texture;
     Lighting lighting;
     double depth = 0;            ///< along `forward`; in tilted pictures maybe behind the eye, below 0 [m]

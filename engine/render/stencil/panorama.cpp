@@ -55,7 +55,7 @@ OpenRows rows_of(const Screen& face, const RayField& rays, std::size_t quarters,
     if (outline.is_empty()) return {};
     const Even ahead = along(rays, direction_in_view(quarters, 0));
     OpenRows rows{face.height, 0};
-    for (const Corner& corner : outline.corners()) {
+    for (const PixelPoint& corner : outline.corners()) {
         const double row = row_at(face, ahead.at(corner.x, corner.y), rays.up.at(corner.x, corner.y));
         rows.top = std::min(rows.top, static_cast<int>(row) - 1);
         rows.bottom = std::max(rows.bottom, static_cast<int>(row) + 2);

@@ -28,9 +28,9 @@ struct OpenExit {
     std::vector<Visit> visits;  ///< the looks through it, one for each face
 };
 
-class Planner {
+class LayerPlanner {
 public:
-    Planner(const FrameInput& input, const Screen& screen, const RayField& rays)
+    LayerPlanner(const FrameInput& input, const Screen& screen, const RayField& rays)
         : input_(input), screen_(screen), rays_(rays), room_(input.map, screen), panes_(input, screen) {}
 
     Plan plan(const View& view) {
@@ -272,7 +272,7 @@ private:
 }  // namespace
 
 Plan make_plan(const FrameInput& input, const Screen& screen, const RayField& rays, const View& view) {
-    return Planner(input, screen, rays).plan(view);
+    return LayerPlanner(input, screen, rays).plan(view);
 }
 
 }  // namespace enfilade::stencil

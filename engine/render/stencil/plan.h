@@ -27,7 +27,7 @@ struct Layer {
     WallId entry;                     ///< the wall of this space through which one looks in; none for the first layer
     WallOnScreen opened;              ///< the same from its other side, in view space
     int level = 0;                    ///< layers that it is seen through
-    Box box;                          ///< no pixel of the layer is outside
+    ScreenBox box;                    ///< no pixel of the layer is outside
     std::vector<SectorId> sectors;    ///< looked into
     std::vector<WallOnScreen> walls;  ///< upright: by runs of columns, which meet one in each room they go through
     std::vector<WallOnScreen> stand_ins;  ///< tilted: where no wall is behind a link (tilted_stand_ins.h)

@@ -32,8 +32,8 @@ bool ClipWindow::holds(const ClipWindow& other) const {
     return true;
 }
 
-Box box_around(const ClipWindow& window) {
-    Box box{window.begin, window.end(), 0, 0};
+ScreenBox box_around(const ClipWindow& window) {
+    ScreenBox box{window.begin, window.end(), 0, 0};
     for (const OpenRows& rows : window.rows) {
         if (rows.is_closed()) continue;
         const bool is_first = box.begin_y >= box.end_y;

@@ -28,13 +28,13 @@ struct ClipWindow {
 };
 
 /// Columns and rows [begin, end) [px].
-struct Box {
+struct ScreenBox {
     int begin_x = 0, end_x = 0, begin_y = 0, end_y = 0;
     bool is_empty() const { return begin_x >= end_x || begin_y >= end_y; }
 };
 
 /// The smallest around the window.
-Box box_around(const ClipWindow& window);
+ScreenBox box_around(const ClipWindow& window);
 
 /// A look into a sector. Past a plain doorway nothing is transformed.
 struct Visit {

@@ -30,8 +30,9 @@ void RoomPanes::find_boards(const Pose& pose, const RoomLook& room) {
         if (thing && put_on_screen(*thing, screen_)) boards_.push_back({*thing, {{}, {}}, {}, thing->depth});
     }
     things_ = boards_.size();
-    std::stable_sort(boards_.begin(), boards_.end(),
-                     [](const Board& a, const Board& b) { return depth_steps(a.depth) < depth_steps(b.depth); });
+    std::stable_sort(boards_.begin(), boards_.end(), [](const PaneBoard& a, const PaneBoard& b) {
+        return depth_steps(a.depth) < depth_steps(b.depth);
+    });
     const Sector& sector = input_.map[home];
     for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i)
         add_panel(pose, room, PanelId(i));
@@ -70,7 +71,7 @@ void RoomPanes::meet(const Pose& pose, const RoomLook& room, int x) {
     meet_things(std::numeric_limits<std::int64_t>::max());
 }
 
-bool RoomPanes::is_met(const Pose& pose, const RoomLook& room, const Board& thing, int x) const {
+bool RoomPanes::is_met(const Pose& pose, const RoomLook& room, const PaneBoard& thing, int x) const {
     const WallId entry = room.visit().entry, exit = room.nearest_at(x);
     const double slope = screen_.slopes[static_cast<std::size_t>(x)];
     const double from = entry ? 1 / room.visit().doorway.inverse_depth(slope) : 0, to = 1 / room.inverse_depth_at(x);
@@ -92,11 +93,11 @@ void RoomPanes::meet_panels(const RoomLook& room, int x) {
 }
 
 /// Of panels on one line the first in the map is the nearer.
-bool RoomPanes::is_before(const Board& a, const Board& b) const {
+bool RoomPanes::is_before(const PaneBoard& a, const PaneBoard& b) const {
     return is_nearer(a.facing, b.facing) && (a.panel < b.panel || !is_nearer(b.facing, a.facing));
 }
 
-bool RoomPanes::is_before_wall(const RoomLook& room, const Board& panel, int x) const {
+bool RoomPanes::is_before_wall(const RoomLook& room, const PaneBoard& panel, int x) const {
     const WallId wall = room.nearest_at(x);
     if (wall.is_none()) return true;
     const double to_wall = room.inverse_depth_at(x);

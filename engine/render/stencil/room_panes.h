@@ -18,7 +18,7 @@ public:
     void note(Layer& layer, const RoomLook& room);
 
 private:
-    struct Board {
+    struct PaneBoard {
         Pane pane;
         Segment facing{{}, {}};  ///< panels only
         PanelId panel;           ///< none: a thing
@@ -28,15 +28,15 @@ private:
     void find_boards(const Pose& pose, const RoomLook& room);
     void add_panel(const Pose& pose, const RoomLook& room, PanelId id);
     void meet(const Pose& pose, const RoomLook& room, int x);
-    bool is_met(const Pose& pose, const RoomLook& room, const Board& thing, int x) const;
+    bool is_met(const Pose& pose, const RoomLook& room, const PaneBoard& thing, int x) const;
     void meet_panels(const RoomLook& room, int x);
-    bool is_before(const Board& a, const Board& b) const;
-    bool is_before_wall(const RoomLook& room, const Board& panel, int x) const;
+    bool is_before(const PaneBoard& a, const PaneBoard& b) const;
+    bool is_before_wall(const RoomLook& room, const PaneBoard& panel, int x) const;
     void add_run(Layer& layer, int begin, int end, int rank);
 
     const FrameInput& input_;
     const Screen& screen_;
-    std::vector<Board> boards_;            ///< things first, the nearest of them first; then panels
+    std::vector<PaneBoard> boards_;        ///< things first, the nearest of them first; then panels
     std::size_t things_ = 0;               ///< how many of them are things
     std::vector<std::size_t> met_, run_;   ///< by the present column, and by those before it: numbers of boards
     std::vector<std::size_t> met_panels_;  ///< by the present column

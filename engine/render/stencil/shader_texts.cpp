@@ -101,11 +101,11 @@ vec2 nearest(vec2 tiles) {
     return round(tiles * steps) / steps;
 }
 
-struct Picture {
+struct SampledPicture {
     uvec2 place;  // where it begins in the store, its size
     bool is_by_table;
 };
-Picture own_picture() { return Picture(what.yz, (what.x >> 30u & 1u) != 0u); }
+SampledPicture own_picture() { return SampledPicture(what.yz, (what.x >> 30u & 1u) != 0u); }
 
 ivec2 list_place(uint n) { return ivec2(int(n & 2047u), int(n >> 11u)); }
 
@@ -131,7 +131,7 @@ uniform usampler2D color_table;
 #endif
 
 // What is left of a texel's colour in a shade, without lamps (darkened_colors of render/shade.h).
-uvec3 darkened(uvec3 color, Picture picture, vec2 tile, uint shade) {
+uvec3 darkened(uvec3 color, SampledPicture picture, vec2 tile, uint shade) {
 #ifdef BY_TABLE
     if (picture.is_by_table) {
         uint number = texelFetch(color_numbers, list_place(texel_place(picture.place, tile)), 0).x;
@@ -174,13 +174,13 @@ uint shade_at(float depth) {
 
 uvec3 in_fog(uvec3 color, float depth) {
     float part = min(depth, 1e9) / fog.w;
-    uint mist = uint(256.0 * (1.0 - 1.0 / (1.0 + part * part)) + 0.5);
-    return color * (256u - mist) + uvec3(fog.rgb) * mist >> 8u;
+    uint fog_part = uint(256.0 * (1.0 - 1.0 / (1.0 + part * part)) + 0.5);
+    return color * (256u - fog_part) + uvec3(fog.rgb) * fog_part >> 8u;
 }
 
 // Edges between rows are up to kTieShift aside, which is at most 1/128 of the distance: a flat that so begins before
 // the doorway it is seen through, or ends behind the wall it ends at, shows what is just inside instead. What is farther
-// outside belongs to flats that are drawn where they are not (flat_look).
+// outside belongs to flats that are drawn where they are not (flat_params).
 float flat_depth(float height, float up, float met) {
     const float shift = 0.0078125;
     const float just_inside = 3.0517578125e-05;  // half a step of texels, a quarter of a tile away
@@ -224,7 +224,7 @@ uint glow_record() {
 }
 
 // Positions count the points of the grid, by column.
-uvec3 glow_at(vec2 known) {
+uvec3 lamplight_at(vec2 known) {
     uint own = glow_record();
     if (own == 0u) return uvec3(0u);
     uvec2 place = record(own);
@@ -241,23 +241,23 @@ uvec3 glow_at(vec2 known) {
     return (low * (256u - part.y) + high * part.y >> 8u) / 16u;
 }
 
-uvec3 lit_by(uvec3 glow, uvec3 color, Picture picture, vec2 tile, uint shade) {
-    if (!picture.is_by_table) return min(color * min(glow + shade, 512u) >> 8u, 255u);
-    return min(darkened(color, picture, tile, shade) + (color * min(glow, 512u - shade) >> 8u), 255u);
+uvec3 lit_by(uvec3 lamplight, uvec3 color, SampledPicture picture, vec2 tile, uint shade) {
+    if (!picture.is_by_table) return min(color * min(lamplight + shade, 512u) >> 8u, 255u);
+    return min(darkened(color, picture, tile, shade) + (color * min(lamplight, 512u - shade) >> 8u), 255u);
 }
 #endif
 
 #ifdef LAYERED_FLAT
 // known: tiles of the flat's own picture from where the eye is.
-uvec3 with_layers(uvec3 color, vec2 known, uvec3 glow, uint shade) {
+uvec3 with_layers(uvec3 color, vec2 known, uvec3 lamplight, uint shade) {
     uint count = record(what.w).x;
     for (uint i = 0u; i < count; ++i) {
         uint n = what.w + 1u + 4u * i;
-        Picture picture = Picture(record(n), record(n + 3u).x != 0u);
+        SampledPicture picture = SampledPicture(record(n), record(n + 3u).x != 0u);
         vec2 spot = nearest(known * numbers(n + 1u) + numbers(n + 2u));
         vec2 tile = vec2(part(spot.x), part(spot.y));
         uvec4 over = texel_of(picture.place, tile);
-        color = laid_over(color, uvec4(lit_by(glow, over.rgb, picture, tile, shade), over.a));
+        color = laid_over(color, uvec4(lit_by(lamplight, over.rgb, picture, tile, shade), over.a));
     }
     return color;
 }
@@ -307,13 +307,13 @@ void main() {
     uint alpha = 255u;
 #endif
 #ifdef LIT
-    uvec3 glow = glow_at(known);
-    uvec3 lit = lit_by(glow, color.rgb, own_picture(), tile, shade);
+    uvec3 lamplight = lamplight_at(known);
+    uvec3 lit = lit_by(lamplight, color.rgb, own_picture(), tile, shade);
 #else
     uvec3 lit = darkened(color.rgb, own_picture(), tile, shade);
 #endif
 #ifdef LAYERED_FLAT
-    lit = with_layers(lit, known, glow, shade);
+    lit = with_layers(lit, known, lamplight, shade);
 #endif
 #if defined WALLS || defined FLATS
     if (fog.w > 0.0) lit = in_fog(lit, depth);

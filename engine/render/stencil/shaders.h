@@ -2,7 +2,7 @@
 #pragma once
 #include "base/result.h"
 #include "render/stencil/gl_object.h"
-#include "render/stencil/look.h"
+#include "render/stencil/paint_params.h"
 
 namespace enfilade::stencil {
 
@@ -16,7 +16,7 @@ struct SurfaceProgram {
     GLint fog = -1;                     ///< its colour and reach
     GLint least_alpha = -1;             ///< with holes: pixels of a picture with less are left out, 1..255
     GLint texels = -1;
-    GLint records = -1;                          ///< where there is more to know than a look
+    GLint records = -1;                          ///< where there is more to know than PaintParams
     GLint color_numbers = -1, color_table = -1;  ///< where pictures may go by one
 };
 

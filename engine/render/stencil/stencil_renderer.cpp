@@ -17,7 +17,7 @@ struct StencilRenderer::State {
     struct Objects {
         TexelStore store;
         Records records;
-        Target target;
+        RenderTarget target;
         LayerPainter painter;
     };
 
@@ -92,7 +92,7 @@ Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const
     if (Status failed = objects->target.prepare(frame.width, frame.height, with_facts, times_kept(plan.deepest)))
         return failed;
     objects->records.clear();
-    const Scene scene{input, objects->store, screen, rays, objects->records, lights.where_lit()};
+    const DrawInput scene{input, objects->store, screen, rays, objects->records, lights.where_lit()};
     mesh.clear();
     const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
     if (Status failed = objects->records.upload()) return failed;

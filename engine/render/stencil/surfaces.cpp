@@ -27,31 +27,31 @@ constexpr double kBelowOne = 1 - 0x1p-24;
 
 float f(double x) { return static_cast<float>(x); }
 
-/// As the shader wants it: at look.from and per pixel.
-void set(float (&three)[3], const Look& look, const Even& number) {
-    three[0] = f(number.at(static_cast<double>(look.from[0]), static_cast<double>(look.from[1])));
+/// As the shader wants it: at params.from and per pixel.
+void set(float (&three)[3], const PaintParams& params, const Even& number) {
+    three[0] = f(number.at(static_cast<double>(params.from[0]), static_cast<double>(params.from[1])));
     three[1] = f(number.per_x);
     three[2] = f(number.per_y);
 }
-void set(float (&four)[4], const Look& look, const Even& number, double fourth) {
+void set(float (&four)[4], const PaintParams& params, const Even& number, double fourth) {
     float three[3];
-    set(three, look, number);
+    set(three, params, number);
     std::copy(three, three + 3, four);
     four[3] = f(fourth);
 }
 
-void set_picture(Look& look, const Scene& scene, TextureId texture, SurfaceId id, Paint paint) {
+void set_picture(PaintParams& params, const DrawInput& scene, TextureId texture, PixelSurface id, Paint paint) {
     const Texture& picture = scene.input.textures[texture];
     const std::uint32_t way = paint != Paint::sky && !picture.numbers.empty() ? kByTable : 0u;
-    look.id_and_paint = (look.id_and_paint & kClassicLight) | id | static_cast<std::uint32_t>(paint) << 24 | way;
-    look.texels = scene.store.place_of(texture);
-    look.size = size_of(picture);
+    params.id_and_paint = (params.id_and_paint & kClassicLight) | id | static_cast<std::uint32_t>(paint) << 24 | way;
+    params.texels = scene.store.place_of(texture);
+    params.size = size_of(picture);
 }
 
-void set_light(Look& look, const Lighting& lighting) {
-    look.light = f(std::clamp(lighting.light, 0.0, 1.0));
-    look.contrast = f(lighting.contrast);
-    if (lighting.model == LightModel::classic) look.id_and_paint |= kClassicLight;
+void set_light(PaintParams& params, const Lighting& lighting) {
+    params.light = f(std::clamp(lighting.light, 0.0, 1.0));
+    params.contrast = f(lighting.contrast);
+    if (lighting.model == LightModel::classic) params.id_and_paint |= kClassicLight;
 }
 
 /// Where along the wall from its a, as a part of span: e_L, or -e_R where a is the right end.
@@ -60,148 +60,150 @@ Even from_a(const RayField& rays, const WallOnScreen& place) {
     return place.swapped ? edge(rays, place.right_v) * -1 : edge(rays, place.left_v);
 }
 
-void set_along(Look& look, const Scene& scene, const WallOnScreen& place, double tiles, double offset) {
-    set(look.a, look, from_a(scene.rays, place), tiles);
-    look.b[0] = f(offset);
+void set_along(PaintParams& params, const DrawInput& scene, const WallOnScreen& place, double tiles, double offset) {
+    set(params.a, params, from_a(scene.rays, place), tiles);
+    params.b[0] = f(offset);
 }
 
 /// The surface of a wall or panel that hangs from `peg` above the eye.
-void set_surface(Look& look, const Scene& scene, const WallOnScreen& place, const Surface& surface, double length,
-                 double peg, SurfaceId id) {
-    set_picture(look, scene, surface.texture, id, Paint::wall);
-    set_along(look, scene, place, length / surface.tile_m.x, surface.offset_tiles.x);
-    look.b[1] = f(fraction(peg / surface.tile_m.y - surface.offset_tiles.y));
-    look.b[2] = f(1 / surface.tile_m.y);
+void set_surface(PaintParams& params, const DrawInput& scene, const WallOnScreen& place, const Surface& surface,
+                 double length, double peg, PixelSurface id) {
+    set_picture(params, scene, surface.texture, id, Paint::wall);
+    set_along(params, scene, place, length / surface.tile_m.x, surface.offset_tiles.x);
+    params.b[1] = f(fraction(peg / surface.tile_m.y - surface.offset_tiles.y));
+    params.b[2] = f(1 / surface.tile_m.y);
 }
 
 /// Point lights on a wall or panel. length: of it [m].
-void set_glow(Look& look, const Scene& scene, const LightGrid* grid, double length, double eye_z) {
+void set_lamplight(PaintParams& params, const DrawInput& scene, const LightGrid* grid, double length, double eye_z) {
     if (!grid) return;
-    look.record = scene.records.glow(*grid, Vec2{length, 1} * (1 / kLightCell),
-                                     Vec2{-grid->u, eye_z - grid->v} * (1 / kLightCell));
+    params.record = scene.records.lamplight(*grid, Vec2{length, 1} * (1 / kLightCell),
+                                            Vec2{-grid->u, eye_z - grid->v} * (1 / kLightCell));
 }
 
 /// The ray's direction in the plane, its components divided by those of `unit`.
-void set_direction(Look& look, const RayField& rays, const Pose& pose, Vec2 unit) {
-    set(look.a, look, (rays.ahead * pose.forward.x + rays.right * pose.right.x) * (1 / unit.x), 0);
-    set(look.b, look, (rays.ahead * pose.forward.y + rays.right * pose.right.y) * (1 / unit.y), 0);
+void set_direction(PaintParams& params, const RayField& rays, const Pose& pose, Vec2 unit) {
+    set(params.a, params, (rays.ahead * pose.forward.x + rays.right * pose.right.x) * (1 / unit.x), 0);
+    set(params.b, params, (rays.ahead * pose.forward.y + rays.right * pose.right.y) * (1 / unit.y), 0);
 }
 
-LayerSource layers_from(const Scene& scene) {
+LayerSource layers_from(const DrawInput& scene) {
     return {scene.map(), scene.input.snapshot, scene.input.textures, scene.store};
 }
 
-Look sky_look(const Scene& scene, const SeenWall& wall, const FlatNow& flat, SurfaceId id) {
+PaintParams sky_params(const DrawInput& scene, const SeenWall& wall, const FlatNow& flat, PixelSurface id) {
     const Surface& surface = flat.surface;
-    Look look = plain_look(scene, wall.place);
-    set_picture(look, scene, surface.texture, id, Paint::sky);
-    set_direction(look, scene.rays, wall.pose, {1, 1});
-    look.c[0] = f(surface.tile_m.x);
-    look.c[1] = f(surface.tile_m.y);
-    look.c[2] = f(surface.offset_tiles.x);
-    look.c[3] = f(surface.offset_tiles.y);
-    look.record = scene.records.sky(layers_from(scene), flat);
-    return look;
+    PaintParams params = plain_params(scene, wall.place);
+    set_picture(params, scene, surface.texture, id, Paint::sky);
+    set_direction(params, scene.rays, wall.pose, {1, 1});
+    params.c[0] = f(surface.tile_m.x);
+    params.c[1] = f(surface.tile_m.y);
+    params.c[2] = f(surface.offset_tiles.x);
+    params.c[3] = f(surface.offset_tiles.y);
+    params.record = scene.records.sky(layers_from(scene), flat);
+    return params;
 }
 
-void set_tilted(Look& look, const RayField& rays, const WallOnScreen& place) {
-    look.from[0] = f(rays.width / 2);
-    look.from[1] = f(rays.height / 2);
-    look.nearest = 0;
-    look.farthest = kFarthest;
-    const Look corner;
-    if (!place.is_open_left) set(look.left_edge, corner, edge(rays, place.shown_left_v));
-    if (!place.is_open_right) set(look.right_edge, corner, edge(rays, place.shown_right_v));
+void set_tilted(PaintParams& params, const RayField& rays, const WallOnScreen& place) {
+    params.from[0] = f(rays.width / 2);
+    params.from[1] = f(rays.height / 2);
+    params.nearest = 0;
+    params.farthest = kFarthest;
+    const PaintParams corner;
+    if (!place.is_open_left) set(params.left_edge, corner, edge(rays, place.shown_left_v));
+    if (!place.is_open_right) set(params.right_edge, corner, edge(rays, place.shown_right_v));
 }
 
 }  // namespace
 
-Look plain_look(const Scene& scene, const WallOnScreen& place) {
-    Look look;
-    look.from[0] = f((place.begin + place.end) / 2);
-    look.order = order_of(place);
-    look.nearest = f(place.nearest());
-    look.farthest = f(place.farthest());
-    if (scene.rays.is_tilted) set_tilted(look, scene.rays, place);
-    look.cross = f(depth_factor(place));
-    set(look.span, look, span(scene.rays, place));
-    return look;
+PaintParams plain_params(const DrawInput& scene, const WallOnScreen& place) {
+    PaintParams params;
+    params.from[0] = f((place.begin + place.end) / 2);
+    params.order = order_of(place);
+    params.nearest = f(place.nearest());
+    params.farthest = f(place.farthest());
+    if (scene.rays.is_tilted) set_tilted(params, scene.rays, place);
+    params.cross = f(depth_factor(place));
+    set(params.span, params, span(scene.rays, place));
+    return params;
 }
 
-Look wall_look(const Scene& scene, const SeenWall& wall, LayId at_rest, WallPart part) {
+PaintParams wall_params(const DrawInput& scene, const SeenWall& wall, SurfaceId at_rest, WallPart part) {
     const Wall& w = scene.map()[wall.place.wall];
     const Surface surface = picture_now(scene.map(), scene.input.snapshot, wall.place.wall, at_rest);
-    Look look = plain_look(scene, wall.place);
-    set_light(look, lighting_in(scene.map(), w.sector, light_at(scene.input.snapshot, w.sector), w.contrast));
-    set_surface(look, scene, wall.place, surface, w.length, peg_height(wall.parts, surface.peg),
+    PaintParams params = plain_params(scene, wall.place);
+    set_light(params, lighting_in(scene.map(), w.sector, light_at(scene.input.snapshot, w.sector), w.contrast));
+    set_surface(params, scene, wall.place, surface, w.length, peg_height(wall.parts, surface.peg),
                 wall_id(scene.map(), wall.place.wall, part));
     if (scene.lights)
-        set_glow(look, scene, scene.lights->on_wall(scene.input.snapshot, wall.place.wall), w.length, wall.pose.eye_z);
-    return look;
+        set_lamplight(params, scene, scene.lights->on_wall(scene.input.snapshot, wall.place.wall), w.length,
+                      wall.pose.eye_z);
+    return params;
 }
 
-Look hanging_look(const Scene& scene, const SeenWall& wall, double top) {
+PaintParams hanging_params(const DrawInput& scene, const SeenWall& wall, double top) {
     const WallId id = wall.place.wall;
     const Surface surface = picture_now(scene.map(), scene.input.snapshot, id, scene.map()[id].middle);
-    Look look = wall_look(scene, wall, scene.map()[id].middle, WallPart::middle);
+    PaintParams params = wall_params(scene, wall, scene.map()[id].middle, WallPart::middle);
     const bool runs = surface.scroll.y != 0;  // through its place, over and over, as on a wall
-    set_picture(look, scene, surface.texture, wall_id(scene.map(), id, WallPart::middle),
+    set_picture(params, scene, surface.texture, wall_id(scene.map(), id, WallPart::middle),
                 runs ? Paint::wall : Paint::picture);
-    if (!runs) look.b[1] = f(top / surface.tile_m.y);
-    return look;
+    if (!runs) params.b[1] = f(top / surface.tile_m.y);
+    return params;
 }
 
-Look panel_look(const Scene& scene, const PanelOnScreen& shown, const Pose& pose) {
+PaintParams panel_params(const DrawInput& scene, const PanelOnScreen& shown, const Pose& pose) {
     const Panel& panel = scene.map()[shown.panel];
-    Look look = plain_look(scene, shown.place);
-    set_light(look,
+    PaintParams params = plain_params(scene, shown.place);
+    set_light(params,
               lighting_in(scene.map(), panel.sector, light_at(scene.input.snapshot, panel.sector), panel.contrast));
-    set_surface(look, scene, shown.place, picture_now(scene.input.snapshot, panel), panel.length,
+    set_surface(params, scene, shown.place, picture_now(scene.input.snapshot, panel), panel.length,
                 panel.top - pose.eye_z, panel_id(scene.map(), shown.panel));
     if (scene.lights)
-        set_glow(look, scene, scene.lights->on_panel(scene.input.snapshot, shown.panel), panel.length, pose.eye_z);
-    return look;
+        set_lamplight(params, scene, scene.lights->on_panel(scene.input.snapshot, shown.panel), panel.length,
+                      pose.eye_z);
+    return params;
 }
 
-Look thing_look(const Scene& scene, const ThingOnScreen& thing) {
-    Look look = plain_look(scene, thing.place);
-    set_picture(look, scene, thing.texture, thing.id, Paint::picture);
-    set_light(look, thing.lighting);
-    set_along(look, scene, thing.place, kBelowOne, 0);
-    if (!scene.rays.is_tilted) look.farthest = f(thing.place.cross / (thing.place.right_v.x - thing.place.left_v.x));
-    if (scene.lights) set_glow(look, scene, scene.lights->on_thing(scene.input.snapshot, thing.thing), 0, 0);
-    look.b[1] = f(thing.top / thing.height);
-    look.b[2] = f(1 / thing.height);
-    return look;
+PaintParams thing_params(const DrawInput& scene, const ThingOnScreen& thing) {
+    PaintParams params = plain_params(scene, thing.place);
+    set_picture(params, scene, thing.texture, thing.id, Paint::picture);
+    set_light(params, thing.lighting);
+    set_along(params, scene, thing.place, kBelowOne, 0);
+    if (!scene.rays.is_tilted) params.farthest = f(thing.place.cross / (thing.place.right_v.x - thing.place.left_v.x));
+    if (scene.lights) set_lamplight(params, scene, scene.lights->on_thing(scene.input.snapshot, thing.thing), 0, 0);
+    params.b[1] = f(thing.top / thing.height);
+    params.b[2] = f(1 / thing.height);
+    return params;
 }
 
-Look flat_look(const Scene& scene, const SeenWall& wall, const FlatNow& flat, double height, const LightGrid* grid,
-               SurfaceId id) {
+PaintParams flat_params(const DrawInput& scene, const SeenWall& wall, const FlatNow& flat, double height,
+                        const LightGrid* grid, PixelSurface id) {
     const Surface& surface = flat.surface;
-    if (flat.sky) return sky_look(scene, wall, flat, id);
-    Look look = plain_look(scene, wall.place);
-    set_picture(look, scene, surface.texture, id, Paint::flat);
+    if (flat.sky) return sky_params(scene, wall, flat, id);
+    PaintParams params = plain_params(scene, wall.place);
+    set_picture(params, scene, surface.texture, id, Paint::flat);
     const SectorId sector = scene.map()[wall.place.wall].sector;
-    set_light(look, lighting_in(scene.map(), sector, light_at(scene.input.snapshot, sector), 1));
-    set_direction(look, scene.rays, wall.pose, surface.tile_m);
+    set_light(params, lighting_in(scene.map(), sector, light_at(scene.input.snapshot, sector), 1));
+    set_direction(params, scene.rays, wall.pose, surface.tile_m);
     const Vec2 from_origin = wall.pose.eye - flat.origin;
-    look.c[0] = f(fraction(from_origin.x / surface.tile_m.x - surface.offset_tiles.x));
-    look.c[1] = f(fraction(from_origin.y / surface.tile_m.y - surface.offset_tiles.y));
-    look.c[2] = f(height);
+    params.c[0] = f(fraction(from_origin.x / surface.tile_m.x - surface.offset_tiles.x));
+    params.c[1] = f(fraction(from_origin.y / surface.tile_m.y - surface.offset_tiles.y));
+    params.c[2] = f(height);
     if (grid)
-        look.record = scene.records.glow(*grid, surface.tile_m * (1 / kLightCell),
-                                         (wall.pose.eye - Vec2{grid->u, grid->v}) * (1 / kLightCell));
-    if (flat.layer_count == 0) return look;
-    look.record = scene.records.level(layers_from(scene), flat, wall.pose.eye, look.record);
-    look.id_and_paint |= kLayered;
-    return look;
+        params.record = scene.records.lamplight(*grid, surface.tile_m * (1 / kLightCell),
+                                                (wall.pose.eye - Vec2{grid->u, grid->v}) * (1 / kLightCell));
+    if (flat.layer_count == 0) return params;
+    params.record = scene.records.level(layers_from(scene), flat, wall.pose.eye, params.record);
+    params.id_and_paint |= kLayered;
+    return params;
 }
 
-Look end_look(const Scene& scene, const SeenWall& wall) {
-    Look look = plain_look(scene, wall.place);
-    look.id_and_paint = kRecursionEnd | static_cast<std::uint32_t>(Paint::color) << 24;
-    look.texels = pixel_of(scene.map().render.recursion_color);
-    return look;
+PaintParams end_params(const DrawInput& scene, const SeenWall& wall) {
+    PaintParams params = plain_params(scene, wall.place);
+    params.id_and_paint = kRecursionEnd | static_cast<std::uint32_t>(Paint::color) << 24;
+    params.texels = pixel_of(scene.map().render.recursion_color);
+    return params;
 }
 
 }  // namespace enfilade::stencil

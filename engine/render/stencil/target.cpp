@@ -33,7 +33,7 @@ void write_to(GLenum first, GLenum second) {
 
 }  // namespace
 
-Status Target::prepare(int width, int height, bool with_facts, std::size_t kept) {
+Status RenderTarget::prepare(int width, int height, bool with_facts, std::size_t kept) {
     framebuffer_.create();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     if (width != width_ || height != height_ || (with_facts && !with_facts_))
@@ -46,7 +46,7 @@ Status Target::prepare(int width, int height, bool with_facts, std::size_t kept)
     return {};
 }
 
-Status Target::make(int width, int height, bool with_facts) {
+Status RenderTarget::make(int width, int height, bool with_facts) {
     width_ = height_ = 0;  // until it is made
     kept_.clear();
     GLint most = 0;
@@ -66,7 +66,7 @@ Status Target::make(int width, int height, bool with_facts) {
     return {};
 }
 
-Status Target::make_kept() {
+Status RenderTarget::make_kept() {
     KeptLevels& kept = kept_.emplace_back();
     kept.framebuffer.create();
     glBindFramebuffer(GL_FRAMEBUFFER, kept.framebuffer.id());
@@ -78,10 +78,10 @@ Status Target::make_kept() {
     return no_buffers(width_, height_);
 }
 
-void Target::keep_levels() { copy_levels(framebuffer_, kept_[kept_now_++].framebuffer); }
-void Target::bring_back_levels() { copy_levels(kept_[--kept_now_].framebuffer, framebuffer_); }
+void RenderTarget::keep_levels() { copy_levels(framebuffer_, kept_[kept_now_++].framebuffer); }
+void RenderTarget::bring_back_levels() { copy_levels(kept_[--kept_now_].framebuffer, framebuffer_); }
 
-void Target::copy_levels(const GlFramebuffer& from, const GlFramebuffer& to) const {
+void RenderTarget::copy_levels(const GlFramebuffer& from, const GlFramebuffer& to) const {
     glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.id());
@@ -90,7 +90,7 @@ void Target::copy_levels(const GlFramebuffer& from, const GlFramebuffer& to) con
     glEnable(GL_SCISSOR_TEST);
 }
 
-void Target::clear() {
+void RenderTarget::clear() {
     const GLfloat black[] = {0, 0, 0, 1};
     const GLuint nothing[] = {kNothing, 0, 0, 0};
     glDisable(GL_SCISSOR_TEST);
@@ -102,17 +102,17 @@ void Target::clear() {
     glClearBufferfi(GL_DEPTH_STENCIL, 0, 0, 0);
 }
 
-void Target::write_all() const { write_to(kColor, with_facts_ ? kFacts : GL_NONE); }
-void Target::write_color() const { write_to(kColor, GL_NONE); }
-void Target::write_facts() const { write_to(GL_NONE, with_facts_ ? kFacts : GL_NONE); }
+void RenderTarget::write_all() const { write_to(kColor, with_facts_ ? kFacts : GL_NONE); }
+void RenderTarget::write_color() const { write_to(kColor, GL_NONE); }
+void RenderTarget::write_facts() const { write_to(GL_NONE, with_facts_ ? kFacts : GL_NONE); }
 
-void Target::read(Frame& frame) const {
+void RenderTarget::read(Frame& frame) const {
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadBuffer(kColor);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, frame.pixels.data());
 }
 
-void Target::read(FrameFacts& facts) const {
+void RenderTarget::read(FrameFacts& facts) const {
     struct Fact {
         std::uint32_t id, depth, u, v;
     };

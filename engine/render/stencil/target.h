@@ -9,7 +9,7 @@
 namespace enfilade::stencil {
 
 /// A framebuffer with 8-bit colours, 8 bits of stencil, depth as a float and, where they are wanted, facts.
-class Target {
+class RenderTarget {
 public:
     /// Makes it fit the picture and binds it, with room to keep the levels aside that often.
     /// An error where the graphics card has no such buffers.

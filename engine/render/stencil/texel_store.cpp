@@ -74,8 +74,8 @@ std::uint32_t Records::sky(const LayerSource& from, const FlatNow& sky) {
     return place;
 }
 
-std::uint32_t Records::level(const LayerSource& from, const FlatNow& flat, Vec2 eye, std::uint32_t glow) {
-    const std::uint32_t place = add(std::array<Pair, 1>{{{flat.layer_count, glow}}});
+std::uint32_t Records::level(const LayerSource& from, const FlatNow& flat, Vec2 eye, std::uint32_t lamplight) {
+    const std::uint32_t place = add(std::array<Pair, 1>{{{flat.layer_count, lamplight}}});
     for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
         const Surface layer = layer_now(from.map, from.snapshot, flat, i);
         const Vec2 tile = layer.tile_m, own_tile = flat.surface.tile_m, from_origin = eye - flat.origin;
@@ -88,7 +88,7 @@ std::uint32_t Records::level(const LayerSource& from, const FlatNow& flat, Vec2 
     return place;
 }
 
-std::uint32_t Records::glow(const LightGrid& grid, Vec2 scale, Vec2 start) {
+std::uint32_t Records::lamplight(const LightGrid& grid, Vec2 scale, Vec2 start) {
     const auto [known, is_new] = grids_.try_emplace(&grid, static_cast<std::uint32_t>(pairs_.size()));
     if (is_new)
         for (const LightCell cell : grid.cells) pairs_.push_back({lane(cell, 0) | lane(cell, 1) << 16, lane(cell, 2)});

@@ -74,8 +74,8 @@ private:
     std::vector<std::uint32_t> places_;  ///< by TextureId; the placeholder comes last
 };
 
-// What few surfaces need beyond their look, in one texture of the graphics card: pairs of numbers, found by their
-// place.
+// What few surfaces need beyond their PaintParams, in one texture of the graphics card: pairs of numbers, found by
+// their place.
 
 /// Where layers over flats are found.
 struct LayerSource {
@@ -98,12 +98,12 @@ public:
     /// The layers over a sky, how many first; 0: it has none. The same sky has the same record.
     std::uint32_t sky(const LayerSource& from, const FlatNow& sky);
 
-    /// Those over a floor or ceiling, how many first, and the record `glow` of its point lights, or 0. eye: in its
+    /// Those over a floor or ceiling, how many first, and the record `lamplight` of its point lights, or 0. eye: in its
     /// space [m].
-    std::uint32_t level(const LayerSource& from, const FlatNow& flat, Vec2 eye, std::uint32_t glow);
+    std::uint32_t level(const LayerSource& from, const FlatNow& flat, Vec2 eye, std::uint32_t lamplight);
 
     /// Point lights on a surface: their grid, and how its points are counted: scale * what the shader knows + start.
-    std::uint32_t glow(const LightGrid& grid, Vec2 scale, Vec2 start);
+    std::uint32_t lamplight(const LightGrid& grid, Vec2 scale, Vec2 start);
 
     /// For the graphics card. Costs nothing where there are none. An error where they do not fit.
     Status upload();

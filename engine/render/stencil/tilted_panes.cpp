@@ -10,12 +10,12 @@ namespace enfilade::stencil {
 namespace {
 
 /// A stretch of a line across the view, from left to right [m].
-struct Stretch {
+struct LineInterval {
     double begin, end;
 };
 
 /// Those stretches of the line `depth` ahead of the eye that are inside a sector.
-std::vector<Stretch> inside(const Map& map, SectorId home, const Pose& pose, double depth) {
+std::vector<LineInterval> inside(const Map& map, SectorId home, const Pose& pose, double depth) {
     std::vector<double> crossings;
     const Sector& sector = map[home];
     for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i) {
@@ -23,13 +23,13 @@ std::vector<Stretch> inside(const Map& map, SectorId home, const Pose& pose, dou
         if ((a.y < depth) != (b.y < depth)) crossings.push_back(a.x + (b.x - a.x) * ((depth - a.y) / (b.y - a.y)));
     }
     std::sort(crossings.begin(), crossings.end());
-    std::vector<Stretch> stretches;
+    std::vector<LineInterval> stretches;
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) stretches.push_back({crossings[i], crossings[i + 1]});
     return stretches;
 }
 
 /// What of the stretch is beyond the line of the doorway that one looks in through.
-Stretch beyond_doorway(const WallOnScreen& doorway, double depth, Stretch s) {
+LineInterval beyond_doorway(const WallOnScreen& doorway, double depth, LineInterval s) {
     const Vec2 l = doorway.left_v, r = doorway.right_v;
     // Positive at points on the eye's side of the line, for which it is doorway.cross.
     const auto before = [&](double x) { return (r.x - x) * (l.y - depth) - (l.x - x) * (r.y - depth); };
@@ -37,7 +37,7 @@ Stretch beyond_doorway(const WallOnScreen& doorway, double depth, Stretch s) {
     if (at_begin > 0 && at_end > 0) return {s.begin, s.begin};
     if (at_begin <= 0 && at_end <= 0) return s;
     const double edge = s.begin + (s.end - s.begin) * (at_begin / (at_begin - at_end));
-    return at_begin > 0 ? Stretch{edge, s.end} : Stretch{s.begin, edge};
+    return at_begin > 0 ? LineInterval{edge, s.end} : LineInterval{s.begin, edge};
 }
 
 /// Whether two segments on one line have more than a point in common. Exact.
@@ -84,7 +84,7 @@ private:
         WallOnScreen& place = thing.place;
         const bool turned = place.left_v.x > place.right_v.x;
         const Vec2 left = turned ? place.right_v : place.left_v, right = turned ? place.left_v : place.right_v;
-        for (Stretch s : inside(input_.map, home, layer_.pose, depth)) {
+        for (LineInterval s : inside(input_.map, home, layer_.pose, depth)) {
             s = {std::max(s.begin, left.x), std::min(s.end, right.x)};
             if (s.begin < s.end && layer_.entry) s = beyond_doorway(layer_.opened, depth, s);
             if (s.begin >= s.end) continue;

@@ -25,8 +25,8 @@ public:
     }
 
     /// When so many pictures were shown, this is done. Returns the number, to be counted on from.
-    int after(int pictures, std::function<void()> deed) {
-        deeds_[pictures].push_back(std::move(deed));
+    int after(int pictures, std::function<void()> call) {
+        calls_[pictures].push_back(std::move(call));
         return pictures;
     }
     void press_after(int pictures, SDL_Scancode code) {
@@ -63,7 +63,7 @@ public:
     const Frame& picture(int number) const { return pictures_.at(std::size_t(number - 1)); }
 
     void poll(std::vector<InputEvent>& events) override {
-        for (const auto& deed : deeds_[int(pictures_.size())]) deed();
+        for (const auto& call : calls_[int(pictures_.size())]) call();
         window_->poll(events);
     }
     Status present(const Frame& frame) override {
@@ -80,7 +80,7 @@ public:
 
 private:
     std::unique_ptr<Window> window_;
-    std::map<int, std::vector<std::function<void()>>> deeds_;
+    std::map<int, std::vector<std::function<void()>>> calls_;
     std::vector<Frame> pictures_;
 };
 

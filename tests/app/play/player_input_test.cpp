@@ -10,8 +10,8 @@ constexpr double kStepsPerDegree = 4294967296.0 / 360;
 
 class PlayerInputFromEvents : public ::testing::Test {
 protected:
-    void press(Key key) { input_.handle(KeyChange{key, true, false}, 1, true); }
-    void release(Key key) { input_.handle(KeyChange{key, false, false}, 1, true); }
+    void press(KeyCode key) { input_.handle(KeyChange{key, true, false}, 1, true); }
+    void release(KeyCode key) { input_.handle(KeyChange{key, false, false}, 1, true); }
     void press(GamepadButton button) { input_.handle(GamepadButtonChange{button, true}, 1, true); }
     void push(GamepadAxis axis, double value) { input_.handle(GamepadAxisMotion{axis, value}, 1, true); }
     void move_mouse(double dx, double dy, bool looks = true) {
@@ -26,59 +26,59 @@ protected:
 TEST_F(PlayerInputFromEvents, AsksForNothingByItself) { EXPECT_EQ(tick(), TickInput{}); }
 
 TEST_F(PlayerInputFromEvents, WalksWhileAKeyIsHeld) {
-    press(Key::w);
+    press(KeyCode::w);
     EXPECT_EQ(tick().forward, 127);
     EXPECT_EQ(tick().forward, 127);
-    release(Key::w);
+    release(KeyCode::w);
     EXPECT_EQ(tick().forward, 0);
 }
 
 TEST_F(PlayerInputFromEvents, WalksInAllFourDirections) {
-    press(Key::s);
-    press(Key::d);
+    press(KeyCode::s);
+    press(KeyCode::d);
     EXPECT_EQ(tick().forward, -127);
     EXPECT_EQ(tick().strafe, 127);
 }
 
 TEST_F(PlayerInputFromEvents, StandsStillBetweenOppositeKeys) {
-    press(Key::a);
-    press(Key::d);
+    press(KeyCode::a);
+    press(KeyCode::d);
     EXPECT_EQ(tick().strafe, 0);
 }
 
 TEST_F(PlayerInputFromEvents, DoesNotWalkTwiceAsFastWithTwoKeysForTheSame) {
-    press(Key::w);
-    press(Key::up);
+    press(KeyCode::w);
+    press(KeyCode::up);
     EXPECT_EQ(tick().forward, 127);
-    release(Key::up);
+    release(KeyCode::up);
     EXPECT_EQ(tick().forward, 127);
 }
 
 TEST_F(PlayerInputFromEvents, UsesOnceForATapThatIsOverBeforeTheTick) {
-    press(Key::e);
-    release(Key::e);
+    press(KeyCode::e);
+    release(KeyCode::e);
     EXPECT_EQ(tick().buttons, kButtonUse);
     EXPECT_EQ(tick().buttons, 0);
 }
 
 TEST_F(PlayerInputFromEvents, StandsUpWhileControlAndTheWheelZoom) {
-    press(Key::left_control);
+    press(KeyCode::left_control);
     EXPECT_EQ(tick().buttons, kButtonCrouch);
     input_.handle(MouseWheel{1}, 1, true);
     EXPECT_EQ(tick().buttons, 0);
-    press(Key::c);
+    press(KeyCode::c);
     EXPECT_EQ(tick().buttons, kButtonCrouch);
-    release(Key::c);
-    release(Key::left_control);
-    press(Key::left_control);
+    release(KeyCode::c);
+    release(KeyCode::left_control);
+    press(KeyCode::left_control);
     EXPECT_EQ(tick().buttons, kButtonCrouch);
 }
 
 TEST_F(PlayerInputFromEvents, RunsCrouchesAndUses) {
-    press(Key::left_shift);
+    press(KeyCode::left_shift);
     EXPECT_EQ(tick().buttons, kButtonRun);
-    press(Key::c);
-    press(Key::e);
+    press(KeyCode::c);
+    press(KeyCode::e);
     EXPECT_EQ(tick().buttons, kButtonRun | kButtonCrouch | kButtonUse);
 }
 
@@ -117,15 +117,15 @@ TEST_F(PlayerInputFromEvents, ShowsTheMousesTurnAtOnceAndNothingTwice) {
 }
 
 TEST_F(PlayerInputFromEvents, TurnsWithArrowsAndFasterWhileRunning) {
-    press(Key::right);
+    press(KeyCode::right);
     const auto walking = tick().yaw_steps;
     EXPECT_GT(walking, 0);
-    press(Key::right_shift);
+    press(KeyCode::right_shift);
     EXPECT_GT(tick().yaw_steps, walking);
 }
 
 TEST_F(PlayerInputFromEvents, LooksAheadWithHome) {
-    press(Key::home);
+    press(KeyCode::home);
     EXPECT_EQ(input_.take_tick(12345).pitch_steps, -12345);
     EXPECT_EQ(input_.take_tick(0).pitch_steps, 0);
 }
@@ -164,22 +164,22 @@ TEST_F(PlayerInputFromEvents, LetsGoOfAGamepadThatIsPulledOut) {
 }
 
 TEST_F(PlayerInputFromEvents, LetsGoOfEverythingWithoutTheFocus) {
-    press(Key::w);
+    press(KeyCode::w);
     move_mouse(10, 10);
     input_.handle(FocusChange{false}, 1, true);
     EXPECT_EQ(tick(), TickInput{});
 }
 
 TEST_F(PlayerInputFromEvents, WalksSlowlyWhileAltIsHeld) {
-    press(Key::w);
-    press(Key::d);
-    press(Key::left_alt);
+    press(KeyCode::w);
+    press(KeyCode::d);
+    press(KeyCode::left_alt);
     EXPECT_EQ(tick().forward, 44);
     EXPECT_EQ(tick().strafe, 44);
     EXPECT_EQ(tick().buttons, 0) << "a tape knows of no slow walk";
-    release(Key::left_alt);
+    release(KeyCode::left_alt);
     EXPECT_EQ(tick().forward, 127);
-    press(Key::right_alt);
+    press(KeyCode::right_alt);
     EXPECT_EQ(tick().forward, 44);
 }
 

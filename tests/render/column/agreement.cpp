@@ -69,9 +69,9 @@ View random_view(const Map& map, Random& random) {
     return view;
 }
 
-Comparer::Comparer(const World& world) : world_(world), lights_(world.map), columns_(world.map, world.textures) {}
+Comparer::Comparer(const TexturedMap& world) : world_(world), lights_(world.map), columns_(world.map, world.textures) {}
 
-void Comparer::compare(const View& view, int width, int height, Comparison& sum) {
+void Comparer::compare(const View& view, int width, int height, ColumnComparison& sum) {
     Frame a, b;
     FrameFacts facts_a, facts_b;
     a.resize(width, height);
@@ -91,13 +91,13 @@ void Comparer::compare(const View& view, int width, int height, Comparison& sum)
     }
 }
 
-void expect_agreement(const World& world, std::uint64_t seed, int poses) {
+void expect_agreement(const TexturedMap& world, std::uint64_t seed, int poses) {
     Random random(seed);
     Comparer renderers(world);
-    Comparison sum;
+    ColumnComparison sum;
     for (int trial = 0; trial < poses; ++trial) {
         const View view = random_view(world.map, random);
-        const Comparison before = sum;
+        const ColumnComparison before = sum;
         renderers.compare(view, 160, 100, sum);
         EXPECT_TRUE(sum.not_once == before.not_once && sum.wrong_ids == before.wrong_ids)
             << "trial " << trial << ": sector " << world.map[view.sector].name << " eye " << view.eye.x << ","
@@ -111,7 +111,7 @@ void expect_agreement(const World& world, std::uint64_t seed, int poses) {
     std::printf("%zu pixels, %zu marked, %zu colours differ\n", sum.pixels, sum.ambiguous, sum.wrong_colors);
 }
 
-void expect_strips_equal_the_whole(const World& world, std::uint64_t seed, int poses) {
+void expect_strips_equal_the_whole(const TexturedMap& world, std::uint64_t seed, int poses) {
     Random random(seed);
     for (int trial = 0; trial < poses; ++trial) {
         const View view = random_view(world.map, random);
@@ -129,7 +129,7 @@ void expect_strips_equal_the_whole(const World& world, std::uint64_t seed, int p
     }
 }
 
-void expect_no_allocations(const World& world, std::uint64_t seed, int poses) {
+void expect_no_allocations(const TexturedMap& world, std::uint64_t seed, int poses) {
     Random random(seed);
     ColumnRenderer renderer(world.map, world.textures);
     Frame frame;

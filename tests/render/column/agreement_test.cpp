@@ -15,14 +15,14 @@ namespace {
 
 using namespace test;
 
-TEST(ColumnRenderer, AgreesWithTheReferenceInAPalace) { expect_agreement(World(palace()), 1, 400); }
+TEST(ColumnRenderer, AgreesWithTheReferenceInAPalace) { expect_agreement(TexturedMap(palace()), 1, 400); }
 
 TEST(ColumnRenderer, AgreesWithTheReferenceWhereStepsAreOpen) {
     MapFile file = palace();
     for (SectorRecord& s : file.sectors)
         for (WallRecord& w : s.loops[0].walls)
             if (!w.next.empty()) w.texture.reset();
-    expect_agreement(World(file), 2, 200);
+    expect_agreement(TexturedMap(file), 2, 200);
 }
 
 TEST(ColumnRenderer, AgreesWithTheReferenceThroughFencesAndColouredGlass) {
@@ -35,7 +35,7 @@ TEST(ColumnRenderer, AgreesWithTheReferenceThroughFencesAndColouredGlass) {
                 w.middle->offset_tx = {5.0 * count, 7.0 * (count % 9) - 20};
                 w.middle_peg = static_cast<Peg>(count++ % 4);
             }
-    World world(file);
+    TexturedMap world(file);
     world.textures.textures[world.textures.find("lattice").index] = lattice();
     expect_agreement(world, 3, 200);
 }
@@ -50,7 +50,7 @@ TEST(ColumnRenderer, AgreesWithTheReferenceInFog) {
             }
     file.render.fog_color = 0x4080C0;
     file.render.fog_reach = 3;
-    World world(file);
+    TexturedMap world(file);
     world.textures.textures[world.textures.find("lattice").index] = lattice();
     expect_agreement(world, 7, 200);
 }
@@ -70,7 +70,7 @@ MapFile restless_palace() {
 }
 
 TEST(ColumnRenderer, AgreesWithTheReferenceWhateverMoves) {
-    World world(restless_palace());
+    TexturedMap world(restless_palace());
     for (const double time_s : {0.0, 1.25, 17.3, 86'400.7}) {
         world.snapshot.time_s = time_s;
         for (SectorSnapshot& sector : world.snapshot.sectors) sector.ceiling_z += 0.0625;
@@ -83,7 +83,7 @@ TEST(ColumnRenderer, AgreesWithTheReferenceUnderSkiesWithLayers) {
     sector(file, "yard").ceiling.scroll = {1.7, 0};
     sector(file, "yard").ceiling.layers = {{TextureSpec{"lattice", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}, {}},
                                            {TextureSpec{"lattice", Vec2{-2, 1.3}, {9.1, -4.7}, {}}, -5.9, {}, {}}};
-    World world(file);
+    TexturedMap world(file);
     world.textures.textures[world.textures.find("lattice").index] = lattice();
     world.snapshot.time_s = 17.3;
     expect_agreement(world, 9, 100);
@@ -108,7 +108,7 @@ TEST(ColumnRenderer, AgreesWithTheReferenceOnFlatsWithLayers) {
                 file.render.light = model;
                 file.render.fog_reach = fog_reach;
                 lay_layers(file, "lattice");
-                World world(file);
+                TexturedMap world(file);
                 if (is_by_table) paint_by_table(world.textures);
                 world.textures.textures[world.textures.find("lattice").index] = lattice();
                 world.snapshot.time_s = 17.3;
@@ -120,7 +120,7 @@ TEST(ColumnRenderer, AgreesWithTheReferenceUnderASkyWithStraightRows) {
     MapFile file = palace();
     file.render.sky = SkyRows::straight;
     sector(file, "yard").ceiling.layers = {{TextureSpec{"haze", Vec2{3, 0.7}, {3.3, 1.7}, {}}, 2.3, {}, {}}};
-    expect_agreement(World(file), 10, 100);
+    expect_agreement(TexturedMap(file), 10, 100);
 }
 
 /// The least and the greatest v that row 0, all sky, shows from the middle of the yard, looking askew.
@@ -128,7 +128,7 @@ std::pair<float, float> range_of_sky_in_row_0(SkyRows rows) {
     MapFile file = palace();
     file.render.sky = rows;
     sector(file, "yard").ceiling.texture->tile_m = Vec2{1, 4};
-    const World world(file);
+    const TexturedMap world(file);
     View view;
     view.sector = locate(world.map, {20, 6});
     view.eye = {20, 6};
@@ -167,8 +167,8 @@ MapFile lit_palace() {
     return file;
 }
 
-World lit_world(const MapFile& file) {
-    World world(file);
+TexturedMap lit_world(const MapFile& file) {
+    TexturedMap world(file);
     world.textures.textures[world.textures.find("lattice").index] = lattice();
     world.snapshot.time_s = 3.21;
     return world;
@@ -193,7 +193,7 @@ TEST(ColumnRenderer, AgreesWithTheReferenceWhereColorsAreLookedUp) {
             MapFile alive = lamps;
             enliven(alive);
             for (const MapFile& file : {dark, lamps, alive}) {
-                World world(file);
+                TexturedMap world(file);
                 world.snapshot.time_s = 3.21;
                 if (const TextureId found = world.textures.find("lattice"))
                     world.textures.textures[found.index] = lattice();
@@ -208,7 +208,7 @@ TEST(ColumnRenderer, AgreesWithTheReferenceWhereEverythingMovesAndShinesByItself
         MapFile file = lit_palace();
         enliven(file);
         file.render.light = model;
-        World world = lit_world(file);
+        TexturedMap world = lit_world(file);
         for (const double time_s : {0.0, 3.21, 1000.7}) {
             world.snapshot.time_s = time_s;
             expect_agreement(world, 11, 20);
@@ -226,13 +226,13 @@ TEST(ColumnRenderer, AllocatesNothingOnceItHasDrawnTheLampsInView) {
 
 TEST(ColumnRenderer, DrawsTheSameBitsWhereLampsReachNothingInView) {
     MapFile file = palace();
-    const World dark(file);
+    const TexturedMap dark(file);
     file.sectors.push_back(box_room("far", 900, 900, 904, 904));
     PointLightRecord light;
     light.position = {902, 902};
     light.z = 1;
     file.lights = {light};
-    const World lit(file);
+    const TexturedMap lit(file);
     Random random(14);
     Frame a, b;
     a.resize(160, 100);
@@ -245,14 +245,16 @@ TEST(ColumnRenderer, DrawsTheSameBitsWhereLampsReachNothingInView) {
     }
 }
 
-TEST(ColumnRenderer, DrawsStripsThatEqualTheWholePicture) { expect_strips_equal_the_whole(World(palace()), 5, 40); }
+TEST(ColumnRenderer, DrawsStripsThatEqualTheWholePicture) {
+    expect_strips_equal_the_whole(TexturedMap(palace()), 5, 40);
+}
 
-TEST(ColumnRenderer, AllocatesNothingOnceItHasDrawnTheView) { expect_no_allocations(World(palace()), 7, 20); }
+TEST(ColumnRenderer, AllocatesNothingOnceItHasDrawnTheView) { expect_no_allocations(TexturedMap(palace()), 7, 20); }
 
 // Every pixel of a frame belongs to one chain of viewports: the eye's own, then one more for each portal looked
 // through. So windows only ever shrink, and no two chains share a pixel (NUMERICS I3).
 TEST(ColumnRenderer, SeesEachPixelThroughOneChainOfEverDeeperViewports) {
-    const World world(palace());
+    const TexturedMap world(palace());
     Random random(8);
     ColumnRenderer renderer(world.map, world.textures);
     Frame frame;
@@ -274,7 +276,7 @@ TEST(ColumnRenderer, SeesEachPixelThroughOneChainOfEverDeeperViewports) {
 
 // Behind a portal everything is farther than the portal (NUMERICS I5); 2^-40 is what rounding may take from that.
 TEST(ColumnRenderer, NeverMovesABoundaryNearerAlongAChain) {
-    const World world(palace());
+    const TexturedMap world(palace());
     Random random(9);
     ColumnRenderer renderer(world.map, world.textures);
     Frame frame;

@@ -13,8 +13,8 @@ namespace {
 
 using namespace test;
 
-World world_of(const MapFile& file) {
-    World world(file);
+TexturedMap world_of(const MapFile& file) {
+    TexturedMap world(file);
     world.textures.textures[world.textures.find("lattice").index] = lattice();
     return world;
 }
@@ -93,8 +93,8 @@ TEST(PanelColumns, AgreeWithTheReferenceInClassicLight) {
 }
 
 /// Draws the view and fails where the renderers differ. Marked pixels are not compared: at most a part of them may be.
-void expect_same(const World& world, const View& view, double most_marked = 0.5) {
-    Comparison sum;
+void expect_same(const TexturedMap& world, const View& view, double most_marked = 0.5) {
+    ColumnComparison sum;
     Comparer(world).compare(view, 97, 61, sum);
     EXPECT_EQ(sum.not_once, 0u);
     EXPECT_EQ(sum.wrong_ids, 0u);
@@ -112,7 +112,7 @@ View view_from(const Map& map, Vec2 eye, double yaw_degrees, double eye_z) {
 }
 
 TEST(PanelColumns, AgreeWhereTheEyeIsInAPanelsPlane) {
-    const World world = world_of(panelled_hall());
+    const TexturedMap world = world_of(panelled_hall());
     for (const Panel& panel : world.map.panels)
         for (const double along : {-0.25, 0.25, 0.5, 1.25})
             for (double yaw = 0; yaw < 360; yaw += 22.5) {
@@ -124,7 +124,7 @@ TEST(PanelColumns, AgreeWhereTheEyeIsInAPanelsPlane) {
 }
 
 TEST(PanelColumns, AgreeWhereTheEyeIsOnAPanelsEnd) {
-    const World world = world_of(panelled_hall());
+    const TexturedMap world = world_of(panelled_hall());
     for (const Panel& panel : world.map.panels)
         for (const Vec2 end : {panel.a, panel.b})
             for (double yaw = 0; yaw < 360; yaw += 22.5) {
@@ -135,7 +135,7 @@ TEST(PanelColumns, AgreeWhereTheEyeIsOnAPanelsEnd) {
 }
 
 /// What the pixel shows.
-SurfaceId seen_at(const World& world, const View& view, int x, int y) {
+PixelSurface seen_at(const TexturedMap& world, const View& view, int x, int y) {
     Frame frame;
     FrameFacts facts;
     frame.resize(64, 64);
@@ -159,23 +159,23 @@ MapFile room_with(PanelRecord record, Vec2 thing_place) {
 TEST(PanelColumns, ShowAOneSidedPanelFromOneSideOnly) {
     PanelRecord record = panel({4, 1}, {4, 7});
     record.one_sided = true;
-    const World world(room_with(record, {1, 7}));
-    const SurfaceId id = panel_id(world.map, PanelId(0u));
+    const TexturedMap world(room_with(record, {1, 7}));
+    const PixelSurface id = panel_id(world.map, PanelId(0u));
     EXPECT_EQ(seen_at(world, view_from(world.map, {1, 4}, 0, 1), 32, 32), id);
     EXPECT_NE(seen_at(world, view_from(world.map, {7, 4}, 180, 1), 32, 32), id);
 }
 
 TEST(PanelColumns, ShowAPanelFromBothSides) {
-    const World world(room_with(panel({4, 1}, {4, 7}), {1, 7}));
-    const SurfaceId id = panel_id(world.map, PanelId(0u));
+    const TexturedMap world(room_with(panel({4, 1}, {4, 7}), {1, 7}));
+    const PixelSurface id = panel_id(world.map, PanelId(0u));
     EXPECT_EQ(seen_at(world, view_from(world.map, {1, 4}, 0, 1), 32, 32), id);
     EXPECT_EQ(seen_at(world, view_from(world.map, {7, 4}, 180, 1), 32, 32), id);
 }
 
 TEST(PanelColumns, ShowWhatIsAboveAndBelowAPanel) {
-    const World world(room_with(panel({4, 1}, {4, 7}, 0.5, 1.5), {1, 7}));
+    const TexturedMap world(room_with(panel({4, 1}, {4, 7}, 0.5, 1.5), {1, 7}));
     const View view = view_from(world.map, {2, 4}, 0, 1);  // 32 px focal length, 2 m away: 8 rows up and down
-    const SurfaceId id = panel_id(world.map, PanelId(0u));
+    const PixelSurface id = panel_id(world.map, PanelId(0u));
     EXPECT_NE(seen_at(world, view, 32, 23), id);
     EXPECT_EQ(seen_at(world, view, 32, 24), id);
     EXPECT_EQ(seen_at(world, view, 32, 39), id);
@@ -184,14 +184,14 @@ TEST(PanelColumns, ShowWhatIsAboveAndBelowAPanel) {
 
 // The thing's picture is parallel to the picture plane, the panel slants through it.
 TEST(PanelColumns, ShowAPanelBeforeAThingInOneColumnAndBehindItInAnother) {
-    const World world(room_with(panel({3, 1}, {5, 7}), {4, 4}));
+    const TexturedMap world(room_with(panel({3, 1}, {5, 7}), {4, 4}));
     const View view = view_from(world.map, {1, 4}, 0, 1);
     EXPECT_EQ(seen_at(world, view, 28, 32), panel_id(world.map, PanelId(0u)));
     EXPECT_EQ(seen_at(world, view, 36, 32), thing_id(world.map, ThingId(0u)));
 }
 
 TEST(PanelColumns, ShowAThingThatStandsInAPanelsPlaneBeforeIt) {
-    const World world(room_with(panel({4, 1}, {4, 7}), {4, 4}));
+    const TexturedMap world(room_with(panel({4, 1}, {4, 7}), {4, 4}));
     EXPECT_EQ(seen_at(world, view_from(world.map, {1, 4}, 0, 1), 32, 32), thing_id(world.map, ThingId(0u)));
     EXPECT_EQ(seen_at(world, view_from(world.map, {7, 4}, 180, 1), 32, 32), thing_id(world.map, ThingId(0u)));
 }

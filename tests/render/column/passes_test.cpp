@@ -128,12 +128,12 @@ TEST_P(EachPasses, LightWallsByTheirPlaceAmongThePoints) {
         Row row(random, 2 + random.below(12));
         const auto shade = static_cast<Shade>(random.below(257));
         const auto from = static_cast<std::int64_t>(random.uniform(-6, 20) * 0x1p32);  // often beyond the ends
-        const WallGlow glow{shade, row.row(), static_cast<std::uint64_t>(from), any_way(random)};
+        const WallLamplight lamplight{shade, row.row(), static_cast<std::uint64_t>(from), any_way(random)};
         const Column column(random);
         expect_each(
-            column, passes_, [&](const Passes& passes, Column& c) { passes.lamps.light_wall(c.lit(), glow); },
+            column, passes_, [&](const Passes& passes, Column& c) { passes.lamps.light_wall(c.lit(), lamplight); },
             [&](int y, std::uint32_t pixel) {
-                const LightCell light = row.at(glow.at_row_0 + glow.per_row * static_cast<std::uint64_t>(y));
+                const LightCell light = row.at(lamplight.at_row_0 + lamplight.per_row * static_cast<std::uint64_t>(y));
                 return in_light(column, y, pixel, shade, light);
             });
     }
@@ -153,15 +153,15 @@ TEST_P(EachPasses, LightFlatsByTheirPlaceInTheGrid) {
         // Round numbers, so that some places are points.
         const auto number = [&] { return static_cast<double>(random.below(64)) / 8 - 4; };
         const double farthest = random.uniform(0, 30);
-        const FlatGlow glow{&grid,        number(), number(),      number() / 8,
-                            number() / 8, farthest, depths.data(), shades.data()};
+        const FlatLamplight lamplight{&grid,        number(), number(),      number() / 8,
+                                      number() / 8, farthest, depths.data(), shades.data()};
         const Column column(random);
         expect_each(
-            column, passes_, [&](const Passes& passes, Column& c) { passes.lamps.light_flat(c.lit(), glow); },
+            column, passes_, [&](const Passes& passes, Column& c) { passes.lamps.light_flat(c.lit(), lamplight); },
             [&](int y, std::uint32_t pixel) {
                 const double depth = std::min(depths[static_cast<std::size_t>(y)], farthest);
-                const GridStep across = grid_step(glow.base_u + depth * glow.step_u, grid.columns);
-                const GridStep along = grid_step(glow.base_v + depth * glow.step_v, grid.rows);
+                const GridStep across = grid_step(lamplight.base_u + depth * lamplight.step_u, grid.columns);
+                const GridStep along = grid_step(lamplight.base_v + depth * lamplight.step_v, grid.rows);
                 return in_light(column, y, pixel, shades[static_cast<std::size_t>(y)],
                                 light_between(grid, across, along));
             });
@@ -172,13 +172,13 @@ TEST_P(EachPasses, HidePixelsInFog) {
     Random random(24);
     for (int trial = 0; trial < 500; ++trial) {
         const std::uint32_t fog = any_color(random);
-        std::vector<Mist> mists;
-        for (int y = 0; y < kRows + kRowsBeyond; ++y) mists.push_back(static_cast<Mist>(random.below(257)));
+        std::vector<FogPart> fog_parts;
+        for (int y = 0; y < kRows + kRowsBeyond; ++y) fog_parts.push_back(static_cast<FogPart>(random.below(257)));
         const Column column(random);
         expect_each(
             column, passes_,
-            [&](const Passes& passes, Column& c) { passes.mist(c.run(), fog, mists.data() + c.first); },
-            [&](int y, std::uint32_t pixel) { return misted(pixel, fog, mists[static_cast<std::size_t>(y)]); });
+            [&](const Passes& passes, Column& c) { passes.add_fog(c.run(), fog, fog_parts.data() + c.first); },
+            [&](int y, std::uint32_t pixel) { return fogged(pixel, fog, fog_parts[static_cast<std::size_t>(y)]); });
     }
 }
 
@@ -191,7 +191,7 @@ TEST_P(EachPasses, LayPicturesWithHolesOverWhatIsThere) {
         for (std::uint32_t& above : column.texels)
             if (!is_soft) above = (above & 0x00FFFFFFu) | kAlphas[random.below(std::size(kAlphas))] << 24;
         expect_each(
-            column, passes_, [](const Passes& passes, Column& c) { passes.lay(c.run(), c.texels.data()); },
+            column, passes_, [](const Passes& passes, Column& c) { passes.blend(c.run(), c.texels.data()); },
             [&](int y, std::uint32_t pixel) {
                 const std::uint32_t above = column.texels[static_cast<std::size_t>(y - column.first)];
                 return above >> 24 == 0 ? pixel : laid_over(pixel, above);
@@ -200,9 +200,9 @@ TEST_P(EachPasses, LayPicturesWithHolesOverWhatIsThere) {
 }
 
 TEST(PassesBesideKernels, AreAsWideAsThey) {
-    EXPECT_EQ(passes_beside(scalar_kernels()).lay, scalar_passes().lay);
+    EXPECT_EQ(passes_beside(scalar_kernels()).blend, scalar_passes().blend);
     if (const auto eight = eight_wide_kernels()) {
-        EXPECT_EQ(passes_beside(*eight).lay, eight_wide_passes()->lay);
+        EXPECT_EQ(passes_beside(*eight).blend, eight_wide_passes()->blend);
     }
 }
 

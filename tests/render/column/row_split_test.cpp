@@ -11,20 +11,20 @@ namespace enfilade::column {
 namespace {
 
 /// fov 90 and a square picture: focal_y is half the width.
-Screen screen_of(int width, int height, double pitch_tangent = 0) {
+RayTables screen_of(int width, int height, double pitch_tangent = 0) {
     View view;
     view.pitch_tangent = pitch_tangent;
-    Screen screen;
+    RayTables screen;
     screen.set(Projection(view, width, height));
     return screen;
 }
 
-int first_row_below(const Screen& screen, double height, double depth, int top, int bottom) {
+int first_row_below(const RayTables& screen, double height, double depth, int top, int bottom) {
     return RowsAt(screen, depth).first_below(height, top, bottom);
 }
 
 /// The definition, row by row.
-int first_row_below_by_search(const Screen& screen, double height, double depth, int top, int bottom) {
+int first_row_below_by_search(const RayTables& screen, double height, double depth, int top, int bottom) {
     for (int y = top; y < bottom; ++y)
         if (screen.tied_rises[y] * depth < height * screen.focal_y) return y;
     return bottom;
@@ -32,14 +32,14 @@ int first_row_below_by_search(const Screen& screen, double height, double depth,
 
 /// The middle of a row meets the very edge of a surface; rounding puts its depth a little to either side.
 TEST(FirstRowBelow, IsTheSameWhateverRoundingDoesToADepth) {
-    const Screen screen = screen_of(320, 200);
+    const RayTables screen = screen_of(320, 200);
     const double depth = 10.5 / screen.row_rises[30] * screen.focal_y;
     for (const double part : {-1e-14, 0.0, 1e-14})
         EXPECT_EQ(first_row_below(screen, 10.5, depth * (1 + part), 0, 200), 31) << part;
 }
 
 TEST(FirstRowBelow, IsTheRowTheDefinitionNames) {
-    const Screen screen = screen_of(320, 200, 0.25);
+    const RayTables screen = screen_of(320, 200, 0.25);
     Random random(1);
     for (int trial = 0; trial < 20000; ++trial) {
         const double height = random.uniform(-8, 8), depth = random.uniform(0, 40);
@@ -51,25 +51,26 @@ TEST(FirstRowBelow, IsTheRowTheDefinitionNames) {
 }
 
 TEST(FirstRowBelow, GivesRowCentresOnTheEdgeToTheSurfaceBelowIt) {
-    const Screen screen = screen_of(320, 200);  // focal_y 160, horizon 100: the centre of row 19 is 80.5 rows above it
+    const RayTables screen =
+        screen_of(320, 200);  // focal_y 160, horizon 100: the centre of row 19 is 80.5 rows above it
     EXPECT_EQ(first_row_below(screen, 80.5 / 160, 1, 0, 200), 20);
     EXPECT_EQ(first_row_below(screen, 80.5 / 160 + 1e-12, 1, 0, 200), 19);
 }
 
 TEST(FirstRowBelow, PutsAnEyeInTheWallsPlaneBetweenItsHeights) {
-    const Screen screen = screen_of(320, 200);
+    const RayTables screen = screen_of(320, 200);
     EXPECT_EQ(first_row_below(screen, 1.0, 0, 10, 90), 10);    // the ceiling is above the eye: no row shows it
     EXPECT_EQ(first_row_below(screen, -1.0, 0, 10, 90), 90);   // the floor is below: no row shows it
     EXPECT_EQ(first_row_below(screen, 0.0, 0, 10, 190), 100);  // at the very height: from the horizon on
 }
 
 TEST(FirstRowBelow, DividesTheRowsOfAnEyeAtAHeightOfTheWallItStandsInAtTheHorizon) {
-    const Screen screen = screen_of(320, 200);
+    const RayTables screen = screen_of(320, 200);
     EXPECT_EQ(first_row_below(screen, 0.0, 0, 10, 190), 100);
 }
 
 TEST(SplitRows, CoversTheOpenRowsInOrderForAnyHeights) {
-    const Screen screen = screen_of(200, 160, -0.5);
+    const RayTables screen = screen_of(200, 160, -0.5);
     Random random(7);
     for (int trial = 0; trial < 20000; ++trial) {
         const double floor = random.uniform(-4, 1), behind_floor = random.uniform(-4, 4);
@@ -86,7 +87,7 @@ TEST(SplitRows, CoversTheOpenRowsInOrderForAnyHeights) {
 }
 
 TEST(SplitRows, GivesAClosedDoorNoOpening) {
-    const Screen screen = screen_of(320, 200);
+    const RayTables screen = screen_of(320, 200);
     const RelativeHeights here{-1.5, 1.5}, door{-1.5, -1.5};
     const RowSplit rows = split_rows(screen, {0, 200}, 3, here, &door);
     EXPECT_EQ(rows.opening_top, rows.opening_bottom);

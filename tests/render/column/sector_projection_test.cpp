@@ -29,10 +29,10 @@ Map room(const std::vector<Vec2>& outline) {
     return map;
 }
 
-Screen screen_of(int width, double fov_degrees = 90) {
+RayTables screen_of(int width, double fov_degrees = 90) {
     View view;
     view.fov_degrees = fov_degrees;
-    Screen screen;
+    RayTables screen;
     screen.set(Projection(view, width, 200));
     return screen;
 }
@@ -45,7 +45,7 @@ Pose pose_at(Vec2 eye, Angle yaw) {
 }
 
 /// How many walls of the room cover each column.
-std::vector<int> coverage(const Map& map, const Pose& pose, const Screen& screen) {
+std::vector<int> coverage(const Map& map, const Pose& pose, const RayTables& screen) {
     std::vector<ProjectedWall> walls;
     project(map, SectorId(0u), pose, screen, walls);
     std::vector<int> count(static_cast<std::size_t>(screen.width));
@@ -73,7 +73,7 @@ std::vector<Vec2> ring(int half, int step) {
 // million ties.
 TEST(Project, MeetsAtEveryVertexThatFallsOnAPixelCentre) {
     const Map map = room(ring(1920, 1));
-    const Screen screen = screen_of(1920);
+    const RayTables screen = screen_of(1920);
     for (int trial = 0; trial < 536; ++trial) {
         const Angle yaw{static_cast<std::uint32_t>(trial % 8) << 29};
         const Pose pose = pose_at({double(trial / 8 % 4), double(trial / 32)}, yaw);
@@ -85,7 +85,7 @@ TEST(Project, CoversEachColumnOnceFromRandomPlacesInAConvexRoom) {
     const Map map = room({{-7, -5}, {3, -6}, {9, 0}, {4, 8}, {-6, 6}});
     Random random(11);
     for (int trial = 0; trial < 3000; ++trial) {
-        const Screen screen = screen_of(1 + static_cast<int>(random.below(700)), random.uniform(1, 179));
+        const RayTables screen = screen_of(1 + static_cast<int>(random.below(700)), random.uniform(1, 179));
         const Pose pose = pose_at(snap_to_point_grid(Vec2{random.uniform(-4, 4), random.uniform(-4, 4)}),
                                   Angle{static_cast<std::uint32_t>(random.bits())});
         ASSERT_TRUE(all_ones(coverage(map, pose, screen))) << "trial " << trial;
@@ -101,7 +101,7 @@ TEST(Project, CoversEachColumnOnceFromWallsAndVertices) {
                 for (std::uint32_t eighth = 0; eighth < 8; ++eighth) {
                     // Under the tie rule an eye on a wall is in the room or not; only inside has it a full view.
                     const Pose pose = pose_at(eye, Angle{eighth << 29});
-                    const Screen screen = screen_of(width);
+                    const RayTables screen = screen_of(width);
                     int winding_right = 0;
                     for (const Wall& wall : map.walls) winding_right += side_of_line(wall.a, wall.b, eye) > 0;
                     if (winding_right != static_cast<int>(map.walls.size())) continue;
@@ -112,7 +112,7 @@ TEST(Project, CoversEachColumnOnceFromWallsAndVertices) {
 TEST(Hit, NeverLeavesTheWallHoweverGrazingTheLook) {
     // A wall 4096 m long seen at 1e-6 rad, far to one side of a narrow room (NUMERICS R9).
     const Map map = room({{-1, -1}, {4096, -0.0078125}, {4096, 1}, {-1, 1}});
-    const Screen screen = screen_of(7680);
+    const RayTables screen = screen_of(7680);
     std::vector<ProjectedWall> walls;
     project(map, SectorId(0u), pose_at({0, 0}, Angle{}), screen, walls);
     for (const ProjectedWall& wall : walls)
@@ -127,7 +127,7 @@ TEST(Hit, NeverLeavesTheWallHoweverGrazingTheLook) {
 
 TEST(Hit, FindsDepthAndPlaceOnALevelWall) {
     const Map map = room({{3, -2}, {3, 2}, {-3, 2}, {-3, -2}});
-    const Screen screen = screen_of(3);  // slopes -2/3, 0, 2/3
+    const RayTables screen = screen_of(3);  // slopes -2/3, 0, 2/3
     std::vector<ProjectedWall> walls;
     project(map, SectorId(0u), pose_at({0, 0}, Angle{}), screen, walls);
     const auto ahead = std::find_if(walls.begin(), walls.end(), [](const auto& w) { return w.wall == WallId(0u); });
@@ -162,7 +162,7 @@ TEST(ProjectionCache, ForgetsWhatTakesTooMuchMemory) {
     for (int i = 0; i <= 1000; ++i) outline.push_back({i * 0.25, 0});
     for (const Vec2 far : {Vec2{250, 400}, Vec2{0, 400}}) outline.push_back(far);
     const Map map = room(outline);
-    const Screen screen = screen_of(640);
+    const RayTables screen = screen_of(640);
     const Pose pose = pose_at({125.0625, 200}, Angle::from_degrees(-90));
     ProjectionCache cache;
     const std::size_t first = cache.get(map, SectorId(0u), 0, pose, screen).size();

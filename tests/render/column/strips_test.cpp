@@ -11,7 +11,7 @@ namespace {
 
 using test::palace;
 using test::random_view;
-using test::World;
+using test::TexturedMap;
 using ::testing::ElementsAre;
 
 std::vector<ColumnRange> strips_of(int width, int first_line, std::size_t most) {
@@ -50,7 +50,7 @@ TEST(CutIntoStrips, CoversEveryPictureOnceWithNoMoreThanAskedFor) {
 }
 
 TEST(ColumnStrips, DrawTheSamePictureOnAnyNumberOfThreads) {
-    const World world(palace());
+    const TexturedMap world(palace());
     Random random(6);
     for (int trial = 0; trial < 10; ++trial) {
         const View view = random_view(world.map, random);
@@ -66,7 +66,7 @@ TEST(ColumnStrips, DrawTheSamePictureOnAnyNumberOfThreads) {
 }
 
 TEST(ColumnStrips, DrawFrameAfterFrameOfAnyWidth) {
-    const World world(palace());
+    const TexturedMap world(palace());
     Random random(9);
     ColumnStrips shared(world.map, world.textures, 3), alone(world.map, world.textures, 1);
     for (int trial = 0; trial < 60; ++trial) {
@@ -81,7 +81,7 @@ TEST(ColumnStrips, DrawFrameAfterFrameOfAnyWidth) {
 }
 
 TEST(ColumnStrips, CutALargePictureForOneThreadTooAndDrawTheSame) {
-    const World world(palace());
+    const TexturedMap world(palace());
     Random random(11);
     ColumnStrips strips(world.map, world.textures, 1);
     ColumnRenderer whole(world.map, world.textures);
@@ -100,7 +100,7 @@ TEST(ColumnStrips, CutALargePictureForOneThreadTooAndDrawTheSame) {
 }
 
 TEST(ColumnStrips, AllocateNothingOnceTheyHaveDrawnTheView) {
-    const World world(palace());
+    const TexturedMap world(palace());
     Random random(10);
     ColumnStrips strips(world.map, world.textures, 1);
     Frame frame;

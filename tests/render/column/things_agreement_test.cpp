@@ -58,9 +58,9 @@ void scatter(MapFile& file, int count, std::uint64_t seed) {
     }
 }
 
-World world_with_things(MapFile file, int count, std::uint64_t seed) {
+TexturedMap world_with_things(MapFile file, int count, std::uint64_t seed) {
     scatter(file, count, seed);
-    World world(file);
+    TexturedMap world(file);
     for (std::uint32_t i = 0; i < 8; ++i) {
         const std::string name = "ring" + std::to_string(i + 1);
         Texture& texture = world.textures.textures[world.textures.find(name).index];
@@ -85,7 +85,7 @@ MapFile fenced_palace() {
 /// Agreement with the reference, whether things are cut or not.
 class ThingColumnsAgree : public testing::TestWithParam<ThingEdges> {
 protected:
-    static World world_with_things(MapFile file, int count, std::uint64_t seed) {
+    static TexturedMap world_with_things(MapFile file, int count, std::uint64_t seed) {
         file.render.things = GetParam();
         return enfilade::world_with_things(std::move(file), count, seed);
     }
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Edges, ThingColumnsAgree, testing::Values(ThingEdges::c
 TEST_P(ThingColumnsAgree, InAPalace) { expect_agreement(world_with_things(palace(), 60, 1), 11, 100); }
 
 TEST_P(ThingColumnsAgree, BehindFences) {
-    World world = world_with_things(fenced_palace(), 60, 2);
+    TexturedMap world = world_with_things(fenced_palace(), 60, 2);
     world.textures.textures[world.textures.find("lattice").index] = lattice();
     expect_agreement(world, 12, 100);
 }
@@ -130,7 +130,7 @@ TEST(ThingColumns, EndWithTheLastRowOfTheirPicture) {
     MapFile file = map_of({box_room("hall", 0, 0, 20, 4, 0, 3)});
     file.things.push_back(thing_at({9, 2}));
     file.things[0].frames = {{"ring", 0, Vec2{32, 64}}};
-    World world(file);
+    TexturedMap world(file);
     for (Texture& texture : world.textures.textures)
         for (std::size_t i = 0; i < texture.pixels.size(); ++i)
             texture.pixels[i] = 0xFF000000u | static_cast<std::uint32_t>(i % texture.height);

@@ -33,7 +33,7 @@ MapFile two_rooms(ThingEdges edges) {
 
 /// Pixels that show the thing from (2, 4), 1.5 m high, looking along x: 80 px to the metre a metre away.
 std::size_t shown(const MapFile& file, Vec2 eye = {2, 4}) {
-    const World world(file);
+    const TexturedMap world(file);
     View view;
     view.sector = locate(world.map, eye);
     view.eye = eye;

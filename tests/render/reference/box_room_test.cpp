@@ -49,9 +49,9 @@ TEST_F(BoxRoom, ShowsTheSurfaceThatIsThere) {
     for (int x = 0; x < kWidth; ++x)
         for (int y = 0; y < kHeight; ++y) {
             const double h = height_at_wall(x, y);
-            const SurfaceId expected = h >= 3  ? ceiling_id(box_)
-                                       : h < 0 ? floor_id(box_)
-                                               : wall_id(rooms_.map, wall_seen(x), WallPart::middle);
+            const PixelSurface expected = h >= 3  ? ceiling_id(box_)
+                                          : h < 0 ? floor_id(box_)
+                                                  : wall_id(rooms_.map, wall_seen(x), WallPart::middle);
             ASSERT_EQ(picture_.id(x, y), expected) << x << ", " << y;
         }
 }
@@ -97,7 +97,7 @@ TEST_F(BoxRoom, HangsWallTilesFromTheCeiling) {
 TEST_F(BoxRoom, PaintsTheTexelInTheLightOfItsDepth) {
     for (std::size_t i = 0; i < picture_.frame.pixels.size(); ++i) {
         const TexelPosition texel = picture_.facts.texels[i];
-        const SurfaceId id = picture_.facts.ids[i];
+        const PixelSurface id = picture_.facts.ids[i];
         const bool is_wall = id > ceiling_id(box_);
         const double contrast = is_wall ? rooms_.map.walls[(id - 3) / 3].contrast : 1;
         const char* const name = is_wall ? "wall" : id == floor_id(box_) ? "floor" : "ceiling";

@@ -10,7 +10,7 @@ struct Picture {
     FrameFacts facts;
 
     std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * frame.width + x); }
-    SurfaceId id(int x, int y) const { return facts.ids[at(x, y)]; }
+    PixelSurface id(int x, int y) const { return facts.ids[at(x, y)]; }
     double depth(int x, int y) const { return facts.depths[at(x, y)]; }
     TexelPosition texel(int x, int y) const { return facts.texels[at(x, y)]; }
 };

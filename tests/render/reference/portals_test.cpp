@@ -33,10 +33,10 @@ protected:
     }
     static double climb(int y) { return (kHeight / 2.0 - y - 0.5) / (kWidth / 2.0); }
     static double height(int y, double depth) { return kEyeZ + climb(y) * depth; }
-    static SurfaceId step(const Rooms& rooms, WallPart part) {
+    static PixelSurface step(const Rooms& rooms, WallPart part) {
         return wall_id(rooms.map, wall_between(rooms.map, SectorId(0u), {4, 0}, {4, 4}), part);
     }
-    static SurfaceId last_wall(const Rooms& rooms) {
+    static PixelSurface last_wall(const Rooms& rooms) {
         return wall_id(rooms.map, wall_between(rooms.map, SectorId(1u), {8, 0}, {8, 4}), WallPart::middle);
     }
 };
@@ -46,13 +46,13 @@ TEST_F(Doorway, ShowsBothStepsAndTheRoomBetweenThem) {
     const Picture picture = look(rooms);
     for (int y = 0; y < kHeight; ++y) {
         const double at_door = height(y, kDoorDepth), at_end = height(y, kLastDepth);
-        const SurfaceId expected = at_door >= 3   ? ceiling_id(SectorId(0u))
-                                   : at_door < 0  ? floor_id(SectorId(0u))
-                                   : at_door >= 2 ? step(rooms, WallPart::upper)
-                                   : at_door < 1  ? step(rooms, WallPart::lower)
-                                   : at_end >= 2  ? ceiling_id(SectorId(1u))
-                                   : at_end < 1   ? floor_id(SectorId(1u))
-                                                  : last_wall(rooms);
+        const PixelSurface expected = at_door >= 3   ? ceiling_id(SectorId(0u))
+                                      : at_door < 0  ? floor_id(SectorId(0u))
+                                      : at_door >= 2 ? step(rooms, WallPart::upper)
+                                      : at_door < 1  ? step(rooms, WallPart::lower)
+                                      : at_end >= 2  ? ceiling_id(SectorId(1u))
+                                      : at_end < 1   ? floor_id(SectorId(1u))
+                                                     : last_wall(rooms);
         ASSERT_EQ(picture.id(kMiddle, y), expected) << y;
     }
 }

@@ -26,7 +26,7 @@ MapFile room_with(const ThingRecord& thing) {
 TEST(ThingSeen, IsWhereTheProjectionPutsIt) {
     const Rooms rooms(room_with(thing_at({6, 4})));
     const Picture picture = rooms.look(look_from(rooms.map, {2, 4}, 1, 0));
-    const SurfaceId thing = thing_id(rooms.map, ThingId(0u));
+    const PixelSurface thing = thing_id(rooms.map, ThingId(0u));
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 64; ++x)
             EXPECT_EQ(picture.id(x, y) == thing, x >= 24 && x < 40 && y >= 16 && y < 32) << x << " " << y;
@@ -52,7 +52,7 @@ TEST(ThingSeen, InAMirrorIsMirrored) {
     wall(file, "room", {8, 0}, {8, 8}).mirror = true;
     const Rooms rooms(file);
     const Picture picture = rooms.look(look_from(rooms.map, {2, 4}, 1, 0), 256, 192);
-    const SurfaceId thing = thing_id(rooms.map, ThingId(0u));
+    const PixelSurface thing = thing_id(rooms.map, ThingId(0u));
     // Its image stands at (10, 6), 8 m ahead and 2 m to the right: columns 144 to 176 of those 16 a metre.
     EXPECT_EQ(picture.id(144, 96), thing);
     EXPECT_NE(picture.id(143, 96), thing);
@@ -80,7 +80,7 @@ TEST(ThingSeen, IsHiddenAboveTheCeiling) {
 /// How many pixels show the thing.
 int pixels_of_thing(const Rooms& rooms, const Picture& picture) {
     int count = 0;
-    for (SurfaceId id : picture.facts.ids) count += id == thing_id(rooms.map, ThingId(0u));
+    for (PixelSurface id : picture.facts.ids) count += id == thing_id(rooms.map, ThingId(0u));
     return count;
 }
 

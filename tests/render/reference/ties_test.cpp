@@ -14,12 +14,12 @@ MapFile two_rooms() {
     return file;
 }
 
-bool is_of_a_sector(SurfaceId id, bool (*test)(SurfaceId)) { return id >= 1 && id <= 4 && test(id); }
-bool is_floor(SurfaceId id) {
-    return is_of_a_sector(id, [](SurfaceId i) { return i % 2 == 1; });
+bool is_of_a_sector(PixelSurface id, bool (*test)(PixelSurface)) { return id >= 1 && id <= 4 && test(id); }
+bool is_floor(PixelSurface id) {
+    return is_of_a_sector(id, [](PixelSurface i) { return i % 2 == 1; });
 }
-bool is_ceiling(SurfaceId id) {
-    return is_of_a_sector(id, [](SurfaceId i) { return i % 2 == 0; });
+bool is_ceiling(PixelSurface id) {
+    return is_of_a_sector(id, [](PixelSurface i) { return i % 2 == 0; });
 }
 
 /// An eye on the line between the rooms and at the height of their floor or ceiling, looking every way. Odd sizes have
@@ -48,7 +48,7 @@ TEST_P(EyeOnALine, SeesOnlyCeilingFromTheHorizonUpWhenItTouchesTheCeiling) {
 
 TEST_P(EyeOnALine, SeesNoPixelOfNothing) {
     for (double eye_z : {0.0, 1.0, 2.0})
-        for (SurfaceId id : look(eye_z).facts.ids) ASSERT_NE(id, kNothing);
+        for (PixelSurface id : look(eye_z).facts.ids) ASSERT_NE(id, kNothing);
 }
 
 TEST_P(EyeOnALine, KnowsADepthForEveryPixel) {
@@ -84,12 +84,12 @@ TEST(WallSeenOnEdge, CoversNoColumn) {
     // Rooms in the shape of an L; of the wall from x = 4 to 8 at y = 2, an eye at (2, 2) sees the edge.
     const Rooms above(map_of({room("L", {{0, 0}, {8, 0}, {8, 2}, {4, 2}, {4, 4}, {0, 4}})}));
     const Rooms below(map_of({room("L", {{0, 0}, {4, 0}, {4, 2}, {8, 2}, {8, 4}, {0, 4}})}));
-    const SurfaceId edge_above =
+    const PixelSurface edge_above =
         wall_id(above.map, wall_between(above.map, SectorId(0u), {8, 2}, {4, 2}), WallPart::middle);
-    const SurfaceId edge_below =
+    const PixelSurface edge_below =
         wall_id(below.map, wall_between(below.map, SectorId(0u), {4, 2}, {8, 2}), WallPart::middle);
-    for (SurfaceId id : above.look(look_from(above.map, {2, 2}, 1, 0), 65, 47).facts.ids) ASSERT_NE(id, edge_above);
-    for (SurfaceId id : below.look(look_from(below.map, {2, 2}, 1, 0), 65, 47).facts.ids) ASSERT_NE(id, edge_below);
+    for (PixelSurface id : above.look(look_from(above.map, {2, 2}, 1, 0), 65, 47).facts.ids) ASSERT_NE(id, edge_above);
+    for (PixelSurface id : below.look(look_from(below.map, {2, 2}, 1, 0), 65, 47).facts.ids) ASSERT_NE(id, edge_below);
 }
 
 }  // namespace

@@ -58,18 +58,18 @@ int difference(std::uint32_t a, std::uint32_t b) {
     return largest;
 }
 
-const Texture& texture_of(const Map& map, const TextureSet& textures, SurfaceId id) {
-    const auto first_wall = static_cast<SurfaceId>(1 + 2 * map.sectors.size());
+const Texture& texture_of(const Map& map, const TextureSet& textures, PixelSurface id) {
+    const auto first_wall = static_cast<PixelSurface>(1 + 2 * map.sectors.size());
     if (id < first_wall) {
         const Sector& sector = map.sectors[(id - 1) / 2];
         return textures[map[(id % 2 ? sector.floor : sector.ceiling).surface].texture];
     }
-    const auto first_thing = first_wall + static_cast<SurfaceId>(3 * map.walls.size());
-    const auto first_panel = first_thing + static_cast<SurfaceId>(map.things.size());
+    const auto first_thing = first_wall + static_cast<PixelSurface>(3 * map.walls.size());
+    const auto first_panel = first_thing + static_cast<PixelSurface>(map.things.size());
     if (id >= first_panel) return textures[map.panels[id - first_panel].surface.texture];
     if (id >= first_thing) return textures[map[map.things[id - first_thing].sprite].frames[0].views[0]];
     const Wall& wall = map.walls[(id - first_wall) / 3];
-    const LayId parts[] = {wall.kind == WallKind::portal ? wall.middle : wall.texture, wall.upper, wall.lower};
+    const SurfaceId parts[] = {wall.kind == WallKind::portal ? wall.middle : wall.texture, wall.upper, wall.lower};
     return textures[map[parts[(id - first_wall) % 3]].texture];
 }
 
@@ -91,13 +91,13 @@ bool is_near_texels_edge(const Map& map, const TextureSet& textures, const Frame
 
 /// The surface is a picture with holes, and a neighbouring texel may be one, or none.
 bool is_at_rim(const Map& map, const TextureSet& textures, const FrameFacts& facts, std::size_t pixel) {
-    const SurfaceId id = facts.ids[pixel];
+    const PixelSurface id = facts.ids[pixel];
     if (id == kNothing || id == kRecursionEnd) return false;
     return texture_of(map, textures, id).has_holes && is_near_texels_edge(map, textures, facts, pixel);
 }
 
 /// A pixel between different surfaces, or beside one.
-bool is_at_edge(const Picture& p, int x, int y) {
+bool is_at_edge(const StencilPicture& p, int x, int y) {
     const auto id = [&](int i, int j) {
         i = std::clamp(i, 0, p.frame.width - 1);
         j = std::clamp(j, 0, p.frame.height - 1);
@@ -155,33 +155,33 @@ Sight::Sight(const Map& map, const TextureSet& textures, GlApi api)
       lights_(map) {}
 
 namespace {
-Picture blank(PictureSize size) {
-    Picture picture;
+StencilPicture blank(PictureSize size) {
+    StencilPicture picture;
     picture.frame.resize(size.width, size.height);
     reset(picture.facts, size.width, size.height);
     return picture;
 }
 }  // namespace
 
-Picture Sight::by_stencil(const View& view, PictureSize size) {
-    Picture picture = blank(size);
+StencilPicture Sight::by_stencil(const View& view, PictureSize size) {
+    StencilPicture picture = blank(size);
     if (Status failed = stencil_->render(picture.frame, &picture.facts, snapshot_, view)) stop(failed->text());
     return picture;
 }
 
-Picture Sight::by_column(const View& view, PictureSize size) const {
-    Picture picture = blank(size);
+StencilPicture Sight::by_column(const View& view, PictureSize size) const {
+    StencilPicture picture = blank(size);
     ColumnRenderer(map_, textures_, lights_).render(picture.frame, &picture.facts, snapshot_, view);
     return picture;
 }
 
-Picture Sight::by_reference(const View& view, PictureSize size) const {
-    Picture picture = blank(size);
+StencilPicture Sight::by_reference(const View& view, PictureSize size) const {
+    StencilPicture picture = blank(size);
     render_reference(picture.frame, &picture.facts, map_, textures_, snapshot_, view, {.lights = &lights_});
     return picture;
 }
 
-Picture Sight::truth_of(const View& view, PictureSize size) const {
+StencilPicture Sight::truth_of(const View& view, PictureSize size) const {
     return view.tilt ? by_reference(view, size) : by_column(view, size);
 }
 
@@ -198,7 +198,7 @@ const Sight::Aside& Sight::aside(std::size_t number, const View& view, PictureSi
             moved.tilt->pitch = unit(moved.tilt->pitch + right_of(moved.tilt->pitch) * steeper);
         else
             moved.pitch_tangent += steeper;
-        Picture picture = truth_of(moved, size);
+        StencilPicture picture = truth_of(moved, size);
         asides_.push_back({std::move(picture.frame.pixels), std::move(picture.facts.ids)});
     }
     return asides_[number];
@@ -206,7 +206,8 @@ const Sight::Aside& Sight::aside(std::size_t number, const View& view, PictureSi
 
 /// What the truth would show had the picture been taken a hair aside: surfaces thinner than that, and where
 /// one surface is seen twice side by side, have edges that its picture does not show.
-bool Sight::is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const Picture& shown, Same what) {
+bool Sight::is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const StencilPicture& shown,
+                          Same what) {
     for (std::size_t number = 0; number < std::size(kAside) * std::size(kAside); ++number) {
         const Aside& truth = aside(number, view, size);
         const bool same_color = difference(truth.pixels[pixel], shown.frame.pixels[pixel]) <= kSameColor;
@@ -217,12 +218,12 @@ bool Sight::is_hair_aside(const View& view, PictureSize size, std::size_t pixel,
 
 Agreement Sight::compare(const View& view, PictureSize size) {
     asides_.clear();
-    const Picture shown = by_stencil(view, size), truth = truth_of(view, size);
+    const StencilPicture shown = by_stencil(view, size), truth = truth_of(view, size);
     Agreement result;
     result.pixels = truth.frame.pixels.size();
     for (std::size_t i = 0; i < truth.frame.pixels.size(); ++i) {
         const int x = int(i) % size.width, y = int(i) / size.width;
-        const SurfaceId id = truth.facts.ids[i];
+        const PixelSurface id = truth.facts.ids[i];
         result.undrawn += shown.facts.ids[i] == kNothing;
         bool is_fault = shown.facts.ids[i] == kNothing;
         if (shown.facts.ids[i] != id &&

@@ -36,7 +36,7 @@ std::unique_ptr<StencilRenderer> software_stencil(const Map& map, const TextureS
                                                   GlApi api = GlApi::desktop);
 
 /// What one renderer drew.
-struct Picture {
+struct StencilPicture {
     Frame frame;
     FrameFacts facts;
 };
@@ -47,9 +47,9 @@ public:
     Sight(const Map& map, const TextureSet& textures, GlApi api = GlApi::desktop);
 
     /// Both pictures; a failure of OpenGL stops the test program.
-    Picture by_stencil(const View& view, PictureSize size);
-    Picture by_column(const View& view, PictureSize size) const;
-    Picture by_reference(const View& view, PictureSize size) const;
+    StencilPicture by_stencil(const View& view, PictureSize size);
+    StencilPicture by_column(const View& view, PictureSize size) const;
+    StencilPicture by_reference(const View& view, PictureSize size) const;
 
     /// With the column renderer's picture; tilted views with the reference's.
     Agreement compare(const View& view, PictureSize size);
@@ -64,11 +64,11 @@ private:
     /// What a picture shows, and of which surface.
     struct Aside {
         std::vector<std::uint32_t> pixels;
-        std::vector<SurfaceId> ids;
+        std::vector<PixelSurface> ids;
     };
-    Picture truth_of(const View& view, PictureSize size) const;
+    StencilPicture truth_of(const View& view, PictureSize size) const;
     enum class Same : std::uint8_t { surface, color };
-    bool is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const Picture& shown, Same what);
+    bool is_hair_aside(const View& view, PictureSize size, std::size_t pixel, const StencilPicture& shown, Same what);
     const Aside& aside(std::size_t number, const View& view, PictureSize size);
 
     const Map& map_;

@@ -22,15 +22,15 @@ struct Hall {
 
 TEST(StencilApis, DrawTheSamePicture) {
     const Hall hall;
-    const Picture desktop = Sight(hall.map, hall.textures, GlApi::desktop).by_stencil(hall.view, kSize);
-    const Picture es = Sight(hall.map, hall.textures, GlApi::es).by_stencil(hall.view, kSize);
+    const StencilPicture desktop = Sight(hall.map, hall.textures, GlApi::desktop).by_stencil(hall.view, kSize);
+    const StencilPicture es = Sight(hall.map, hall.textures, GlApi::es).by_stencil(hall.view, kSize);
     EXPECT_EQ(desktop.frame.pixels, es.frame.pixels);
 }
 
 TEST(StencilRenderer, DrawsTheSameWithAndWithoutFacts) {
     const Hall hall;
     const auto renderer = software_stencil(hall.map, hall.textures);
-    const Picture with_facts = Sight(hall.map, hall.textures).by_stencil(hall.view, kSize);
+    const StencilPicture with_facts = Sight(hall.map, hall.textures).by_stencil(hall.view, kSize);
     Frame frame;
     frame.resize(kSize.width, kSize.height);
     EXPECT_FALSE(renderer->render(frame, nullptr, at_rest(hall.map), hall.view));
@@ -40,8 +40,8 @@ TEST(StencilRenderer, DrawsTheSameWithAndWithoutFacts) {
 TEST(StencilRenderer, DrawsOnAnyThread) {
     const Hall hall;
     Sight sight(hall.map, hall.textures);
-    const Picture here = sight.by_stencil(hall.view, kSize);
-    Picture there;
+    const StencilPicture here = sight.by_stencil(hall.view, kSize);
+    StencilPicture there;
     std::thread([&] { there = sight.by_stencil(hall.view, kSize); }).join();
     EXPECT_EQ(here.frame.pixels, there.frame.pixels);
 }
@@ -49,7 +49,7 @@ TEST(StencilRenderer, DrawsOnAnyThread) {
 TEST(StencilRenderer, ChangesItsSize) {
     const Hall hall;
     Sight sight(hall.map, hall.textures);
-    const Picture first = sight.by_stencil(hall.view, kSize);
+    const StencilPicture first = sight.by_stencil(hall.view, kSize);
     sight.by_stencil(hall.view, {33, 7});
     EXPECT_EQ(sight.by_stencil(hall.view, kSize).frame.pixels, first.frame.pixels);
 }

@@ -114,7 +114,7 @@ TEST(StencilCorridor, ShowsSixtyFourLevels) {
 
 TEST(StencilCorridor, EndsInTheRecursionColourWhereItIsCut) {
     Place place(corridor(3));
-    const Picture picture = place.sight.by_stencil(look_from(place.map, {1, 1.25}, 1.5, 0), {96, 60});
+    const StencilPicture picture = place.sight.by_stencil(look_from(place.map, {1, 1.25}, 1.5, 0), {96, 60});
     const std::size_t middle = 30 * 96 + 48;
     EXPECT_EQ(picture.facts.ids[middle], kRecursionEnd);
     EXPECT_EQ(picture.frame.pixels[middle], 0xFFFF00FFu);
@@ -150,7 +150,7 @@ TEST(StencilCorridor, EndsBeyondTheLevelsOfTheStencilBufferToo) {
     const View view = look_from(place.map, {1, 1.25}, 1.5, 0);
     expect_agreement(place.sight.compare(view, {640, 400}));
     EXPECT_EQ(place.sight.counts().deepest, 300);
-    const Picture picture = place.sight.by_stencil(view, {640, 400});
+    const StencilPicture picture = place.sight.by_stencil(view, {640, 400});
     EXPECT_GT(std::count(picture.facts.ids.begin(), picture.facts.ids.end(), kRecursionEnd), 0);
 }
 

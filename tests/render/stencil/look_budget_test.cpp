@@ -64,11 +64,11 @@ struct Place {
 
 Place hall(int walls, int max_depth) { return {hall_of_links(walls, max_depth), {walls * 0.125 + 0.0625, 2}, -90}; }
 
-std::size_t ends_in(const Picture& picture) {
+std::size_t ends_in(const StencilPicture& picture) {
     return static_cast<std::size_t>(std::ranges::count(picture.facts.ids, kRecursionEnd));
 }
 
-std::size_t different_surfaces(const Picture& one, const Picture& truth) {
+std::size_t different_surfaces(const StencilPicture& one, const StencilPicture& truth) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < kPixels; ++i)
         count += !truth.facts.ambiguous[i] && one.facts.ids[i] != truth.facts.ids[i];
@@ -76,10 +76,10 @@ std::size_t different_surfaces(const Picture& one, const Picture& truth) {
 }
 
 void expect_all_cut_short_alike(Place& place) {
-    const Picture column = place.sight.by_column(place.view, kSize),
-                  stencil = place.sight.by_stencil(place.view, kSize),
-                  reference = place.sight.by_reference(place.view, kSize);
-    for (const Picture* picture : {&column, &stencil, &reference}) {
+    const StencilPicture column = place.sight.by_column(place.view, kSize),
+                         stencil = place.sight.by_stencil(place.view, kSize),
+                         reference = place.sight.by_reference(place.view, kSize);
+    for (const StencilPicture* picture : {&column, &stencil, &reference}) {
         EXPECT_TRUE(picture->frame.is_cut_short);
         EXPECT_EQ(picture->facts.ids[kMiddle], kRecursionEnd);
         EXPECT_EQ(picture->frame.pixels[kMiddle], kRecursionColor);

@@ -124,7 +124,7 @@ TEST(StencilPanel, IsBeforeAThingInOneColumnAndBehindItInAnother) {
     file.things = {thing};
     const Furnished world(file);
     Sight sight(world.map, world.textures);
-    const Picture picture = sight.by_stencil(look_from(world.map, {1, 4}, 1, 0), {64, 64});
+    const StencilPicture picture = sight.by_stencil(look_from(world.map, {1, 4}, 1, 0), {64, 64});
     EXPECT_EQ(picture.facts.ids[32 * 64 + 28], panel_id(world.map, PanelId(0u)));
     EXPECT_EQ(picture.facts.ids[32 * 64 + 36], thing_id(world.map, ThingId(0u)));
 }

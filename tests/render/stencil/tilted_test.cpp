@@ -80,9 +80,9 @@ TEST(TiltedView, IsTheUprightOneWhereItIsTiltedByNothing) {
     const TextureSet textures = textures_for(linked_rooms());
     Sight sight(map, textures);
     View view = look_from(map, {10.3, 12.1}, 1.5, 30);
-    const Picture upright = sight.by_stencil(view, kSize);
+    const StencilPicture upright = sight.by_stencil(view, kSize);
     view.tilt = Tilt{};
-    const Picture tilted = sight.by_stencil(view, kSize);
+    const StencilPicture tilted = sight.by_stencil(view, kSize);
     std::size_t differ = 0;
     for (std::size_t i = 0; i < upright.facts.ids.size(); ++i) differ += upright.facts.ids[i] != tilted.facts.ids[i];
     EXPECT_LE(differ, upright.facts.ids.size() / 1000);

@@ -48,10 +48,10 @@ struct Rooms {
 };
 
 /// The rooms whose surfaces a picture shows.
-std::vector<SectorId> rooms_in(const Map& map, const Picture& picture) {
+std::vector<SectorId> rooms_in(const Map& map, const StencilPicture& picture) {
     std::vector<SectorId> rooms;
     for (std::size_t i = 0; i < map.sectors.size(); ++i)
-        for (const SurfaceId flat : {floor_id(SectorId(i)), ceiling_id(SectorId(i))})
+        for (const PixelSurface flat : {floor_id(SectorId(i)), ceiling_id(SectorId(i))})
             if (std::ranges::find(picture.facts.ids, flat) != picture.facts.ids.end()) rooms.emplace_back(i);
     return rooms;
 }
@@ -63,8 +63,9 @@ TEST(WaysBack, AreLookedThroughOnlyWhileTheyStandOpen) {
             if (is_open) rooms.sight.snapshot().way_back = rooms.way_back();
             const View view = rooms.look_at_it();
             const SectorId near = sector_named(rooms.map, "near");
-            for (const Picture& picture : {rooms.sight.by_column(view, kSize), rooms.sight.by_stencil(view, kSize),
-                                           rooms.sight.by_reference(view, kSize)}) {
+            for (const StencilPicture& picture :
+                 {rooms.sight.by_column(view, kSize), rooms.sight.by_stencil(view, kSize),
+                  rooms.sight.by_reference(view, kSize)}) {
                 const std::vector<SectorId> seen = rooms_in(rooms.map, picture);
                 EXPECT_EQ(std::ranges::find(seen, near) != seen.end(), is_open) << is_link;
             }

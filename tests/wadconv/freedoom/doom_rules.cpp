@@ -99,8 +99,8 @@ private:
     }
 
     /// A floor goes up as far as the ceiling lets it, a ceiling down as far as the floor does (T_MovePlane).
-    void add(std::uint32_t s, bool is_ceiling, std::vector<Leg> legs, bool loops = false) {
-        for (Leg& leg : legs)
+    void add(std::uint32_t s, bool is_ceiling, std::vector<MotionLeg> legs, bool loops = false) {
+        for (MotionLeg& leg : legs)
             leg.height = is_ceiling ? std::max(leg.height, floor(s)) : std::min(leg.height, ceiling(s));
         motions_.push_back({s, is_ceiling, std::move(legs), loops});
     }

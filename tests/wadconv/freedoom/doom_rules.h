@@ -13,7 +13,7 @@
 namespace enfilade::test {
 
 /// A height that a floor or ceiling goes to, and how.
-struct Leg {
+struct MotionLeg {
     double height;    ///< [map units]
     double speed;     ///< [map units / tic]
     double wait = 0;  ///< once it is there, before it goes on [tics]
@@ -23,7 +23,7 @@ struct Leg {
 struct Motion {
     std::uint32_t sector;
     bool is_ceiling;
-    std::vector<Leg> legs;
+    std::vector<MotionLeg> legs;
     bool loops = false;
 };
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "math/predicates.h"
-#include "world/deed.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade::test {
 

@@ -15,7 +15,7 @@
 namespace enfilade::test {
 
 /// One level of the archive, as it was and as it became.
-struct Level {
+struct ConvertedLevel {
     const wadconv::DoomMap& doom;
     const Map& map;
     const TextureHeight& height_of;
@@ -47,7 +47,7 @@ inline void print(const char* what, const Counts& counts) {
 /// A test that looks at every level of an archive.
 class FreeDoomLevels : public ::testing::TestWithParam<FreeDoomWad> {
 protected:
-    void each_level(const std::function<void(const Level&)>& visit) {
+    void each_level(const std::function<void(const ConvertedLevel&)>& visit) {
         const ReadWad wad(GetParam());
         const TextureHeight height_of = [&](const std::string& texture) {
             const wadconv::PictureFile* file = wad.pictures.wall(texture);

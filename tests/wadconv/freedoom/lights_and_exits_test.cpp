@@ -49,13 +49,13 @@ private:
 };
 
 /// What the changes of light give: the level, or where it flashes its darker one.
-std::map<std::uint32_t, int> lights_of(const Level& level, const History& history) {
+std::map<std::uint32_t, int> lights_of(const ConvertedLevel& level, const History& history) {
     constexpr double kLevels = 256;
     std::map<std::uint32_t, int> given;
     for (const Change& change : history.changes()) {
         if (change.channel != Channel::light) continue;
         const auto& effect = level.map[change.cause].effect;
-        const double light = effect ? effect->dark : change.course.stops[0].value;
+        const double light = effect ? effect->dark : change.track.stops[0].value;
         given[doom_sector_of(level.map[change.sector])] = static_cast<int>(std::lround(light * kLevels));
     }
     return given;
@@ -68,7 +68,7 @@ bool can_be_passed(const DoomMap& doom, const Linedef& line) {
 TEST_P(FreeDoomLightsAndExits, MakeDoomsLight) {
     if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
     Counts compared;
-    each_level([&](const Level& level) {
+    each_level([&](const ConvertedLevel& level) {
         for (const Linedef& line : level.doom.lines) {
             const std::optional<DoomLight> light = light_of(line.special);
             const std::map<std::uint32_t, int> found = lights_of(level, level.range.fire(line).history);
@@ -85,7 +85,7 @@ Vec2 place_of(const DoomThing& thing) {
 }
 
 /// The first thing to teleport to in the first sector with the line's tag that has one (EV_Teleport).
-const DoomThing* exit_of(const Level& level, const Linedef& line) {
+const DoomThing* exit_of(const ConvertedLevel& level, const Linedef& line) {
     constexpr int kTeleportMan = 14;
     for (std::uint32_t s = 0; s < level.doom.sectors.size() && line.tag != 0; ++s) {
         if (level.doom.sectors[s].tag != line.tag) continue;
@@ -101,7 +101,7 @@ const DoomThing* exit_of(const Level& level, const Linedef& line) {
 TEST_P(FreeDoomLightsAndExits, TeleportToWhereDoomDoes) {
     if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
     Counts compared;
-    each_level([&](const Level& level) {
+    each_level([&](const ConvertedLevel& level) {
         for (const Linedef& line : level.doom.lines) {
             if (!is_teleport(line.special) || !can_be_passed(level.doom, line)) continue;
             const DoomThing* exit = exit_of(level, line);
@@ -110,7 +110,7 @@ TEST_P(FreeDoomLightsAndExits, TeleportToWhereDoomDoes) {
             ASSERT_EQ(triggers.count, exit ? 1u : 0u) << level.name_of(line);
             if (!exit) continue;
             const Trigger& trigger = level.map.triggers[triggers.first];
-            ASSERT_EQ(trigger.deed, Deed::teleport) << level.name_of(line);
+            ASSERT_EQ(trigger.action, TriggerAction::teleport) << level.name_of(line);
             EXPECT_TRUE(trigger.one_way) << level.name_of(line) << " works from its front only";
             EXPECT_EQ(level.map[trigger.destination].position, place_of(*exit)) << level.name_of(line);
             EXPECT_EQ(level.map[trigger.destination].yaw, Angle::from_degrees(-exit->angle / 45 * 45.0))

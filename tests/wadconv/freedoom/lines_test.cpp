@@ -20,24 +20,24 @@ using wadconv::Linedef;
 
 constexpr double kUnits = wadconv::kUnitsPerMetre, kTics = 35;
 
-std::string text_of(const std::vector<Leg>& legs, bool loops) {
+std::string text_of(const std::vector<MotionLeg>& legs, bool loops) {
     std::string text;
     char number[80];
-    for (const Leg& leg : legs) {
+    for (const MotionLeg& leg : legs) {
         std::snprintf(number, sizeof number, " %.6g at %.6g for %.6g", leg.height, leg.speed, leg.wait);
         text += number;
     }
     return text + (loops ? " over and over" : "");
 }
 
-/// A course in Doom's measures. Waits are whole ticks here: the tics next to them. The last wait of what comes to rest
+/// A track in Doom's measures. Waits are whole ticks here: the tics next to them. The last wait of what comes to rest
 /// means nothing.
 Motion motion_of(const Change& change, std::uint32_t sector) {
-    const Course& course = change.course;
-    Motion motion{sector, change.channel == Channel::ceiling, {}, course.loops};
-    for (std::uint8_t i = 0; i < course.count; ++i) {
-        const Stop& stop = course.stops[i];
-        const bool waits = course.loops || i + 1 < course.count;
+    const Track& track = change.track;
+    Motion motion{sector, change.channel == Channel::ceiling, {}, track.loops};
+    for (std::uint8_t i = 0; i < track.count; ++i) {
+        const Stop& stop = track.stops[i];
+        const bool waits = track.loops || i + 1 < track.count;
         motion.legs.push_back({stop.value * kUnits, stop.per_tick * kUnits * kTickRate / kTics,
                                waits ? std::round(stop.wait * kTics / kTickRate) : 0});
     }

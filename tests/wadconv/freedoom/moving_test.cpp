@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "wadconv/freedoom/wads.h"
-#include "world/deed.h"
 #include "world/soak.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade::test {
 namespace {

@@ -16,7 +16,7 @@ using FreeDoomOrders = FreeDoomLevels;
 TEST_P(FreeDoomOrders, WorkAsOftenAsInDoom) {
     if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
     Counts compared;
-    each_level([&](const Level& level) {
+    each_level([&](const ConvertedLevel& level) {
         for (const Linedef& line : level.doom.lines) {
             const TriggerRange triggers = level.range.triggers_of(line);
             const std::optional<bool> again = repeats(line.special);
@@ -32,13 +32,13 @@ TEST_P(FreeDoomOrders, WorkAsOftenAsInDoom) {
 using Mover = std::pair<std::uint32_t, bool>;  ///< Doom's sector, and whether its ceiling
 
 /// What is still on its way a tick after it was set off. Anything that moves for two tics or more is.
-std::set<Mover> busy_after(const Level& level, const std::vector<Motion>& motions) {
+std::set<Mover> busy_after(const ConvertedLevel& level, const std::vector<Motion>& motions) {
     std::set<Mover> busy;
     for (const Motion& motion : motions) {
         const auto& sector = level.doom.sectors[motion.sector];
         const double start = motion.is_ceiling ? std::max(sector.ceiling, sector.floor) : sector.floor;
         double tics = 0, z = start;
-        for (const Leg& leg : motion.legs) {
+        for (const MotionLeg& leg : motion.legs) {
             tics += std::abs(leg.height - z) / leg.speed + (&leg == &motion.legs.back() ? 0 : leg.wait);
             z = leg.height;
         }
@@ -48,7 +48,7 @@ std::set<Mover> busy_after(const Level& level, const std::vector<Motion>& motion
 }
 
 /// What the second firing ordered.
-std::set<Mover> ordered_by(const Level& level, const Fired& fired) {
+std::set<Mover> ordered_by(const ConvertedLevel& level, const Fired& fired) {
     std::set<Mover> movers;
     for (std::size_t i = fired.first_change; i < fired.history.changes().size(); ++i) {
         const Change& change = fired.history.changes()[i];
@@ -59,7 +59,7 @@ std::set<Mover> ordered_by(const Level& level, const Fired& fired) {
 }
 
 /// Lines that may meet: by the sectors they move, one of each special and tag.
-std::map<std::uint32_t, std::vector<const Linedef*>> movers_of(const Level& level) {
+std::map<std::uint32_t, std::vector<const Linedef*>> movers_of(const ConvertedLevel& level) {
     std::map<std::uint32_t, std::vector<const Linedef*>> by_sector;
     std::set<std::pair<int, std::uint32_t>> seen;
     for (const Linedef& line : level.doom.lines)
@@ -72,7 +72,7 @@ std::map<std::uint32_t, std::vector<const Linedef*>> movers_of(const Level& leve
 TEST_P(FreeDoomOrders, LeaveAloneWhatIsOnItsWay) {
     if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
     Counts compared, turned;
-    each_level([&](const Level& level) {
+    each_level([&](const ConvertedLevel& level) {
         for (const auto& [sector, lines] : movers_of(level))
             for (const Linedef* first : lines) {
                 const History before = level.range.fire(*first).history;
@@ -102,17 +102,17 @@ TEST_P(FreeDoomOrders, LeaveAloneWhatIsOnItsWay) {
 TEST_P(FreeDoomOrders, TurnDoorsRoundThatArePushedAgain) {
     if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
     Counts compared;
-    each_level([&](const Level& level) {
+    each_level([&](const ConvertedLevel& level) {
         for (const Linedef& line : level.doom.lines) {
             if (!turns_round(line.special) || busy_after(level, level.motions_of(line)).empty()) continue;
             const std::uint32_t door = level.motions_of(line).front().sector;
             const History opening = level.range.fire(line).history;
             const Fired closing = level.range.fire(line, opening, 1);
             ASSERT_EQ(ordered_by(level, closing), (std::set<Mover>{{door, true}})) << level.name_of(line);
-            const Course& course = closing.history.changes().back().course;
+            const Track& track = closing.history.changes().back().track;
             ++compared[line.special];
-            EXPECT_EQ(course.count, 1) << level.name_of(line);
-            EXPECT_EQ(course.stops[0].value * wadconv::kUnitsPerMetre, level.doom.sectors[door].floor)
+            EXPECT_EQ(track.count, 1) << level.name_of(line);
+            EXPECT_EQ(track.stops[0].value * wadconv::kUnitsPerMetre, level.doom.sectors[door].floor)
                 << level.name_of(line);
         }
     });

@@ -10,7 +10,7 @@ namespace enfilade {
 /// How far one reaches [m]: 64 of Doom's units.
 inline constexpr double kArm = 2;
 
-/// Sets a trigger off, if it still works, the player has its key and any of its targets takes orders now: courses
+/// Sets a trigger off, if it still works, the player has its key and any of its targets takes orders now: tracks
 /// begin, the player is teleported, the map is left. `wall`: whose switch turns, or none.
 void fire(const Map& map, World& world, TriggerId trigger, WallId wall);
 

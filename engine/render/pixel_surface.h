@@ -8,28 +8,29 @@
 namespace enfilade {
 
 /// 24 bits; 0 is "nothing was drawn here".
-using SurfaceId = std::uint32_t;
+using PixelSurface = std::uint32_t;
 
-inline constexpr SurfaceId kNothing = 0;
+inline constexpr PixelSurface kNothing = 0;
 
 /// Where a chain of links was cut and the map's recursion colour shows.
-inline constexpr SurfaceId kRecursionEnd = 0xFFFFFF;
+inline constexpr PixelSurface kRecursionEnd = 0xFFFFFF;
 
 enum class WallPart : std::uint8_t { middle, upper, lower };
 
-inline SurfaceId floor_id(SectorId sector) { return 1 + 2 * sector.index; }
-inline SurfaceId ceiling_id(SectorId sector) { return 2 + 2 * sector.index; }
-inline SurfaceId wall_id(const Map& map, WallId wall, WallPart part) {
-    return static_cast<SurfaceId>(1 + 2 * map.sectors.size() + std::size_t{3} * wall.index +
-                                  static_cast<unsigned>(part));
+inline PixelSurface floor_id(SectorId sector) { return 1 + 2 * sector.index; }
+inline PixelSurface ceiling_id(SectorId sector) { return 2 + 2 * sector.index; }
+inline PixelSurface wall_id(const Map& map, WallId wall, WallPart part) {
+    return static_cast<PixelSurface>(1 + 2 * map.sectors.size() + std::size_t{3} * wall.index +
+                                     static_cast<unsigned>(part));
 }
 
-inline SurfaceId thing_id(const Map& map, ThingId thing) {
-    return static_cast<SurfaceId>(1 + 2 * map.sectors.size() + 3 * map.walls.size() + thing.index);
+inline PixelSurface thing_id(const Map& map, ThingId thing) {
+    return static_cast<PixelSurface>(1 + 2 * map.sectors.size() + 3 * map.walls.size() + thing.index);
 }
 
-inline SurfaceId panel_id(const Map& map, PanelId panel) {
-    return static_cast<SurfaceId>(1 + 2 * map.sectors.size() + 3 * map.walls.size() + map.things.size() + panel.index);
+inline PixelSurface panel_id(const Map& map, PanelId panel) {
+    return static_cast<PixelSurface>(1 + 2 * map.sectors.size() + 3 * map.walls.size() + map.things.size() +
+                                     panel.index);
 }
 
 enum class SurfaceKind : std::uint8_t { floor, ceiling, wall, thing, panel };
@@ -42,7 +43,7 @@ struct SurfaceOwner {
 };
 
 /// The other way round: none where nothing was drawn, a chain of links was cut, or the map has no such number.
-inline std::optional<SurfaceOwner> owner_of(const Map& map, SurfaceId id) {
+inline std::optional<SurfaceOwner> owner_of(const Map& map, PixelSurface id) {
     if (id == kNothing || id == kRecursionEnd) return {};
     std::size_t number = id - 1;
     if (number < 2 * map.sectors.size())

@@ -1,4 +1,4 @@
-#include "world/deed.h"
+#include "world/trigger_actions.h"
 
 #include <algorithm>
 #include <limits>
@@ -18,8 +18,8 @@ std::uint32_t ticks_of(double seconds) {
     return static_cast<std::uint32_t>(std::min(seconds * kTickRate + 0.5, kLongestWait));
 }
 
-/// Everything a deed may ask about one target.
-struct Target {
+/// Everything an action may ask about one target.
+struct ActionTarget {
     const Instant& now;
     const Trigger& trigger;
     SectorId sector;     ///< that leads its group
@@ -30,7 +30,7 @@ struct Target {
     std::uint32_t wait() const { return ticks_of(trigger.wait_s); }
     Stop stop(double z) const { return {z, per_tick(), 0}; }
     Stop stop_and_wait(double z) const { return {z, per_tick(), wait()}; }
-    double around(Level level, double here_z) const { return height_of(now, sector, level, here_z); }
+    double around(HeightLevel level, double here_z) const { return height_of(now, sector, level, here_z); }
 
     /// Where the floor or ceiling is told to go.
     double goal(double here_z) const {
@@ -38,43 +38,44 @@ struct Target {
         if (trigger.like) return heights_of(now, trigger.like).floor_z + trigger.by;
         return around(trigger.to, here_z) + trigger.by;
     }
-    double door_top() const { return around(Level::lowest_ceiling, here.ceiling_z) - kDoorHead; }
+    double door_top() const { return around(HeightLevel::lowest_ceiling, here.ceiling_z) - kDoorHead; }
 };
 
-Course once(double from, Stop stop) { return {0, from, {stop, {}}, 1, false}; }
-Course there_and_back(double from, Stop first, Stop second) { return {0, from, {first, second}, 2, false}; }
-Course to_and_fro(double from, Stop first, Stop second) { return {0, from, {first, second}, 2, true}; }
+Track once(double from, Stop stop) { return {0, from, {stop, {}}, 1, false}; }
+Track there_and_back(double from, Stop first, Stop second) { return {0, from, {first, second}, 2, false}; }
+Track to_and_fro(double from, Stop first, Stop second) { return {0, from, {first, second}, 2, true}; }
 
-Course door_course(const Target& t) {
+Track door_track(const ActionTarget& t) {
     return there_and_back(t.here.ceiling_z, t.stop_and_wait(t.door_top()), t.stop(t.here.floor_z));
 }
 
-bool moves_doors(Deed deed) {
-    return deed == Deed::door || deed == Deed::open || deed == Deed::close || deed == Deed::close_then_open;
+bool moves_doors(TriggerAction action) {
+    return action == TriggerAction::door || action == TriggerAction::open || action == TriggerAction::close ||
+           action == TriggerAction::close_then_open;
 }
 
 /// A door on its way, or waiting, as whoever uses it finds it.
 struct DoorUnderWay {
-    Deed deed;  ///< what set it off
+    TriggerAction action;  ///< what set it off
     bool comes_down;
     bool has_two_ways;  ///< it goes on after a wait
     Stop up, down;
 };
 
-DoorUnderWay door_under_way(const Target& t, const Change& change) {
-    const Course& old = change.course;
+DoorUnderWay door_under_way(const ActionTarget& t, const Change& change) {
+    const Track& old = change.track;
     const std::size_t heading = std::min<std::size_t>(stop_at(old, t.now.tick), old.count - 1u);
     const Stop& next = old.stops[heading];
-    DoorUnderWay door{t.now.map[change.cause].deed, next.value < t.here.ceiling_z, old.count == 2, {}, {}};
-    door.up = {t.door_top(), next.per_tick, door.deed == Deed::door ? t.wait() : 0};
+    DoorUnderWay door{t.now.map[change.cause].action, next.value < t.here.ceiling_z, old.count == 2, {}, {}};
+    door.up = {t.door_top(), next.per_tick, door.action == TriggerAction::door ? t.wait() : 0};
     door.down = {t.here.floor_z, next.per_tick, 0};
     if (!door.has_two_ways) return door;
-    if (door.deed == Deed::close) {  // held up by whoever is in its way
+    if (door.action == TriggerAction::close) {  // held up by whoever is in its way
         door.comes_down = true;
         door.has_two_ways = false;
         return door;
     }
-    const std::size_t lower = door.deed == Deed::door ? 1 : 0;
+    const std::size_t lower = door.action == TriggerAction::door ? 1 : 0;
     door.comes_down &= heading == lower;
     door.down = old.stops[lower];
     door.up = old.stops[1 - lower];
@@ -83,38 +84,39 @@ DoorUnderWay door_under_way(const Target& t, const Change& change) {
 
 /// A door that is used while it moves or waits, whatever set it off: one that comes down turns round, any other comes
 /// down, as fast as it went. What would have gone on after a wait still does.
-Course used_again(const Target& t, const Change& under_way) {
+Track used_again(const ActionTarget& t, const Change& under_way) {
     const DoorUnderWay door = door_under_way(t, under_way);
     const double z = t.here.ceiling_z;
-    if (door.comes_down) return door.deed == Deed::door ? there_and_back(z, door.up, door.down) : once(z, door.up);
-    const bool opens_again = door.deed == Deed::close_then_open && door.has_two_ways;
+    if (door.comes_down)
+        return door.action == TriggerAction::door ? there_and_back(z, door.up, door.down) : once(z, door.up);
+    const bool opens_again = door.action == TriggerAction::close_then_open && door.has_two_ways;
     return opens_again ? there_and_back(z, door.down, door.up) : once(z, door.down);
 }
 
-Course shuttle_course(const Target& t) {
-    const double high = std::max(t.here.floor_z, t.around(Level::highest_floor, t.here.floor_z));
-    return to_and_fro(t.here.floor_z, t.stop_and_wait(t.around(Level::lowest_floor, t.here.floor_z)),
+Track shuttle_track(const ActionTarget& t) {
+    const double high = std::max(t.here.floor_z, t.around(HeightLevel::highest_floor, t.here.floor_z));
+    return to_and_fro(t.here.floor_z, t.stop_and_wait(t.around(HeightLevel::lowest_floor, t.here.floor_z)),
                       t.stop_and_wait(high));
 }
 
 /// Up to where it was when it was called first.
-Course crush_course(const Target& t) {
+Track crush_track(const ActionTarget& t) {
     double top = t.here.ceiling_z;
     for (const Change* old = t.now.history->newest_of(t.sector, Channel::ceiling); old;
          old = old->before == Change::kNone ? nullptr : &t.now.history->changes()[old->before])
-        if (!old->holds_up_bob() && t.now.map[old->cause].deed == Deed::crush && old->course.count == 2)
-            top = std::max({top, old->course.stops[0].value, old->course.stops[1].value});
+        if (!old->holds_up_bob() && t.now.map[old->cause].action == TriggerAction::crush && old->track.count == 2)
+            top = std::max({top, old->track.stops[0].value, old->track.stops[1].value});
     return to_and_fro(t.here.ceiling_z, t.stop(t.here.floor_z + kCrushedHeight), t.stop(top));
 }
 
 /// Each stair is one step higher than the one before, whatever it was before.
-Course stair_course(const Target& t) {
+Track stair_track(const ActionTarget& t) {
     const double first = heights_of(t.now, t.now.map.targets_of(t.trigger).front()).floor_z;
     return once(t.here.floor_z, t.stop(first + t.trigger.step * static_cast<double>(t.number + 1)));
 }
 
 /// The level it gets, at once.
-Course light_course(const Target& t) {
+Track light_track(const ActionTarget& t) {
     const double now = plain_light_of(t.now, t.sector);
     const double level = t.trigger.light                           ? *t.trigger.light
                          : t.trigger.light_of != LightLevel::given ? light_of(t.now, t.sector, t.trigger.light_of)
@@ -122,37 +124,39 @@ Course light_course(const Target& t) {
     return once(now, {level, std::numeric_limits<double>::infinity(), 0});
 }
 
-Channel channel_of(Deed deed) {
-    switch (deed) {
-        case Deed::lift:
-        case Deed::shuttle:
-        case Deed::floor:
-        case Deed::stairs: return Channel::floor;
-        case Deed::light: return Channel::light;
+Channel channel_of(TriggerAction action) {
+    switch (action) {
+        case TriggerAction::lift:
+        case TriggerAction::shuttle:
+        case TriggerAction::floor:
+        case TriggerAction::stairs: return Channel::floor;
+        case TriggerAction::light: return Channel::light;
         default: return Channel::ceiling;
     }
 }
 
-Course course_of(const Target& t) {
+Track track_of(const ActionTarget& t) {
     const double floor_z = t.here.floor_z, ceiling_z = t.here.ceiling_z;
-    switch (t.trigger.deed) {
-        case Deed::door: return door_course(t);
-        case Deed::open: return once(ceiling_z, t.stop(t.door_top()));
-        case Deed::close: return once(ceiling_z, t.stop(floor_z));
-        case Deed::close_then_open: return there_and_back(ceiling_z, t.stop_and_wait(floor_z), t.stop(ceiling_z));
-        case Deed::lift:
-            return there_and_back(floor_z, t.stop_and_wait(t.around(Level::lowest_floor, floor_z)), t.stop(floor_z));
-        case Deed::shuttle: return shuttle_course(t);
-        case Deed::floor: return once(floor_z, t.stop(t.goal(floor_z)));
-        case Deed::ceiling: return once(ceiling_z, t.stop(t.goal(ceiling_z)));
-        case Deed::crush: return crush_course(t);
-        case Deed::stairs: return stair_course(t);
-        case Deed::light: return light_course(t);
+    switch (t.trigger.action) {
+        case TriggerAction::door: return door_track(t);
+        case TriggerAction::open: return once(ceiling_z, t.stop(t.door_top()));
+        case TriggerAction::close: return once(ceiling_z, t.stop(floor_z));
+        case TriggerAction::close_then_open:
+            return there_and_back(ceiling_z, t.stop_and_wait(floor_z), t.stop(ceiling_z));
+        case TriggerAction::lift:
+            return there_and_back(floor_z, t.stop_and_wait(t.around(HeightLevel::lowest_floor, floor_z)),
+                                  t.stop(floor_z));
+        case TriggerAction::shuttle: return shuttle_track(t);
+        case TriggerAction::floor: return once(floor_z, t.stop(t.goal(floor_z)));
+        case TriggerAction::ceiling: return once(ceiling_z, t.stop(t.goal(ceiling_z)));
+        case TriggerAction::crush: return crush_track(t);
+        case TriggerAction::stairs: return stair_track(t);
+        case TriggerAction::light: return light_track(t);
         default: return {};
     }
 }
 
-bool crushes(const Trigger& trigger) { return trigger.crushes || trigger.deed == Deed::crush; }
+bool crushes(const Trigger& trigger) { return trigger.crushes || trigger.action == TriggerAction::crush; }
 
 bool stops_at(const Trigger& trigger, const Thing& thing) {
     if (thing.holds_up == HoldsUp::nothing) return false;
@@ -160,7 +164,7 @@ bool stops_at(const Trigger& trigger, const Thing& thing) {
 }
 
 /// How high the tallest of the solid things that it stops at is, as far as there is room for it now [m].
-double tallest_thing(const Target& t) {
+double tallest_thing(const ActionTarget& t) {
     const Map& map = t.now.map;
     double tallest = 0;
     each_of_group(map, t.sector, [&](SectorId member) {
@@ -172,17 +176,17 @@ double tallest_thing(const Target& t) {
     return std::min(tallest, t.here.ceiling_z - t.here.floor_z);
 }
 
-/// The course, stopping short of solid things and of the other side of the room.
-void clip(const Target& t, Channel channel, Course& course) {
+/// The track, stopping short of solid things and of the other side of the room.
+void clip(const ActionTarget& t, Channel channel, Track& track) {
     if (channel == Channel::light) return;
     const double room = tallest_thing(t);
-    for (std::uint8_t i = 0; i < course.count; ++i) {
-        double& z = course.stops[i].value;
+    for (std::uint8_t i = 0; i < track.count; ++i) {
+        double& z = track.stops[i].value;
         z = channel == Channel::ceiling ? std::max(z, t.here.floor_z + room) : std::min(z, t.here.ceiling_z - room);
     }
 }
 
-/// Where the floor or ceiling is, whatever its course alone says: the other one may hold it up.
+/// Where the floor or ceiling is, whatever its track alone says: the other one may hold it up.
 double height_now(const Instant& now, SectorId sector, Channel channel) {
     const Heights here = heights_of(now, sector);
     return channel == Channel::floor ? here.floor_z : here.ceiling_z;
@@ -191,7 +195,7 @@ double height_now(const Instant& now, SectorId sector, Channel channel) {
 /// Whether the value is on its way, or about to be.
 bool is_busy(const Change* change, std::uint64_t tick) {
     if (!change) return false;
-    const auto end = end_of(change->course);
+    const auto end = end_of(change->track);
     return !end || *end > tick;
 }
 
@@ -206,7 +210,7 @@ bool stop_what_loops(const Instant& now, History& history, TriggerId cause, Sect
     bool has_stopped = false;
     for (const Channel channel : {Channel::floor, Channel::ceiling}) {
         const Change* change = history.newest_of(sector, channel);
-        if (!bobs(now.map, history, sector, channel) && !(change && change->course.loops)) continue;
+        if (!bobs(now.map, history, sector, channel) && !(change && change->track.loops)) continue;
         history.add(now.map, {sector, channel, {tick, height_now(now, sector, channel), {}, 0, false}, cause});
         has_stopped = true;
     }
@@ -225,30 +229,30 @@ bool change_target(const Map& map, History& history, TriggerId id, std::size_t n
     const Trigger& trigger = map[id];
     const SectorId sector = map.targets_of(trigger)[number];
     const Instant now(map, history, static_cast<double>(tick));
-    if (trigger.deed == Deed::stop) return stop_what_loops(now, history, id, sector, tick);
-    const Channel channel = channel_of(trigger.deed);
+    if (trigger.action == TriggerAction::stop) return stop_what_loops(now, history, id, sector, tick);
+    const Channel channel = channel_of(trigger.action);
     const std::uint64_t start = tick + ticks_of(trigger.after_s);
-    // What bobs is somewhere else when a course begins later, which sets off from there.
+    // What bobs is somewhere else when a track begins later, which sets off from there.
     const Instant there = channel != Channel::light && bobs(map, history, sector, channel)
                               ? Instant(map, history, static_cast<double>(start))
                               : now;
-    const Target target{now, trigger, sector, number, heights_of(there, sector)};
+    const ActionTarget target{now, trigger, sector, number, heights_of(there, sector)};
     const Change* present = history.newest_of(sector, channel);
     if (channel == Channel::light && has_lasting_light(map, present)) return true;
     TriggerId cause = id;  // of a door that something else moves it stays that
-    Course course;
+    Track track;
     if (channel != Channel::light && is_busy(present, tick)) {
-        const bool is_door = trigger.deed == Deed::door && moves_doors(map[present->cause].deed);
-        const bool reverses = is_door && trigger.on == Occasion::use && trigger.reverses;
-        if (!reverses || present->course.count == 0) return false;
-        course = used_again(target, *present);
-        if (map[present->cause].deed != Deed::door) cause = present->cause;
+        const bool is_door = trigger.action == TriggerAction::door && moves_doors(map[present->cause].action);
+        const bool reverses = is_door && trigger.on == Activation::use && trigger.reverses;
+        if (!reverses || present->track.count == 0) return false;
+        track = used_again(target, *present);
+        if (map[present->cause].action != TriggerAction::door) cause = present->cause;
     } else {
-        course = course_of(target);
-        clip(target, channel, course);
+        track = track_of(target);
+        clip(target, channel, track);
     }
-    course.start = start;
-    history.add(map, {sector, channel, course, cause});
+    track.start = start;
+    history.add(map, {sector, channel, track, cause});
     return true;
 }
 
@@ -270,19 +274,19 @@ History begun(const Map& map) {
 bool crushes(const Map& map, const Change& change) { return crushes(map[change.cause]); }
 
 Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick) {
-    const Course& old = in_the_way.course;
+    const Track& old = in_the_way.track;
     const double z = height_now(now, in_the_way.sector, in_the_way.channel);
     const std::uint8_t heading = stop_at(old, now.tick);
     Change answer = in_the_way;
-    if (old.count == 2 && now.map[in_the_way.cause].deed != Deed::close) {
+    if (old.count == 2 && now.map[in_the_way.cause].action != TriggerAction::close) {
         const Stop back = old.stops[1 - heading], on = old.stops[heading];
         // A door that came down opens and closes again; one that only comes down to open afterwards opens.
-        answer.course = old.loops || heading == 1 ? Course{tick, z, {back, on}, 2, old.loops} : once(z, back);
+        answer.track = old.loops || heading == 1 ? Track{tick, z, {back, on}, 2, old.loops} : once(z, back);
     } else {
         const Stop held{z, std::numeric_limits<double>::infinity(), kPatience};
-        answer.course = there_and_back(z, held, old.stops[heading]);
+        answer.track = there_and_back(z, held, old.stops[heading]);
     }
-    answer.course.start = tick;
+    answer.track.start = tick;
     return answer;
 }
 
@@ -295,22 +299,22 @@ void hold_up_bob(const Map& map, History& history, SectorId sector, Channel chan
     history.add(map, {sector, channel, {tick, height_now(now, sector, channel), {}, 0, false}, TriggerId(), lag});
     if (!ordered) return;
     Change later = *ordered;  // an order that begins later stays one, and sets off from where the bob then is
-    later.course.from = height_now({map, history, static_cast<double>(later.course.start)}, sector, channel);
+    later.track.from = height_now({map, history, static_cast<double>(later.track.start)}, sector, channel);
     history.add(map, later);
 }
 
 std::optional<Change> slowed(const Instant& now, const Change& crusher, std::uint64_t tick) {
     const std::optional<double>& speed = now.map[crusher.cause].crush_speed;
-    const Course& old = crusher.course;
+    const Track& old = crusher.track;
     if (!speed || is_on_first_way(old, now.tick)) return {};
     const std::uint8_t heading = stop_at(old, now.tick);
     const Stop next = old.stops[heading], last = old.stops[1 - heading];
     Change slow = crusher;
     const double z = height_now(now, crusher.sector, crusher.channel);
     const bool goes_back = old.loops || (old.count == 2 && heading == 0);
-    slow.course = goes_back ? Course{tick, z, {next, last}, 2, old.loops} : once(z, next);
-    slow.course.start = tick;
-    slow.course.first_per_tick = *speed / kTickRate;
+    slow.track = goes_back ? Track{tick, z, {next, last}, 2, old.loops} : once(z, next);
+    slow.track.start = tick;
+    slow.track.first_per_tick = *speed / kTickRate;
     return slow;
 }
 

@@ -1,25 +1,27 @@
-#include "world/happen.h"
+#include "world/activation.h"
 
 #include <algorithm>
 
 #include "math/predicates.h"
-#include "world/deed.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade {
 namespace {
 
-void tell(World& world, NewsKind kind, std::uint32_t number = 0) { world.news = News{kind, number, world.tick}; }
+void tell(World& world, PlayerMessageKind kind, std::uint32_t number = 0) {
+    world.message = PlayerMessage{kind, number, world.tick};
+}
 
 bool has_key(const World& world, std::uint32_t key) { return key == Trigger::kNoKey || (world.keys >> key & 1); }
 
-/// Calls visit(id) for each trigger of a range that the occasion is right for.
+/// Calls visit(id) for each trigger of a range that the activation is right for.
 template <class Visit>
-void each_on(const Map& map, TriggerRange range, Occasion on, Visit visit) {
+void each_on(const Map& map, TriggerRange range, Activation on, Visit visit) {
     for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
         if (map.triggers[i].on == on) visit(TriggerId(i));
 }
 
-bool has_on(const Map& map, TriggerRange range, Occasion on) {
+bool has_on(const Map& map, TriggerRange range, Activation on) {
     bool has = false;
     each_on(map, range, on, [&](TriggerId) { has = true; });
     return has;
@@ -31,7 +33,7 @@ TriggerRange triggers_behind(const Map& map, const Wall& wall) {
 }
 
 bool can_be_used(const Map& map, const Wall& wall) {
-    return has_on(map, wall.triggers, Occasion::use) || has_on(map, triggers_behind(map, wall), Occasion::use);
+    return has_on(map, wall.triggers, Activation::use) || has_on(map, triggers_behind(map, wall), Activation::use);
 }
 
 /// Whether a trigger of a panel works from the side that somebody comes from.
@@ -41,11 +43,11 @@ bool works_from(const Map& map, TriggerId trigger, const MetPanel& met) {
 
 bool can_be_used(const Map& map, const MetPanel& met) {
     bool can = false;
-    each_on(map, map[met.panel].triggers, Occasion::use, [&](TriggerId id) { can |= works_from(map, id, met); });
+    each_on(map, map[met.panel].triggers, Activation::use, [&](TriggerId id) { can |= works_from(map, id, met); });
     return can;
 }
 
-void fire_all(const Map& map, World& world, const MetPanel& met, Occasion on) {
+void fire_all(const Map& map, World& world, const MetPanel& met, Activation on) {
     each_on(map, map[met.panel].triggers, on, [&](TriggerId id) {
         if (works_from(map, id, met)) fire(map, world, id, WallId());
     });
@@ -53,8 +55,9 @@ void fire_all(const Map& map, World& world, const MetPanel& met, Occasion on) {
 
 void use(const Map& map, World& world, WallId id) {
     const Wall& wall = map[id];
-    each_on(map, wall.triggers, Occasion::use, [&](TriggerId trigger) { fire(map, world, trigger, id); });
-    each_on(map, triggers_behind(map, wall), Occasion::use, [&](TriggerId trigger) { fire(map, world, trigger, id); });
+    each_on(map, wall.triggers, Activation::use, [&](TriggerId trigger) { fire(map, world, trigger, id); });
+    each_on(map, triggers_behind(map, wall), Activation::use,
+            [&](TriggerId trigger) { fire(map, world, trigger, id); });
 }
 
 /// Whether the portal leads elsewhere than to the next room, or nobody comes back by it.
@@ -82,12 +85,12 @@ void open_way_back(const Map& map, World& world, WallId door) {
 void cross(const Map& map, World& world, WallId id) {
     const Wall& wall = map[id];
     open_way_back(map, world, id);
-    each_on(map, wall.triggers, Occasion::cross, [&](TriggerId trigger) { fire(map, world, trigger, id); });
+    each_on(map, wall.triggers, Activation::cross, [&](TriggerId trigger) { fire(map, world, trigger, id); });
     if (wall.exit)
-        each_on(map, map[wall.exit].triggers, Occasion::cross, [&](TriggerId trigger) {
+        each_on(map, map[wall.exit].triggers, Activation::cross, [&](TriggerId trigger) {
             if (!map[trigger].one_way) fire(map, world, trigger, wall.exit);
         });
-    each_on(map, map[wall.behind].triggers, Occasion::enter,
+    each_on(map, map[wall.behind].triggers, Activation::enter,
             [&](TriggerId trigger) { fire(map, world, trigger, WallId()); });
 }
 
@@ -97,7 +100,7 @@ bool cross(const Map& map, World& world, const Crossing& crossing) {
     if (crossing.portal)
         cross(map, world, crossing.portal);
     else
-        fire_all(map, world, crossing.through, Occasion::cross);
+        fire_all(map, world, crossing.through, Activation::cross);
     return world.player.place == before;
 }
 
@@ -146,13 +149,13 @@ void pick_up(const Map& map, World& world, ThingId id) {
     if (!is_new_key && !heals) return;
     if (is_new_key) {
         world.keys |= std::uint64_t{1} << thing.gives_key;
-        tell(world, NewsKind::got_key, thing.gives_key);
+        tell(world, PlayerMessageKind::got_key, thing.gives_key);
     }
     if (heals) {
         world.health = std::min(world.health + thing.gives_health, kFullHealth);
-        tell(world, NewsKind::healed);
+        tell(world, PlayerMessageKind::healed);
     }
-    world.history.add(Taking{id, world.tick});
+    world.history.add(Pickup{id, world.tick});
 }
 
 }  // namespace
@@ -160,11 +163,11 @@ void pick_up(const Map& map, World& world, ThingId id) {
 void fire(const Map& map, World& world, TriggerId id, WallId wall) {
     const Trigger& trigger = map[id];
     if (trigger.once && world.history.has_fired(id)) return;
-    if (!has_key(world, trigger.key)) return tell(world, NewsKind::needs_key, trigger.key);
+    if (!has_key(world, trigger.key)) return tell(world, PlayerMessageKind::needs_key, trigger.key);
     if (!carry_out(map, world.history, id, world.tick)) return;
     world.history.add(Firing{id, wall, world.tick});
-    if (trigger.deed == Deed::teleport) return teleport(map, world, trigger.destination);
-    if (trigger.deed == Deed::exit) world.left_by = id;
+    if (trigger.action == TriggerAction::teleport) return teleport(map, world, trigger.destination);
+    if (trigger.action == TriggerAction::leave_map) world.left_by = id;
 }
 
 void use_what_is_ahead(const Map& map, World& world) {
@@ -175,7 +178,7 @@ void use_what_is_ahead(const Map& map, World& world) {
     const auto may_reach_past = [&](const MetPanel& met) { return !can_be_used(map, met); };
     const Vec2 hand = snap_to_point_grid(world.player.place.point + reach);
     const Trace ahead = trace(map, world.player.place, hand, may_reach, may_reach_past);
-    if (ahead.barrier.panel) fire_all(map, world, ahead.barrier, Occasion::use);
+    if (ahead.barrier.panel) fire_all(map, world, ahead.barrier, Activation::use);
     if (ahead.stopped && can_be_used(map, map[ahead.stopped])) use(map, world, ahead.stopped);
 }
 
@@ -194,7 +197,7 @@ void touch_what_is_near(const Map& map, World& world) {
     for (const ThingId id : touched) {
         pick_up(map, world, id);
         if (std::binary_search(before.begin(), before.end(), id)) continue;
-        each_on(map, map[id].triggers, Occasion::touch,
+        each_on(map, map[id].triggers, Activation::touch,
                 [&](TriggerId trigger) { fire(map, world, trigger, WallId()); });
     }
 }

@@ -11,7 +11,7 @@
 namespace enfilade {
 
 /// What there is to see.
-struct Scene {
+struct ReferenceScene {
     const Map& map;
     const TextureSet& textures;
     const Snapshot& snapshot;
@@ -21,7 +21,7 @@ struct Scene {
 
 /// What a ray ends on.
 struct Seen {
-    SurfaceId id = kNothing;
+    PixelSurface id = kNothing;
     double depth = 0;         ///< along the line of sight [m]; sky: infinity
     TexelPosition texel;      ///< 0, 0 at the end of a chain of links
     std::uint32_t color = 0;  ///< 0xAABBGGRR, shaded
@@ -30,6 +30,6 @@ struct Seen {
 };
 
 /// Follows the ray with this path in the plane. path, course.quarters and course.slope belong together.
-Seen look(const Scene& scene, RayPath& path, const RayCourse& course);
+Seen cast_ray(const ReferenceScene& scene, RayPath& path, const RayCourse& course);
 
 }  // namespace enfilade

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kByTable = 1u << 30;
 inline constexpr std::uint32_t kLayered = 1u << 29;
 
 /// Numbers that change evenly over the picture are given as three: at the point `from`, per column and per row.
-struct Look {
+struct PaintParams {
     float from[2]{}, cross = 0;
     float order = 0;                  ///< the nearer the larger
     float span[3]{};                  ///< depth = cross / span
@@ -46,15 +46,15 @@ inline constexpr std::size_t kKinds = 256;
 
 inline Kind paints(Kind kind) { return kind & kColors; }
 
-inline Kind kind_of(const Look& look) {
+inline Kind kind_of(const PaintParams& params) {
     constexpr Kind kByPaint[] = {0, kFlats, kSkies, kColors, 0};
-    const Kind paint = kByPaint[look.id_and_paint >> 24 & 7];
+    const Kind paint = kByPaint[params.id_and_paint >> 24 & 7];
     Kind kind = paint;
-    if (look.record != 0) kind |= kWithRecords;
-    if ((look.id_and_paint & kByTable) != 0) kind |= kGoingByTable;
-    if ((look.id_and_paint & kLayered) != 0) kind |= kWithLayers;
+    if (params.record != 0) kind |= kWithRecords;
+    if ((params.id_and_paint & kByTable) != 0) kind |= kGoingByTable;
+    if ((params.id_and_paint & kLayered) != 0) kind |= kWithLayers;
     const bool is_lit = paint == 0 || paint == kFlats;
-    if (is_lit) kind |= (look.id_and_paint & kClassicLight) != 0 ? kInClassicLight : kInSmoothLight;
+    if (is_lit) kind |= (params.id_and_paint & kClassicLight) != 0 ? kInClassicLight : kInSmoothLight;
     return kind;
 }
 

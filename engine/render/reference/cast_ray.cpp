@@ -1,4 +1,4 @@
-#include "render/reference/look.h"
+#include "render/reference/cast_ray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,24 +16,24 @@ namespace enfilade {
 namespace {
 
 /// A sector's heights as seen from the eye [m above the eye], in the space where the eye has that height.
-struct Opening {
+struct HeightsFromEye {
     double floor;
     double ceiling;
 };
 
 /// A ray at the moment it has reached a wall.
 struct Arrival {
-    const Scene& scene;
+    const ReferenceScene& scene;
     const RayHit& hit;
     const Wall& wall;
     WallKind kind;  ///< now
     const Sector& sector;
     const RayCourse& course;
-    Opening own;
-    Opening behind;  ///< portal: the neighbour's, else own
+    HeightsFromEye own;
+    HeightsFromEye behind;  ///< portal: the neighbour's, else own
 };
 
-Opening opening_of(const Scene& scene, SectorId sector, double eye_z) {
+HeightsFromEye opening_of(const ReferenceScene& scene, SectorId sector, double eye_z) {
     const Heights heights = heights_at(scene.snapshot, sector);
     return {heights.floor_z - eye_z, heights.ceiling_z - eye_z};
 }
@@ -54,22 +54,22 @@ bool is_close_to(const Arrival& at, double height) {
 constexpr std::uint32_t kAlpha = 0xFF000000u;
 
 /// Whether the picture of a wall's middle is shown once. A scrolled one runs through its place, over and over.
-enum class Shown : std::uint8_t { over_and_over, once };
+enum class Repeat : std::uint8_t { over_and_over, once };
 
-/// Before fog. ahead: how far, along the course [m]. glow: of point lights.
-Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, double u, double v, double contrast, double ahead,
-             LightCell glow, Shown shown) {
+/// Before fog. ahead: how far, along the course [m]. lamplight: of point lights.
+Seen painted(const Arrival& at, const Surface& surface, PixelSurface id, double u, double v, double contrast,
+             double ahead, LightCell lamplight, Repeat shown) {
     const double depth = ahead * at.course.depth_scale;
     Seen seen{id, depth, {}, 0, false};
     u -= surface.offset_tiles.x;
     v -= surface.offset_tiles.y;
-    const double tile_u = fraction(u), tile_v = shown == Shown::once ? std::clamp(v, 0.0, 1.0) : fraction(v);
-    const TilePlace v_place = shown == Shown::once ? place_on_picture(tile_v) : place_on_tile(v);
+    const double tile_u = fraction(u), tile_v = shown == Repeat::once ? std::clamp(v, 0.0, 1.0) : fraction(v);
+    const TilePlace v_place = shown == Repeat::once ? place_on_picture(tile_v) : place_on_tile(v);
     const Texel found = texel(at.scene.textures[surface.texture], place_on_tile(u), v_place);
     const SectorId sector = at.hit.sector;
     const Lighting lighting = lighting_in(at.scene.map, sector, light_at(at.scene.snapshot, sector), contrast);
     seen.texel = {static_cast<float>(tile_u), static_cast<float>(tile_v)};
-    seen.color = lit(at.scene, found, lighting, depth, glow);  // a pane still needs its alpha
+    seen.color = lit(at.scene, found, lighting, depth, lamplight);  // a pane still needs its alpha
     return seen;
 }
 
@@ -86,7 +86,7 @@ std::uint32_t sky_color(const Arrival& at, const Surface& surface, const SkyTexe
     return texel(at.scene.textures[surface.texture], place_on_tile(place.u), place_on_picture(place.v)).color;
 }
 
-Seen sky(const Arrival& at, const FlatNow& flat, SurfaceId id) {
+Seen sky(const Arrival& at, const FlatNow& flat, PixelSurface id) {
     const SkyTexel base = sky_texel_of(at, flat.surface);
     Seen seen{id, std::numeric_limits<double>::infinity(), {}, 0, false};
     seen.texel = {static_cast<float>(base.u), static_cast<float>(base.v)};
@@ -100,23 +100,23 @@ Seen sky(const Arrival& at, const FlatNow& flat, SurfaceId id) {
 
 /// A place on a floor or ceiling.
 struct FlatPlace {
-    Vec2 from_origin;  ///< of its picture [m]
-    double ahead;      ///< along the course [m]
-    LightCell glow;    ///< of point lights
+    Vec2 from_origin;     ///< of its picture [m]
+    double ahead;         ///< along the course [m]
+    LightCell lamplight;  ///< of point lights
 };
 
-Seen painted(const Arrival& at, const Surface& surface, SurfaceId id, const FlatPlace& place) {
+Seen painted(const Arrival& at, const Surface& surface, PixelSurface id, const FlatPlace& place) {
     const Vec2 tiles{place.from_origin.x / surface.tile_m.x, place.from_origin.y / surface.tile_m.y};
-    return painted(at, surface, id, tiles.x, tiles.y, 1, place.ahead, place.glow, Shown::over_and_over);
+    return painted(at, surface, id, tiles.x, tiles.y, 1, place.ahead, place.lamplight, Repeat::over_and_over);
 }
 
 /// `height` above the eye. Of a flat that is seen extended, or from its wrong side, the part that is nearest to where
 /// the ray really crosses its height; a level ray does so at infinity.
-Seen flat(const Arrival& at, const FlatNow& flat, double height, const LightGrid* grid, SurfaceId id) {
+Seen flat(const Arrival& at, const FlatNow& flat, double height, const LightGrid* grid, PixelSurface id) {
     if (flat.sky) return sky(at, flat, id);
     const double depth = at.course.climb == 0 ? at.hit.depth : std::clamp(height / at.course.climb, 0.0, at.hit.depth);
     const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth;
-    const FlatPlace place{spot - flat.origin, depth, glow_on(grid, spot.x, spot.y)};
+    const FlatPlace place{spot - flat.origin, depth, lamplight_on(grid, spot.x, spot.y)};
     Seen seen = painted(at, flat.surface, id, place);
     for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
         const Surface layer = layer_now(at.scene.map, at.scene.snapshot, flat, i);
@@ -138,7 +138,7 @@ double peg_height(const Arrival& at, Peg peg) {
 }
 
 /// peg: height above the eye that the texture hangs from.
-Seen wall(const Arrival& at, LayId at_rest, double peg, WallPart part, Shown shown = Shown::over_and_over) {
+Seen wall(const Arrival& at, SurfaceId at_rest, double peg, WallPart part, Repeat shown = Repeat::over_and_over) {
     const Surface surface = picture_now(at.scene.map, at.scene.snapshot, at.hit.wall, at_rest);
     const double u = at.hit.along * at.wall.length / surface.tile_m.x;
     const double v = (peg - at.course.climb * at.hit.depth) / surface.tile_m.y;
@@ -146,12 +146,12 @@ Seen wall(const Arrival& at, LayId at_rest, double peg, WallPart part, Shown sho
     LightGrids* lights = at.scene.lights;
     const LightGrid* grid = lights ? lights->on_wall(at.scene.snapshot, at.hit.wall) : nullptr;
     Seen seen = painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth,
-                        glow_on(grid, at.hit.along * at.wall.length, z), shown);
+                        lamplight_on(grid, at.hit.along * at.wall.length, z), shown);
     seen.color = in_fog(at.scene, seen.color, seen.depth);
     return seen;
 }
 
-Seen wall(const Arrival& at, LayId surface, WallPart part) {
+Seen wall(const Arrival& at, SurfaceId surface, WallPart part) {
     return wall(at, surface, peg_height(at, at.scene.map[surface].peg), part);
 }
 
@@ -164,7 +164,7 @@ Pane pane(const Arrival& at) {
     const double picture_bottom = picture_top - surface.tile_m.y;
     Pane pane{{}, 0, is_close_to(at, picture_top) || is_close_to(at, picture_bottom)};
     if (reaches(at, picture_top) || !reaches(at, picture_bottom)) return pane;
-    const Shown shown = surface.scroll.y == 0 ? Shown::once : Shown::over_and_over;
+    const Repeat shown = surface.scroll.y == 0 ? Repeat::once : Repeat::over_and_over;
     pane.seen = wall(at, at.wall.middle, top, WallPart::middle, shown);
     pane.alpha = pane.seen.color >> 24;
     pane.ambiguous |= is_at_rim_of_hole(at.scene.textures[surface.texture], pane.seen.texel, surface.tile_m);
@@ -214,9 +214,9 @@ std::optional<Seen> end_of_ray(const Arrival& at) {
     return std::nullopt;
 }
 
-Arrival arrive(const Scene& scene, const RayHit& hit, const RayCourse& course) {
+Arrival arrive(const ReferenceScene& scene, const RayHit& hit, const RayCourse& course) {
     const Wall& met = scene.map[hit.wall];
-    const Opening own = opening_of(scene, hit.sector, hit.space.eye_z);
+    const HeightsFromEye own = opening_of(scene, hit.sector, hit.space.eye_z);
     Arrival at{scene, hit, met, kind_now(scene.map, scene.snapshot, hit.wall), scene.map[hit.sector], course, own, own};
     if (at.kind == WallKind::portal)
         at.behind = opening_of(scene, met.behind, scene.map.passage(met).apply_height(hit.space.eye_z));
@@ -230,7 +230,7 @@ bool is_ambiguous(const Arrival& at) {
 
 }  // namespace
 
-Seen look(const Scene& scene, RayPath& path, const RayCourse& course) {
+Seen cast_ray(const ReferenceScene& scene, RayPath& path, const RayCourse& course) {
     bool ambiguous = false;
     std::vector<Pane> panes;
     double entry_depth = 0;

@@ -1,8 +1,8 @@
-#include "world/carry.h"
+#include "world/move_flats.h"
 
 #include <algorithm>
 
-#include "world/deed.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade {
 namespace {
@@ -88,7 +88,8 @@ private:
     void hurt() {
         if (world_.tick % kTicksBetweenCrushes != 0) return;
         world_.health = std::max(0, world_.health - kCrushDamage);
-        world_.news = News{world_.health > 0 ? NewsKind::hurt : NewsKind::died, 0, world_.tick};
+        world_.message =
+            PlayerMessage{world_.health > 0 ? PlayerMessageKind::hurt : PlayerMessageKind::died, 0, world_.tick};
     }
 
     /// On a floor that sinks no faster than one walks down a step, and on any that rises.
@@ -106,7 +107,7 @@ private:
 
 }  // namespace
 
-void carry(const Map& map, World& world) {
+void move_flats(const Map& map, World& world) {
     if (world.history.changes().empty() && !map.has_bobs) return;
     Carrier(map, world).run();
 }

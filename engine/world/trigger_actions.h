@@ -1,4 +1,4 @@
-// What triggers do to floors, ceilings and lights: one new course for each target.
+// What triggers do to floors, ceilings and lights: one new track for each target.
 #pragma once
 #include "world/history.h"
 #include "world/instant.h"

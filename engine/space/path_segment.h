@@ -1,4 +1,4 @@
-// One leg of a path: the stretch of it that runs through one sector, and how it leaves that sector.
+// One segment of a path: the stretch of it that runs through one sector, and how it leaves that sector.
 //
 // Why the first wall left through, beyond the one entered by, is the right one. The tie rule moves the whole path by
 // (e, e^2): moved like that it passes no vertex, runs along no wall and starts and ends on none. What is left is
@@ -38,7 +38,7 @@ struct Hop {
 
 /// The path from -> to, of which the part in `sector` is meant. `from` and `to` are on the point grid and in the
 /// space of the sector; `from` may lie outside it (then the path comes in through `entry`), and so may `to`.
-struct Leg {
+struct PathSegment {
     SectorId sector;
     Vec2 from, to;
     WallId entry;              ///< wall of `sector` through which the path comes in; none: `from` is inside
@@ -46,35 +46,38 @@ struct Leg {
 };
 
 /// Quick and exact: a path that the tie rule moves by (e, e^2) crosses no edge a - b whose box its own does not touch.
-inline bool boxes_touch(const Leg& leg, Vec2 a, Vec2 b) {
-    const Vec2 p = leg.from, q = leg.to;
+inline bool boxes_touch(const PathSegment& segment, Vec2 a, Vec2 b) {
+    const Vec2 p = segment.from, q = segment.to;
     return std::max(a.x, b.x) >= std::min(p.x, q.x) && std::min(a.x, b.x) <= std::max(p.x, q.x) &&
            std::max(a.y, b.y) >= std::min(p.y, q.y) && std::min(a.y, b.y) <= std::max(p.y, q.y);
 }
 
-/// The wall through which the leg leaves its sector, or none: `to` is inside, exactly.
+/// The wall through which the segment leaves its sector, or none: `to` is inside, exactly.
 /// Cost: the sector's walls.
-WallId way_out(const Map& map, const Leg& leg);
+WallId way_out(const Map& map, const PathSegment& segment);
 
 /// True where the path from -> to comes into the sector of `wall` through it.
 bool comes_in_through(const Wall& wall, Vec2 from, Vec2 to);
 
-/// The leg in the room behind `portal`, through which `leg` leaves; none where there is no grid point to stand on
+/// The segment in the room behind `portal`, through which `segment` leaves; none where there is no grid point to stand
+/// on
 /// just behind the portal (a sector that is thinner than the grid), so that the portal is as good as solid.
 ///
 /// Through a plain portal the path stays what it is. Through a link it is carried over and put onto the point grid;
 /// where rounding or the tie rule (which does not turn with the link) lets the carried path miss the wall it comes out
 /// of, it starts anew just behind that wall (`hop`), and an end that would lie before the wall is moved behind it.
 /// Neither moves a point by more than a few grid steps, but where the sector has no grid point that near.
-std::optional<Leg> leg_behind(const Map& map, const Leg& leg, WallId portal);
+std::optional<PathSegment> segment_behind(const Map& map, const PathSegment& segment, WallId portal);
 
-/// Says whether a leg may end where it does, besides that the way there stays in its sector.
-using MayEnd = std::function<bool(const Leg&)>;
+/// Says whether a segment may end where it does, besides that the way there stays in its sector.
+using MayEnd = std::function<bool(const PathSegment&)>;
 
-/// The last grid point of the leg, before it meets the edge a - b, that is inside the sector together with the whole
-/// way to it and where the leg `may_end`; none where the leg has no such point. Searched in growing steps: at most
-/// twice as far from the edge as the very last one, and the very last one where the path meets the edge squarely.
-/// a, b: a wall or a panel that the leg crosses
-std::optional<Vec2> last_point_before(const Map& map, const Leg& leg, Vec2 a, Vec2 b, const MayEnd& may_end);
+/// The last grid point of the segment, before it meets the edge a - b, that is inside the sector together with the
+/// whole way to it and where the segment `may_end`; none where the segment has no such point. Searched in growing
+/// steps: at most twice as far from the edge as the very last one, and the very last one where the path meets the edge
+/// squarely.
+/// a, b: a wall or a panel that the segment crosses
+std::optional<Vec2> last_point_before(const Map& map, const PathSegment& segment, Vec2 a, Vec2 b,
+                                      const MayEnd& may_end);
 
 }  // namespace enfilade

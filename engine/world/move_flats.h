@@ -9,6 +9,6 @@ namespace enfilade {
 /// tick + 1, and its feet and height are those of then.
 /// Cost: the sectors that the body overlaps, however many move elsewhere; none in a map where nothing ever changed or
 /// bobs.
-void carry(const Map& map, World& world);
+void move_flats(const Map& map, World& world);
 
 }  // namespace enfilade
