@@ -81,7 +81,7 @@ private:
     void check(const TriggerRecord& record, Bearer bearer) {
         if (!record.places.is_sound()) return;
         if (!can_be_set_off(record.on, bearer))
-            draft_.error(record, "on", "trigger-occasion",
+            draft_.error(record, "on", "trigger-activation",
                          std::string(name_of(bearer)) + " cannot have a trigger on " + quoted(to_word(record.on)));
         if (record.action == TriggerAction::light && !record.light && record.light_of == LightLevel::given &&
             !record.effect)
