@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.h"
 #include "math/predicates.h"
 
 namespace enfilade::stencil {
@@ -72,7 +73,9 @@ private:
     }
 
     void end(std::size_t part) {
-        const auto place = met_.erase(std::find(met_.begin(), met_.end(), part));
+        const auto met = std::find(met_.begin(), met_.end(), part);
+        ENFILADE_CHECK(met != met_.end());  // it faces the eye, so it began before
+        const auto place = met_.erase(met);
         if (place != met_.begin() && place != met_.end()) before_[*(place - 1)].push_back(*place);
     }
 
