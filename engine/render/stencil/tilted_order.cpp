@@ -102,12 +102,15 @@ private:
                                  : q.pane != nullptr && is_behind_doorway(q.pane->pane);
     }
 
-    /// At least one is a thing. It hides other panes from its picture's plane on, and walls from where it stands.
+    /// At least one is a thing. Among the panes of a room it is where its picture is, else where it is in its room: its
+    /// ends are on the walls there.
     bool is_met_before(const Upright& p, const Upright& q) const {
         const Vec2 way = middle_way(p.place(), q.place());
-        if (p.pane == nullptr || q.pane == nullptr) return distance_in_room(p, way) < distance_in_room(q, way);
-        const double to_p = distance(p.place(), way), to_q = distance(q.place(), way);
-        if (std::fabs(to_p - to_q) < kDepthStep) return counts_as_nearer(*p.pane, *q.pane);
+        const bool are_panes = p.pane != nullptr && q.pane != nullptr;
+        const bool are_in_one_room = are_panes && p.pane->room == q.pane->room;
+        const double to_p = are_in_one_room ? distance(p.place(), way) : distance_in_room(p, way);
+        const double to_q = are_in_one_room ? distance(q.place(), way) : distance_in_room(q, way);
+        if (are_panes && std::fabs(to_p - to_q) < kDepthStep) return counts_as_nearer(*p.pane, *q.pane);
         return to_p < to_q;
     }
 
