@@ -67,7 +67,10 @@ private:
 
     void begin(std::size_t part) {
         const auto is_nearer = [&](std::size_t met) { return is_met_before_(parts_[met].edge, parts_[part].edge); };
-        const auto place = met_.insert(std::partition_point(met_.begin(), met_.end(), is_nearer), part);
+        // From behind, one by one: where pictures' rounded ends overlap by a hair, which tells nothing, all others
+        // count.
+        const auto last_before = std::find_if(met_.rbegin(), met_.rend(), is_nearer);
+        const auto place = met_.insert(last_before.base(), part);
         if (place != met_.begin()) before_[*(place - 1)].push_back(part);
         if (place + 1 != met_.end()) before_[part].push_back(*(place + 1));
     }
