@@ -117,10 +117,11 @@ Result<std::unique_ptr<Renderer>> make_column(const Map& map, const TextureSet& 
 }  // namespace
 
 Result<RendererKind> parse_renderer(const std::string& name) {
-    if (name == "column") return RendererKind::column;
-    if (name == "reference") return RendererKind::reference;
-    if (name == "stencil") return RendererKind::stencil;
-    return Error{"--renderer", "expected column, stencil or reference; found " + quoted(name)};
+    const auto& words = kWords<RendererKind>;
+    const auto found = std::ranges::find(words, name);
+    if (found == words.end())
+        return Error{"--renderer", "expected column, stencil or reference; found " + quoted(name)};
+    return static_cast<RendererKind>(found - words.begin());
 }
 
 std::string name_of(RendererKind kind) { return std::string(to_word(kind)); }

@@ -58,10 +58,10 @@ Result<RecordedPictures> read_pictures(const TextLine& line) {
         !read_side(size.substr(width.size() + 1), pictures.height))
         return bad_line(line, 0, "expected \"picture WIDTHxHEIGHT RENDERER\", found " + quoted(line.text));
     pictures.renderer = rest.substr(size.size() + 1);
-    if (std::ranges::find(kRendererWords, pictures.renderer) == kRendererWords.end())
-        return bad_line(
-            line, kPictures.size() + size.size() + 1,
-            "expected a renderer, found " + quoted(pictures.renderer) + suggestion(pictures.renderer, kRendererWords));
+    if (std::ranges::find(kWords<RendererKind>, pictures.renderer) == kWords<RendererKind>.end())
+        return bad_line(line, kPictures.size() + size.size() + 1,
+                        "expected a renderer, found " + quoted(pictures.renderer) +
+                            suggestion(pictures.renderer, kWords<RendererKind>));
     return pictures;
 }
 

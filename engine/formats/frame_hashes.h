@@ -20,7 +20,7 @@ struct FrameHash {
 /// How the frames of a recording were drawn.
 struct RecordedPictures {
     std::uint32_t width = 1, height = 1;  ///< of each frame [px], at least 1
-    std::string renderer;                 ///< one of kRendererWords
+    std::string renderer;                 ///< a word for a RendererKind
     bool operator==(const RecordedPictures&) const = default;
 };
 

@@ -72,7 +72,7 @@ std::optional<std::size_t> read_word(Reading& reading, const NamedValue& value,
 
 template <Word W>
 void read_value(Reading& reading, const NamedValue& value, Range, W& field) {
-    if (const auto index = read_word(reading, value, words_of(field))) field = static_cast<W>(*index);
+    if (const auto index = read_word(reading, value, kWords<W>)) field = static_cast<W>(*index);
 }
 
 }  // namespace enfilade

@@ -1,4 +1,5 @@
-// The words that stand for enumerated values in files: one list for reading and for writing.
+// The words that stand for enumerated values in files: one for each value, for reading and for writing. A value without
+// a word does not compile, because a switch has to name all of them.
 #pragma once
 #include <array>
 #include <string_view>
@@ -9,48 +10,167 @@
 
 namespace enfilade {
 
-// Each list is in the order of the enumeration's values.
-inline constexpr std::array<std::string_view, 4> kPegWords{"ceiling", "floor", "opening_top", "opening_bottom"};
-inline constexpr std::array<std::string_view, 2> kLightModelWords{"smooth", "classic"};
-inline constexpr std::array<std::string_view, 2> kSkyRowsWords{"round", "straight"};
-inline constexpr std::array<std::string_view, 2> kThingEdgesWords{"cut", "whole"};
-inline constexpr std::array<std::string_view, 2> kEaseWords{"smooth", "linear"};
-inline constexpr std::array<std::string_view, 2> kPressWords{"none", "use"};
-inline constexpr std::array<std::string_view, 3> kRendererWords{"column", "stencil", "reference"};
-inline constexpr std::array<std::string_view, 5> kActivationWords{"use", "cross", "enter", "touch", "start"};
-inline constexpr std::array<std::string_view, 15> kTriggerActionWords{
-    "door",  "open",   "close", "close_then_open", "lift",     "shuttle", "floor", "ceiling",
-    "crush", "stairs", "stop",  "light",           "teleport", "exit",    "sound"};
-inline constexpr std::array<std::string_view, 10> kHeightLevelWords{
-    "here",           "lowest_floor",    "highest_floor", "next_floor_up", "next_floor_down",
-    "lowest_ceiling", "highest_ceiling", "floor",         "ceiling",       "lowest_ceiling_or_own"};
-inline constexpr std::array<std::string_view, 3> kLightLevelWords{"given", "brightest", "darkest"};
-inline constexpr std::array<std::string_view, 4> kLightKindWords{"flicker", "strobe", "glow", "fire"};
-inline constexpr std::array<std::string_view, 2> kBobShapeWords{"sine", "triangle"};
-inline constexpr std::array<std::string_view, 3> kHoldsUpWords{"all", "all_but_crushers", "nothing"};
+constexpr std::string_view to_word(Peg value) {
+    switch (value) {
+        case Peg::ceiling: return "ceiling";
+        case Peg::floor: return "floor";
+        case Peg::opening_top: return "opening_top";
+        case Peg::opening_bottom: return "opening_bottom";
+    }
+    return {};
+}
 
-constexpr const auto& words_of(Peg) { return kPegWords; }
-constexpr const auto& words_of(LightModel) { return kLightModelWords; }
-constexpr const auto& words_of(SkyRows) { return kSkyRowsWords; }
-constexpr const auto& words_of(ThingEdges) { return kThingEdgesWords; }
-constexpr const auto& words_of(Ease) { return kEaseWords; }
-constexpr const auto& words_of(Press) { return kPressWords; }
-constexpr const auto& words_of(RendererKind) { return kRendererWords; }
-constexpr const auto& words_of(Activation) { return kActivationWords; }
-constexpr const auto& words_of(TriggerAction) { return kTriggerActionWords; }
-constexpr const auto& words_of(HeightLevel) { return kHeightLevelWords; }
-constexpr const auto& words_of(LightLevel) { return kLightLevelWords; }
-constexpr const auto& words_of(LightKind) { return kLightKindWords; }
-constexpr const auto& words_of(BobShape) { return kBobShapeWords; }
-constexpr const auto& words_of(HoldsUp) { return kHoldsUpWords; }
+constexpr std::string_view to_word(LightModel value) {
+    switch (value) {
+        case LightModel::smooth: return "smooth";
+        case LightModel::classic: return "classic";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(SkyRows value) {
+    switch (value) {
+        case SkyRows::round: return "round";
+        case SkyRows::straight: return "straight";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(ThingEdges value) {
+    switch (value) {
+        case ThingEdges::cut: return "cut";
+        case ThingEdges::whole: return "whole";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(Ease value) {
+    switch (value) {
+        case Ease::smooth: return "smooth";
+        case Ease::linear: return "linear";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(Press value) {
+    switch (value) {
+        case Press::none: return "none";
+        case Press::use: return "use";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(RendererKind value) {
+    switch (value) {
+        case RendererKind::column: return "column";
+        case RendererKind::stencil: return "stencil";
+        case RendererKind::reference: return "reference";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(Activation value) {
+    switch (value) {
+        case Activation::use: return "use";
+        case Activation::cross: return "cross";
+        case Activation::enter: return "enter";
+        case Activation::touch: return "touch";
+        case Activation::start: return "start";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(TriggerAction value) {
+    switch (value) {
+        case TriggerAction::door: return "door";
+        case TriggerAction::open: return "open";
+        case TriggerAction::close: return "close";
+        case TriggerAction::close_then_open: return "close_then_open";
+        case TriggerAction::lift: return "lift";
+        case TriggerAction::shuttle: return "shuttle";
+        case TriggerAction::floor: return "floor";
+        case TriggerAction::ceiling: return "ceiling";
+        case TriggerAction::crush: return "crush";
+        case TriggerAction::stairs: return "stairs";
+        case TriggerAction::stop: return "stop";
+        case TriggerAction::light: return "light";
+        case TriggerAction::teleport: return "teleport";
+        case TriggerAction::leave_map: return "exit";
+        case TriggerAction::sound: return "sound";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(HeightLevel value) {
+    switch (value) {
+        case HeightLevel::here: return "here";
+        case HeightLevel::lowest_floor: return "lowest_floor";
+        case HeightLevel::highest_floor: return "highest_floor";
+        case HeightLevel::next_floor_up: return "next_floor_up";
+        case HeightLevel::next_floor_down: return "next_floor_down";
+        case HeightLevel::lowest_ceiling: return "lowest_ceiling";
+        case HeightLevel::highest_ceiling: return "highest_ceiling";
+        case HeightLevel::floor: return "floor";
+        case HeightLevel::ceiling: return "ceiling";
+        case HeightLevel::lowest_ceiling_or_own: return "lowest_ceiling_or_own";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(LightLevel value) {
+    switch (value) {
+        case LightLevel::given: return "given";
+        case LightLevel::brightest: return "brightest";
+        case LightLevel::darkest: return "darkest";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(LightKind value) {
+    switch (value) {
+        case LightKind::flicker: return "flicker";
+        case LightKind::strobe: return "strobe";
+        case LightKind::glow: return "glow";
+        case LightKind::fire: return "fire";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(BobShape value) {
+    switch (value) {
+        case BobShape::sine: return "sine";
+        case BobShape::triangle: return "triangle";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(HoldsUp value) {
+    switch (value) {
+        case HoldsUp::all: return "all";
+        case HoldsUp::all_but_crushers: return "all_but_crushers";
+        case HoldsUp::nothing: return "nothing";
+    }
+    return {};
+}
 
 /// A type whose values are words in files.
 template <class T>
-concept Word = std::is_enum_v<T> && requires(T word) { words_of(word); };
+concept Word = std::is_enum_v<T> && requires(T value) { to_word(value); };
 
+/// How many values it has: 0, 1, 2 and so on, as long as they have a word.
 template <Word W>
-constexpr std::string_view to_word(W word) {
-    return words_of(word)[static_cast<std::size_t>(word)];
+constexpr std::size_t count_of_words() {
+    std::size_t count = 0;
+    while (!to_word(static_cast<W>(count)).empty()) ++count;
+    return count;
 }
+
+/// The words of all values, in their order.
+template <Word W>
+inline constexpr auto kWords = [] {
+    std::array<std::string_view, count_of_words<W>()> words;
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = to_word(static_cast<W>(i));
+    return words;
+}();
 
 }  // namespace enfilade

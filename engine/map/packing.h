@@ -13,24 +13,18 @@
 
 #include "base/files.h"
 #include "base/parallel.h"
+#include "formats/words.h"
 #include "map/map_fields.h"
 
 namespace enfilade {
 
-/// The last word of each kind, the greatest byte that stands for one.
-constexpr Peg last_of(Peg) { return Peg::opening_bottom; }
+/// The last value of each kind, the greatest byte that stands for one.
+template <Word W>
+constexpr W last_of(W) {
+    return static_cast<W>(kWords<W>.size() - 1);
+}
 constexpr WallKind last_of(WallKind) { return WallKind::way_back; }
 constexpr Footing last_of(Footing) { return Footing::fixed; }
-constexpr HoldsUp last_of(HoldsUp) { return HoldsUp::nothing; }
-constexpr LightKind last_of(LightKind) { return LightKind::fire; }
-constexpr BobShape last_of(BobShape) { return BobShape::triangle; }
-constexpr Activation last_of(Activation) { return Activation::start; }
-constexpr TriggerAction last_of(TriggerAction) { return TriggerAction::sound; }
-constexpr HeightLevel last_of(HeightLevel) { return HeightLevel::lowest_ceiling_or_own; }
-constexpr LightLevel last_of(LightLevel) { return LightLevel::darkest; }
-constexpr LightModel last_of(LightModel) { return LightModel::classic; }
-constexpr SkyRows last_of(SkyRows) { return SkyRows::straight; }
-constexpr ThingEdges last_of(ThingEdges) { return ThingEdges::whole; }
 constexpr Severity last_of(Severity) { return Severity::error; }
 
 template <class T>

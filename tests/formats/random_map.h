@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "formats/map_file.h"
+#include "formats/words.h"
 
 namespace enfilade {
 
@@ -56,6 +57,10 @@ public:
     }
 
 private:
+    template <Word W>
+    W any() {
+        return static_cast<W>(random_.below(kWords<W>.size()));
+    }
     bool flip() { return random_.below(2) == 1; }
     int whole(int low, int high) {
         return low + static_cast<int>(random_.below(static_cast<std::uint64_t>(high - low) + 1));
@@ -106,15 +111,9 @@ private:
     }
     std::optional<LightEffectRecord> light_effect() {
         if (flip()) return {};
-        return LightEffectRecord{static_cast<LightKind>(random_.below(4)),
-                                 number(0, 1),
-                                 number(0.1, 9),
-                                 number(0.1, 9),
-                                 flip(),
-                                 flip(),
-                                 maybe(0, 1),
-                                 number(1, 240),
-                                 {}};
+        return LightEffectRecord{any<LightKind>(), number(0, 1),   number(0.1, 9),
+                                 number(0.1, 9),   flip(),         flip(),
+                                 maybe(0, 1),      number(1, 240), {}};
     }
 
     Boxed<BobRecord> bob() {
@@ -124,8 +123,8 @@ private:
 
     TriggerRecord trigger() {
         TriggerRecord trigger;
-        trigger.on = static_cast<Activation>(random_.below(5));
-        trigger.action = static_cast<TriggerAction>(random_.below(15));
+        trigger.on = any<Activation>();
+        trigger.action = any<TriggerAction>();
         for (int i = whole(0, 2); i > 0; --i)
             trigger.targets.push_back(trigger.action == TriggerAction::leave_map ? file_name() : text());
         trigger.once = flip();
@@ -135,7 +134,7 @@ private:
         if (flip())
             trigger.z = number(-99, 99);
         else if (flip())
-            trigger.to = static_cast<HeightLevel>(random_.below(10));
+            trigger.to = any<HeightLevel>();
         else
             trigger.like = maybe_text();
         trigger.by = number(-9, 9);
@@ -150,7 +149,7 @@ private:
         if (flip())
             trigger.light = number(0, 1);
         else
-            trigger.light_of = static_cast<LightLevel>(random_.below(3));
+            trigger.light_of = any<LightLevel>();
         trigger.effect = light_effect();
         trigger.sound = maybe_text();
         return trigger;
@@ -161,7 +160,7 @@ private:
         return all;
     }
 
-    Peg peg() { return static_cast<Peg>(random_.below(4)); }
+    Peg peg() { return any<Peg>(); }
 
     WallRecord wall() {
         WallRecord wall;
@@ -261,7 +260,7 @@ private:
         thing.radius = number(0, 9);
         thing.height = number(0, 9);
         thing.solid = flip();
-        thing.holds_up = static_cast<HoldsUp>(random_.below(3));
+        thing.holds_up = any<HoldsUp>();
         thing.hanging = flip();
         thing.rotations = flip() ? 8 : 1;
         for (int i = whole(0, 3); i > 0; --i)
