@@ -25,6 +25,7 @@ constexpr std::size_t kUsualRounds = 9;
 struct BenchChoices {
     PictureSize size;
     RendererKind renderer = RendererKind::column;
+    int samples = 1;                                 ///< as RendererChoice::samples
     std::size_t threads = 1, rounds = kUsualRounds;  ///< >= 1
     PriceChoices prices;
 };
@@ -81,8 +82,13 @@ Result<BenchChoices> choices_of(const BenchRequest& request) {
     if (!size.ok()) return size.error();
     const auto renderer = parse_renderer(request.renderer.empty() ? "column" : request.renderer);
     if (!renderer.ok()) return renderer.error();
-    return BenchChoices{size.value(), renderer.value(), request.threads.value_or(hardware_threads()),
-                        request.rounds.value_or(kUsualRounds), price_choices(request, size.value())};
+    if (Status wrong = check_samples(request.samples, size.value())) return *wrong;
+    return BenchChoices{size.value(),
+                        renderer.value(),
+                        request.samples,
+                        request.threads.value_or(hardware_threads()),
+                        request.rounds.value_or(kUsualRounds),
+                        price_choices(request, size.value())};
 }
 
 /// What is measured of a picture, and nothing else: by time, and by valgrind, which finds it by its name
@@ -115,8 +121,8 @@ using Renderers = std::vector<std::unique_ptr<Renderer>>;
 Result<Renderers> renderers_for(const std::vector<BenchSubject>& subjects, const BenchChoices& choices) {
     Renderers renderers;
     for (const BenchSubject& subject : subjects) {
-        auto renderer =
-            make_renderer(choices.renderer, subject.map(), subject.textures(), choices.threads, open_gl_for_pictures);
+        auto renderer = make_renderer({choices.renderer, choices.samples, choices.threads, open_gl_for_pictures},
+                                      subject.map(), subject.textures());
         if (!renderer.ok()) return renderer.error();
         renderers.push_back(std::move(renderer).value());
     }
@@ -167,6 +173,7 @@ ChildBench child_bench(const BenchRequest& request, const BenchChoices& choices)
     bench.options = {"--size",     fmt::format("{}x{}", choices.size.width, choices.size.height),
                      "--threads",  std::to_string(threads),
                      "--renderer", name_of(choices.renderer)};
+    if (choices.samples > 1) bench.options.insert(bench.options.end(), {"--samples", std::to_string(choices.samples)});
     for (const std::string& folder : request.texture_folders) {
         bench.options.push_back("--textures");
         bench.options.push_back(folder);

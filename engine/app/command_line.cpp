@@ -15,6 +15,7 @@
 #include "base/terminal.h"
 #include "formats/quoted.h"
 #include "formats/table_text.h"
+#include "render/supersample.h"
 #include "render/view.h"
 
 namespace enfilade {
@@ -60,6 +61,16 @@ void declare_true_pitch(CLI::App& command, bool& true_pitch) {
     command.add_flag("--true-pitch", true_pitch,
                      "Looking up and down turns the picture, as a head turns, instead of shifting the horizon: upright "
                      "lines converge. Drawn by stencil and reference");
+}
+
+template <class Number>
+void declare_samples(CLI::App& command, Number& samples) {
+    command
+        .add_option(
+            "--samples", samples,
+            "Each pixel shows the mean of N x N rays: smooth edges, in N x N times the time or more; 1 if not given")
+        ->type_name("N")
+        ->check(number_within(1, kMostSamples));
 }
 
 void declare_left_out(CLI::App& command, LeftOut& left_out) {
@@ -128,7 +139,7 @@ void declare_pictures(CLI::App& command, RenderRequest& request) {
         ->type_name("S")
         ->check(number_within(kLeastStretch, kMostStretch));
     command.add_option("--renderer", request.renderer, kRenderers)->type_name("NAME");
-    command.add_option("--accuracy", request.accuracy, "exact")->type_name("NAME");
+    declare_samples(command, request.samples);
     declare_threads(command, request.threads);
     declare_textures(command, request.texture_folders);
     declare_skill(command, request.skill);
@@ -194,6 +205,7 @@ void declare_drawing(CLI::App& command, FlyRequest& request) {
     command.add_option("--size", request.size, "Size in pixels instead of the script's")->type_name("WxH");
     command.add_option("--renderer", request.renderer, "column, stencil or reference, instead of the script's")
         ->type_name("NAME");
+    declare_samples(command, request.samples);
     declare_threads(command, request.threads);
     declare_textures(command, request.texture_folders);
     declare_skill(command, request.skill);
@@ -260,6 +272,7 @@ CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
     command->add_option("--size", request.size, "Size in pixels, 1280x800 if not given; with --effects 640x400")
         ->type_name("WxH");
     command->add_option("--renderer", request.renderer, kRenderers)->type_name("NAME");
+    declare_samples(*command, request.samples);
     command
         ->add_option(
             "--rounds", request.rounds,

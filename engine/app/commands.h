@@ -19,7 +19,8 @@ struct PlayRequest {
 };
 
 struct RenderRequest {
-    std::string map, view, views, sector, size = "1280x800", renderer = "column", accuracy = "exact";
+    int samples = 1;  ///< rays along each side of a pixel
+    std::string map, view, views, sector, size = "1280x800", renderer = "column";
     double fov_degrees = 90, time_s = 0, roll_degrees = 0;
     bool true_pitch = false;
     std::optional<double> stretch;
@@ -34,6 +35,7 @@ struct RenderRequest {
 
 struct FlyRequest {
     std::string script, out, renderer, frames, size, against;
+    std::optional<int> samples;
     std::vector<std::string> texture_folders;
     std::size_t threads = hardware_threads();
     int skill = kUsualSkill;
@@ -54,6 +56,7 @@ struct BenchRequest {
     std::string size, renderer, csv, against;  ///< empty where not given
     std::vector<std::string> texture_folders;
     std::optional<std::size_t> threads, rounds;
+    int samples = 1;
     bool effects = false, instructions = false;
 };
 

@@ -26,6 +26,7 @@ struct FlyChoices {
     std::optional<PictureSize> size;
     std::optional<FrameRange> frames;
     std::optional<RendererKind> renderer, against;
+    std::optional<int> samples;
 };
 
 /// Puts the parsed argument into `choice` where it was given.
@@ -61,6 +62,14 @@ Status check_left_out(const FlyRequest& request) {
     return {};
 }
 
+/// Recorded frames are drawn as the script says.
+Status refuse_other_samples(const FlyRequest& request) {
+    const bool is_recorded = request.record || (request.check && request.against.empty());
+    if (!request.samples || !is_recorded) return {};
+    return Error{"--samples", "recorded frames have the samples that the script says; write samples = " +
+                                  std::to_string(*request.samples) + " there, and leave it out"};
+}
+
 Status check_combination(const FlyRequest& request) {
     if (!request.check && !request.record && request.out.empty())
         return Error{"", "expected --out DIR, --out FILE.mp4 or FILE.y4m, --check or --record"};
@@ -76,6 +85,7 @@ Status check_combination(const FlyRequest& request) {
     if (!request.against.empty() && !request.check) return Error{"--against", "needs --check"};
     if (request.keep_every > 0 && !request.record) return Error{"--keep", "needs --record"};
     if (Status wrong = check_left_out(request)) return wrong;
+    if (Status wrong = refuse_other_samples(request)) return wrong;
     if (request.no_pictures && !request.record) return Error{"--no-pictures", "needs --record"};
     if (request.record && !request.frames.empty()) return Error{"--record", "records all frames; leave out --frames"};
     return {};
@@ -88,6 +98,7 @@ Result<FlyChoices> choices_of(const FlyRequest& request) {
     if (Status wrong = choose(request.frames, parse_frames, choices.frames)) return *wrong;
     if (Status wrong = choose(request.renderer, parse_renderer, choices.renderer)) return *wrong;
     if (Status wrong = choose(request.against, parse_renderer, choices.against)) return *wrong;
+    choices.samples = request.samples;
     return choices;
 }
 
@@ -98,7 +109,10 @@ Result<DrawPlan> plan_of(const FlyChoices& choices, const OpenFlight& open) {
         return Error{"--frames",
                      fmt::format("the flight has the frames 0..{}; found {}..{}", last, frames.first, frames.last)};
     const PictureSize size = choices.size.value_or(PictureSize{open.script.width, open.script.height});
+    const int samples = choices.samples.value_or(open.script.samples);
+    if (Status wrong = check_samples(samples, size)) return *wrong;
     return DrawPlan{choices.renderer.value_or(open.script.renderer),
+                    samples,
                     size.width,
                     size.height,
                     frames.first,

@@ -1,6 +1,7 @@
 #include "app/options.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string_view>
@@ -34,6 +35,14 @@ Result<PictureSize> parse_size(const std::string& text) {
     return Error{"--size", fmt::format("expected WIDTHxHEIGHT in pixels, each from 1 to {}, for example 1280x800; "
                                        "found {}",
                                        kMaxPictureSide, quoted(text))};
+}
+
+Status check_samples(int samples, PictureSize size) {
+    const int most = kMaxPictureSide / std::max(size.width, size.height);
+    if (samples <= most) return {};
+    return Error{"--samples", fmt::format("expected at most {} for a picture of {}x{}, which is drawn that many times "
+                                          "as wide and as high, at most {}; found {}",
+                                          most, size.width, size.height, kMaxPictureSide, samples)};
 }
 
 Result<PixelPlace> parse_pixel(const std::string& text, PictureSize size) {

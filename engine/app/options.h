@@ -19,6 +19,9 @@ struct PictureSize {
 /// "WIDTHxHEIGHT".
 Result<PictureSize> parse_size(const std::string& text);
 
+/// An error where a picture would be drawn too large to take means of samples x samples of its pixels.
+Status check_samples(int samples, PictureSize size);
+
 /// A pixel of a picture, counted from the upper left corner [px].
 struct PixelPlace {
     int x = 0;

@@ -78,7 +78,8 @@ public:
 private:
     Status make_tools() {
         for (PictureTools& own : tools_) {
-            auto renderer = make_renderer(job_.renderer, map_.map, map_.textures, threads_each_, open_gl_for_pictures);
+            auto renderer = make_renderer({job_.renderer, job_.samples, threads_each_, open_gl_for_pictures}, map_.map,
+                                          map_.textures);
             if (!renderer.ok()) return renderer.error();
             own.renderer = std::move(renderer).value();
             own.outside = std::make_unique<OutsideRenderer>(map_.map, map_.textures);

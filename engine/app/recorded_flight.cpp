@@ -75,7 +75,7 @@ Status other_frames(const std::vector<FrameHash>& recorded, int frames, const st
 }
 
 Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPlan& plan, int number) {
-    const auto renderer = make_renderer(kind, scene.map, scene.textures, plan.workers, plan.open_gl);
+    const auto renderer = make_renderer({kind, plan.samples, plan.workers, plan.open_gl}, scene.map, scene.textures);
     if (!renderer.ok()) return renderer.error();
     Frame frame;
     frame.resize(plan.width, plan.height);
@@ -148,7 +148,7 @@ Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan&
     };
     std::vector<CheckTools> tools(plan.workers);
     for (CheckTools& own : tools) {
-        auto renderer = make_renderer(other, scene.map, scene.textures, 1, plan.open_gl);
+        auto renderer = make_renderer({other, plan.samples, 1, plan.open_gl}, scene.map, scene.textures);
         if (!renderer.ok()) return renderer.error();
         own.renderer = std::move(renderer).value();
     }

@@ -23,12 +23,11 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     const auto renderer = parse_renderer(request.renderer);
     if (!renderer.ok()) return renderer.error();
     if (Status refused = refuse_true_pitch(renderer.value(), request.true_pitch)) return *refused;
-    if (request.accuracy != "exact")
-        return Error{"--accuracy",
-                     fmt::format("expected 'exact', the only one there is; found {}", quoted(request.accuracy))};
+    if (Status wrong = check_samples(request.samples, size.value())) return *wrong;
     PictureJob job;
     job.size = size.value();
     job.renderer = renderer.value();
+    job.samples = request.samples;
     job.time_s = request.time_s;
     job.left_out = request.left_out;
     job.threads = request.threads;

@@ -8,6 +8,7 @@
 #include "render/column/kernels.h"
 #include "render/reference/reference_renderer.h"
 #include "render/stencil/stencil_renderer.h"
+#include "render/supersample.h"
 
 namespace enfilade {
 namespace {
@@ -114,6 +115,57 @@ Result<std::unique_ptr<Renderer>> make_column(const Map& map, const TextureSet& 
     return std::unique_ptr<Renderer>(std::make_unique<ColumnDrawer>(map, textures, threads));
 }
 
+Result<std::unique_ptr<Renderer>> make_plain(const RendererChoice& choice, const Map& map, const TextureSet& textures) {
+    switch (choice.kind) {
+        case RendererKind::column: return make_column(map, textures, choice.threads);
+        case RendererKind::stencil: return make_stencil(map, textures, choice.open_gl);
+        case RendererKind::reference: break;
+    }
+    return std::unique_ptr<Renderer>(std::make_unique<Reference>(map, textures, choice.threads));
+}
+
+/// Lets another renderer draw a larger picture, and takes means.
+class Supersampler final : public Renderer {
+public:
+    Supersampler(std::unique_ptr<Renderer> renderer, int samples) : renderer_(std::move(renderer)), samples_(samples) {}
+
+    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
+        if (facts)
+            if (Status failed = renderer_->render(frame, facts, snapshot, view)) return failed;
+        fine_.resize(frame.width * samples_, frame.height * samples_);
+        if (Status failed = renderer_->render(fine_, nullptr, snapshot, view)) return failed;
+        frame.resize(frame.width, frame.height);
+        take_means(fine_, samples_, frame);
+        frame.is_cut_short = fine_.is_cut_short;
+        return {};
+    }
+
+    std::vector<ViewportShape> viewports() const override {
+        std::vector<ViewportShape> shapes = renderer_->viewports();
+        for (ViewportShape& shape : shapes) shrink(shape);
+        return shapes;
+    }
+
+    std::string_view kernels() const override { return renderer_->kernels(); }
+
+private:
+    /// The columns of the picture that begin in it, and their rows.
+    void shrink(ViewportShape& shape) const {
+        const int first = (shape.begin + samples_ - 1) / samples_, end = (shape.end + samples_ - 1) / samples_;
+        std::vector<int> top, bottom;
+        for (int x = first; x < end && !shape.top.empty(); ++x) {
+            const auto column = static_cast<std::size_t>(x * samples_ - shape.begin);
+            top.push_back(shape.top[column] / samples_);
+            bottom.push_back(shape.bottom[column] / samples_);
+        }
+        shape = {shape.sector, shape.depth, first, end, std::move(top), std::move(bottom)};
+    }
+
+    std::unique_ptr<Renderer> renderer_;
+    int samples_;
+    Frame fine_;
+};
+
 }  // namespace
 
 Result<RendererKind> parse_renderer(const std::string& name) {
@@ -126,14 +178,11 @@ Result<RendererKind> parse_renderer(const std::string& name) {
 
 std::string name_of(RendererKind kind) { return std::string(to_word(kind)); }
 
-Result<std::unique_ptr<Renderer>> make_renderer(RendererKind kind, const Map& map, const TextureSet& textures,
-                                                std::size_t threads, const GlContextOpener& open_gl) {
-    switch (kind) {
-        case RendererKind::column: return make_column(map, textures, threads);
-        case RendererKind::stencil: return make_stencil(map, textures, open_gl);
-        case RendererKind::reference: break;
-    }
-    return std::unique_ptr<Renderer>(std::make_unique<Reference>(map, textures, threads));
+Result<std::unique_ptr<Renderer>> make_renderer(const RendererChoice& choice, const Map& map,
+                                                const TextureSet& textures) {
+    auto renderer = make_plain(choice, map, textures);
+    if (!renderer.ok() || choice.samples == 1) return renderer;
+    return std::unique_ptr<Renderer>(std::make_unique<Supersampler>(std::move(renderer).value(), choice.samples));
 }
 
 }  // namespace enfilade

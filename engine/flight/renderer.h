@@ -47,11 +47,19 @@ public:
     virtual std::string_view kernels() const { return {}; }
 };
 
+/// How pictures are drawn.
+struct RendererChoice {
+    RendererKind kind = RendererKind::column;
+    /// The colour of a pixel is the mean, in linear light, of samples x samples rays spread evenly over it; facts are
+    /// those of its middle. 1..kMostSamples; samples times a side of the picture is at most kMaxPictureSide.
+    int samples = 1;
+    std::size_t threads = 1;  ///< that may draw one picture together, >= 1: it does not depend on them
+    GlContextOpener open_gl;  ///< asked for an OpenGL context where the kind is drawn by one, and by no other
+};
+
 /// map, textures: outlive it, and stay as they are.
-/// threads: how many may draw one picture together, >= 1. The picture does not depend on it.
-/// open_gl: asked for an OpenGL context where the kind is drawn by one, and by no other.
 /// An error where there is no such context, or none that will do.
-Result<std::unique_ptr<Renderer>> make_renderer(RendererKind kind, const Map& map, const TextureSet& textures,
-                                                std::size_t threads, const GlContextOpener& open_gl);
+Result<std::unique_ptr<Renderer>> make_renderer(const RendererChoice& choice, const Map& map,
+                                                const TextureSet& textures);
 
 }  // namespace enfilade

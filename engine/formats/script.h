@@ -50,7 +50,7 @@ struct ScriptFile {
     int rate = 30;                  ///< frames a second, 1..1000
     RendererKind renderer = RendererKind::column;
     double fov_degrees = 90;  ///< horizontal, 1..179
-    std::string accuracy;     ///< name of a set of dials; empty: the renderer's own
+    int samples = 1;          ///< rays along each side of a pixel, 1..8
     std::string tape;         ///< path of recorded input, relative to the script, instead of legs; empty: none
     StartRecord start;
     std::vector<LegRecord> legs;  ///< empty exactly where there is a tape

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "flight/scenes.h"
+#include "render/reference/reference_renderer.h"
 
 namespace enfilade {
 namespace {
@@ -19,7 +20,7 @@ TEST(ParseRenderer, KnowsWhatThereIs) {
 Result<std::unique_ptr<GlContext>> no_gl() { return Error{"OpenGL", "none here"}; }
 
 TEST(MakeRenderer, SaysWhyThereIsNoContext) {
-    const auto stencil = make_renderer(RendererKind::stencil, Map(), TextureSet(), 1, no_gl);
+    const auto stencil = make_renderer({RendererKind::stencil, 1, 1, no_gl}, Map(), TextureSet());
     ASSERT_FALSE(stencil.ok());
     EXPECT_EQ(stencil.error().text(), "OpenGL: none here");
 }
@@ -31,7 +32,7 @@ TEST(MakeRenderer, AsksForAContextWhereItDrawsByOpenGlAndNowhereElse) {
             ++asked;
             return no_gl();
         };
-        (void)make_renderer(kind, Map(), TextureSet(), 2, counting);
+        (void)make_renderer({kind, 1, 2, counting}, Map(), TextureSet());
         EXPECT_EQ(asked, kind == RendererKind::stencil ? 1 : 0) << name_of(kind);
     }
 }
@@ -44,10 +45,10 @@ TEST(ParseRenderer, RefusesOtherNamesAndTellsTheRightOnes) {
 
 class RendererInHall : public ::testing::Test {
 protected:
-    Frame picture(RendererKind kind, std::size_t threads) {
+    Frame picture(RendererKind kind, std::size_t threads, int samples = 1) {
         Frame frame;
         frame.resize(64, 40);
-        auto renderer = std::move(make_renderer(kind, map_, textures_, threads, no_gl)).value();
+        auto renderer = std::move(make_renderer({kind, samples, threads, no_gl}, map_, textures_)).value();
         EXPECT_FALSE(renderer->render(frame, nullptr, at_rest(map_), view()));
         viewports_ = renderer->viewports();
         return frame;
@@ -57,9 +58,13 @@ protected:
         view.sector = SectorId(0u);
         view.eye = {2.1, 3.3};
         view.eye_z = 1.5;
+        view.forward = forward_;
         return view;
     }
 
+    void turn_to(double degrees) { forward_ = direction(Angle::from_degrees(degrees)); }
+
+    Vec2 forward_{1, 0};
     MapFile file_ = test::hall_file();
     Map map_ = test::built(file_);
     TextureSet textures_ = test::textures_for(file_);
@@ -69,6 +74,30 @@ protected:
 TEST_F(RendererInHall, DrawsTheSameWithAnyNumberOfThreads) {
     for (const RendererKind kind : {RendererKind::column, RendererKind::reference})
         EXPECT_EQ(picture(kind, 3).pixels, picture(kind, 1).pixels) << name_of(kind);
+}
+
+TEST_F(RendererInHall, GivesAPixelTheMeanOfItsSamplesAsTheReferenceDoes) {
+    turn_to(20);  // looking along x the edges of texels are in line with columns
+    for (const int samples : {2, 3, 8}) {
+        Frame expected;
+        expected.resize(64, 40);
+        render_reference(expected, nullptr, map_, textures_, at_rest(map_), view(), {.samples = samples});
+        EXPECT_EQ(picture(RendererKind::column, 1, samples).pixels, expected.pixels) << samples;
+    }
+    EXPECT_NE(picture(RendererKind::column, 1, 2).pixels, picture(RendererKind::column, 1).pixels);
+}
+
+TEST_F(RendererInHall, TellsTheViewportsInThePixelsOfThePictureWhateverTheSamples) {
+    picture(RendererKind::column, 1);
+    const std::vector<ViewportShape> plain = viewports_;
+    picture(RendererKind::column, 1, 4);
+    ASSERT_EQ(viewports_.size(), plain.size());
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        EXPECT_NEAR(viewports_[i].begin, plain[i].begin, 1);
+        EXPECT_NEAR(viewports_[i].end, plain[i].end, 1);
+        ASSERT_EQ(viewports_[i].top.size(), std::size_t(viewports_[i].end - viewports_[i].begin));
+        EXPECT_NEAR(viewports_[i].bottom.front(), plain[i].bottom.front(), 1);
+    }
 }
 
 TEST_F(RendererInHall, TellsTheViewportsOfTheColumnRenderer) {

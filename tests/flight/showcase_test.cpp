@@ -20,7 +20,7 @@ protected:
     /// Of the frames from first to last, drawn one after the other.
     Hashes in_order(const Flight& flight, int first, int last) const {
         Hashes all;
-        const DrawPlan plan{RendererKind::column, kWidth, kHeight, first, last, 1, {}};
+        const DrawPlan plan{RendererKind::column, 1, kWidth, kHeight, first, last, 1, {}};
         EXPECT_FALSE(draw_frames_in_order(scene(flight), plan, [&](int, const Frame& frame, std::size_t) {
             all.push_back(hash_of(frame));
             return Status{};
@@ -36,7 +36,7 @@ TEST_F(ShowcaseFrames, AreTheSameInRandomOrder) {
     Random random(26);
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
     const FlightScene flown = scene(*flight_);
-    auto renderer = make_renderer(RendererKind::column, flown.map, flown.textures, 1, {});
+    auto renderer = make_renderer({}, flown.map, flown.textures);
     ASSERT_TRUE(renderer.ok());
     Hashes shuffled(order.size());
     Frame frame;

@@ -91,9 +91,9 @@ TEST(MapSchema, HasTheReadersKeys) {
 TEST(MapSchema, DescribesEveryKey) { EXPECT_THAT(SchemaWalk("enfilade.schema.json").without_description(), IsEmpty()); }
 
 /// Strings that name no file, though nothing but this list says so: names of what is in the map, and words for people.
-constexpr std::string_view kOtherStrings[] = {
-    "name",  "sector",   "tags",       "class",      "next",       "via",       "target", "key", "like",
-    "sound", "accuracy", "move_sound", "down_sound", "stop_sound", "gives_key", "group",  "sun"};
+constexpr std::string_view kOtherStrings[] = {"name",       "sector",    "tags",  "class", "next",       "via",
+                                              "target",     "key",       "like",  "sound", "move_sound", "down_sound",
+                                              "stop_sound", "gives_key", "group", "sun"};
 
 /// What a string must look like to name a file, as schemas say it.
 constexpr std::string_view kNamePattern =

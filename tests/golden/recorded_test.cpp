@@ -44,7 +44,7 @@ int frame_step() {
 std::vector<std::uint32_t> other_frames(const FlightScene& scene, const ScriptFile& script,
                                         const std::vector<FrameHash>& recorded) {
     std::vector<std::uint32_t> others;
-    const auto renderer = make_renderer(RendererKind::column, scene.map, scene.textures, 1, {});
+    const auto renderer = make_renderer({}, scene.map, scene.textures);
     Frame frame;
     frame.resize(script.width, script.height);
     for (int number = 0; number < scene.flight.frames(); number += frame_step()) {
@@ -66,7 +66,7 @@ std::optional<std::uint64_t> hash_of_picture(const fs::path& path) {
 /// The hash of the sheet of small pictures as it is drawn now.
 std::uint64_t hash_of_sheet(const FlightScene& scene, const ScriptFile& script) {
     ContactSheet sheet(scene.flight.frames(), script.width, script.height);
-    const auto renderer = make_renderer(RendererKind::column, scene.map, scene.textures, 1, {});
+    const auto renderer = make_renderer({}, scene.map, scene.textures);
     Frame frame;
     frame.resize(script.width, script.height);
     for (const int number : frames_on_sheet(scene.flight.frames())) {

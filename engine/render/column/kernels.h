@@ -1,4 +1,4 @@
-// The inner loops of what is rare: flats that are far beyond the ends of any room, pictures with holes, and clouds.
+// The inner loops: runs of walls, flats and skies down columns.
 // Positions within a picture are whole numbers (2^64 or 2^32 steps a tile), so stepping them is exact and a run's
 // pixels do not depend on where it starts.
 #pragma once

@@ -1,7 +1,6 @@
 #include "render/reference/reference_renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -9,41 +8,10 @@
 #include "base/check.h"
 #include "base/parallel.h"
 #include "render/reference/cast_ray.h"
+#include "render/supersample.h"
 
 namespace enfilade {
 namespace {
-
-/// Linear light of the 256 values of a channel (IEC 61966-2-1, "sRGB"), 0..1.
-std::array<double, 256> linear_light_table() {
-    std::array<double, 256> table{};
-    for (int i = 0; i < 256; ++i) {
-        const double c = i / 255.0;
-        table[static_cast<std::size_t>(i)] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    }
-    return table;
-}
-
-std::uint32_t channel_of(double light) {
-    const double c = light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-    return static_cast<std::uint32_t>(c * 255 + 0.5);
-}
-
-/// The mean of colours, as the eye or a camera out of focus would mix them.
-class LightMean {
-public:
-    void add(const std::array<double, 256>& linear, std::uint32_t color) {
-        red_ += linear[color & 0xFF];
-        green_ += linear[color >> 8 & 0xFF];
-        blue_ += linear[color >> 16 & 0xFF];
-    }
-    std::uint32_t color(double count) const {
-        return 0xFF000000u | channel_of(blue_ / count) << 16 | channel_of(green_ / count) << 8 |
-               channel_of(red_ / count);
-    }
-
-private:
-    double red_ = 0, green_ = 0, blue_ = 0;
-};
 
 /// The rays of one column of a picture, from the top. Not tilted they follow one path in the plane, each only as far as
 /// it goes; else each has its own.
@@ -101,19 +69,18 @@ bool render_column(Frame& frame, FrameFacts* facts, const ReferenceScene& scene,
 /// picture that many times larger, whose pixel centres are the samples. True where a ray was cut short.
 bool supersample_column(Frame& frame, const ReferenceScene& scene, const View& view, const Projection& fine,
                         int samples, int x) {
-    static const std::array<double, 256> linear = linear_light_table();
     std::vector<LightMean> means(static_cast<std::size_t>(frame.height));
     bool is_cut_short = false;
     for (int sub_x = x * samples; sub_x < (x + 1) * samples; ++sub_x) {
         ColumnOfRays rays(scene, view, fine, sub_x);
         for (int sub_y = 0; sub_y < frame.height * samples; ++sub_y)
-            means[static_cast<std::size_t>(sub_y / samples)].add(linear, rays.cast_ray(sub_y).color);
+            means[static_cast<std::size_t>(sub_y / samples)].add(rays.cast_ray(sub_y).color);
         is_cut_short |= rays.is_cut_short();
     }
     for (int y = 0; y < frame.height; ++y)
         frame
             .pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x)] =
-            means[static_cast<std::size_t>(y)].color(samples * samples);
+            means[static_cast<std::size_t>(y)].color(static_cast<std::uint32_t>(samples * samples));
     return is_cut_short;
 }
 

@@ -103,7 +103,7 @@ TEST_P(HostileScripts, AreToldInLetters) {
 
 INSTANTIATE_TEST_SUITE_P(Scripts, HostileScripts,
                          ::testing::Values("map = \"@\"\n[[legs]]\nwait = 1", "map = \"map.toml\"\ntape = \"@\"",
-                                           "map = \"map.toml\"\naccuracy = \"@\"\n[[legs]]\nwait = 1",
+                                           "map = \"map.toml\"\nsamples = \"@\"\n[[legs]]\nwait = 1",
                                            "map = \"map.toml\"\nrenderer = \"@\"\n[[legs]]\nwait = 1",
                                            "map = \"map.toml\"\nstart = { sector = \"@\" }\n[[legs]]\nwait = 1",
                                            "map = \"map.toml\"\n\"@\" = 1\n[[legs]]\n\"@\" = 1"));
@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
                       std::vector<std::string>{"render", "map.toml", "--out", kRaw + ".jpg"},
                       std::vector<std::string>{"render", "map.toml", "--out", "x.png", "--sector", kRaw},
                       std::vector<std::string>{"render", "map.toml", "--out", "x.png", "--size", kRaw},
-                      std::vector<std::string>{"render", "map.toml", "--out", "x.png", "--accuracy", kRaw},
+                      std::vector<std::string>{"render", "map.toml", "--out", "x.png", "--samples", kRaw},
                       std::vector<std::string>{"render", "map.toml", "--out", "x.png", "--renderer", kRaw},
                       std::vector<std::string>{"render", "map.toml", "--out", "x.png", "--fov", kRaw},
                       std::vector<std::string>{"render", "map.toml", "--out", "x.png", "--view", kRaw}));

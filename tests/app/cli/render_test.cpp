@@ -230,7 +230,18 @@ TEST_F(Render, RefusesWhatDoesNotExistYet) {
     const Ended other = render({"--renderer", "vulkan", "--out", "a.png"});
     EXPECT_EQ(other.exit_code, 2);
     EXPECT_THAT(other.err, HasSubstr("expected column, stencil or reference"));
-    EXPECT_EQ(render({"--accuracy", "fast", "--out", "a.png"}).exit_code, 2);
+}
+
+TEST_F(Render, SmoothsEdgesWithSamples) {
+    render({"--out", "one.png"});
+    EXPECT_EQ(render({"--samples", "4", "--out", "sixteen.png", "--ids", "ids.png"}).exit_code, 0);
+    render({"--out", "one.png", "--ids", "same.png"});
+    EXPECT_NE(program_.text("one.png"), program_.text("sixteen.png"));
+    EXPECT_EQ(program_.text("ids.png"), program_.text("same.png")) << "ids are those of the pixels' middles";
+    const Ended wide =
+        program_.run({"render", "map.toml", "--samples", "8", "--size", "4000x10", "--out", "wide.png"});
+    EXPECT_EQ(wide.exit_code, 2);
+    EXPECT_THAT(wide.err, HasSubstr("--samples: expected at most 4 for a picture of 4000x10"));
 }
 
 TEST_F(Render, RefusesNumbersOutOfRange) {
@@ -238,6 +249,7 @@ TEST_F(Render, RefusesNumbersOutOfRange) {
                                                                                         {"--fov", "nan"},
                                                                                         {"--stretch", "0"},
                                                                                         {"--threads", "0"},
+                                                                                        {"--samples", "9"},
                                                                                         {"--time", "-1"},
                                                                                         {"--size", "0x5"}})
         EXPECT_EQ(render({option, value, "--out", "a.png"}).exit_code, 2) << option << " " << value;

@@ -28,7 +28,7 @@ protected:
 
     void play_until(int pictures) {
         window_.quit_after(pictures);
-        auto renderer = make_renderer(RendererKind::column, game_->map(), game_->textures(), 1, {});
+        auto renderer = make_renderer({}, game_->map(), game_->textures());
         PlayLoop loop(*game_, window_, options_, std::move(renderer).value());
         const Status failed = loop.run();
         EXPECT_FALSE(failed) << failed->text();
