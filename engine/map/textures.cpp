@@ -230,14 +230,31 @@ void TextureLoader::unpack(std::size_t i) {
     picture.texture.name = picture.name;
 }
 
-void TextureLoader::report(const PictureSource& picture, Findings& findings) {
-    if (!picture.bytes)
-        findings.push_back(
-            {picture.place, Severity::warning, "missing-texture",
-             (picture.is_color_table ? "color table " : "texture ") + quoted(picture.written) +
-                 " is in none of the texture folders; " +
-                 (picture.is_color_table ? "all colors are darkened in proportion" : "a placeholder is drawn") +
-                 picture.near});
+/// Whether the same words of the map name this missing picture and the one before, which is missing, too: those of a
+/// thing's eight sides are.
+bool TextureLoader::is_missing_with_last(std::size_t i) const {
+    if (i == 0 || i >= pictures_.size()) return false;
+    const PictureSource &last = pictures_[i - 1], &picture = pictures_[i];
+    return picture.texture.missing && last.texture.missing && picture.place == last.place && picture.place.line > 0;
+}
+
+void TextureLoader::report_missing(std::size_t first, Findings& findings) const {
+    if (is_missing_with_last(first)) return;
+    const PictureSource& picture = pictures_[first];
+    std::size_t more = 0;
+    while (is_missing_with_last(first + more + 1)) ++more;
+    std::string names = (picture.is_color_table ? "color table " : "texture ") + quoted(picture.written);
+    if (more > 0) names += " and " + std::to_string(more) + " more, for other sides of the thing,";
+    findings.push_back(
+        {picture.place, Severity::warning, "missing-texture",
+         names + (more > 0 ? " are" : " is") + " in none of the texture folders; " +
+             (picture.is_color_table ? "all colors are darkened in proportion" : "a placeholder is drawn") +
+             picture.near});
+}
+
+void TextureLoader::report(std::size_t i, Findings& findings) const {
+    const PictureSource& picture = pictures_[i];
+    if (picture.texture.missing) report_missing(i, findings);
     if (!picture.fault.empty())
         findings.push_back({picture.place, Severity::error, "bad-texture", picture.path + ": " + picture.fault});
 }
@@ -265,10 +282,8 @@ TextureSet TextureLoader::take(Findings& findings) {
     report_color_table(findings);
     set.color_table = std::move(color_table_);
     set.placeholder = make_placeholder();
-    for (PictureSource& picture : pictures_) {
-        report(picture, findings);
-        set.textures.push_back(std::move(picture.texture));
-    }
+    for (std::size_t i = 0; i < pictures_.size(); ++i) report(i, findings);
+    for (PictureSource& picture : pictures_) set.textures.push_back(std::move(picture.texture));
     pictures_.clear();
     return set;
 }

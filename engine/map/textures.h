@@ -105,7 +105,9 @@ private:
     void read_color_table(const std::string& name);
     /// Counts what it takes, and drops its bytes where that is too much.
     void make_room_for(PictureSource& picture);
-    static void report(const PictureSource& picture, Findings& findings);
+    bool is_missing_with_last(std::size_t i) const;
+    void report_missing(std::size_t first, Findings& findings) const;
+    void report(std::size_t i, Findings& findings) const;
     void report_color_table(Findings& findings) const;
     void report_shortage(Findings& findings) const;
 
