@@ -1,7 +1,12 @@
-// One Doom map as one map of ours.
+// Doom's maps as ours: one map, and a whole run.
 #pragma once
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "base/result.h"
 #include "formats/map_file.h"
 #include "wadconv/map_lumps.h"
 #include "wadconv/pictures.h"
@@ -9,6 +14,8 @@
 #include "wadconv/sounds.h"
 
 namespace enfilade::wadconv {
+
+// One Doom map as one map of ours.
 
 struct ConvertOptions {
     bool open_doors = false;  ///< raise the ceiling of every closed door, so that the whole map can be walked
@@ -25,5 +32,40 @@ struct Conversion {
 /// right side, a sector's on all of its parts. Cost: O(n log n) in the lines.
 Conversion convert_map(const DoomMap& doom, const Pictures& pictures, const Sounds& sounds,
                        const ConvertOptions& options);
+
+// A whole run: WADs in, a folder with maps, pictures and a report out.
+
+struct RunOptions {
+    std::vector<std::string> wads;  ///< paths, the IWAD first, PWADs on top of it in this order
+    std::vector<std::string> maps;  ///< names in any case; empty: all there are
+    std::string out;                ///< folder; made if it is not there
+    std::size_t jobs = 1;           ///< threads, >= 1
+    bool strict = false;            ///< refuse maps in which something had to be guessed
+    ConvertOptions convert;
+};
+
+/// Called from any thread as work gets done: done of total steps. done reaches total.
+using Progress = std::function<void(std::size_t done, std::size_t total)>;
+
+struct RunResult {
+    std::vector<Report> reports;        ///< one for each map, in the order of the WADs
+    std::vector<std::string> problems;  ///< pictures that could not be made; one sentence each
+    std::string light;                  ///< how COLORMAP's levels of light compare with classic light; one line
+
+    bool is_complete() const;  ///< no map refused, no problem
+};
+
+/// Writes OUT/NAME.toml for every map (name in lower case), OUT/textures with all pictures and OUT/sounds, both unless
+/// every map is refused, and OUT/report.txt. Every converted map is checked by build_map before it is written; one that
+/// does not pass is refused, like one that cannot be converted, and leaves no file. The same input gives the same bytes
+/// with any number of jobs. An Error where an archive cannot be read, a map that was asked for is not there, or a file
+/// cannot be written; the report is written last, so where there is a new one, everything else is there.
+Result<RunResult> convert_wads(const RunOptions& options, const Progress& progress);
+
+/// What lies in the folder OUT now, and what to do with it: a line or two.
+std::string written_text(const RunResult& result, const std::string& out);
+
+/// The whole report as text: totals, then map by map.
+std::string to_text(const RunResult& result);
 
 }  // namespace enfilade::wadconv

@@ -1,16 +1,99 @@
 // Floors, ceilings, light and skies.
 #include <algorithm>
 #include <array>
+#include <limits>
 
-#include "wadconv/light_effects.h"
 #include "wadconv/thing_table.h"
 #include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {
 namespace {
 
-/// Light levels of Doom reach from 0 to 255; its 16 steps are level / 16, so that 256 parts make light * 16 exact.
-constexpr double kLightLevels = 256;
+// Times [tics]. Flickering light is dark for 1 to 8 tics, and then bright for 1 or 65: in the mean for these.
+constexpr double kFlash = 5, kFastDark = 15, kSlowDark = 35, kMeanCalm = 33, kMeanFlicker = 4.5, kFlame = 4;
+
+/// Flickering light has times of half a tic [1/s].
+constexpr double kFlickerClock = 2 * kTicsPerSecond;
+
+/// How much darker a flame may be than the next [of 0..255].
+constexpr double kFireStep = 16;
+
+/// What glowing light changes by in a tic [of 0..255].
+constexpr double kGlowSpeed = 8;
+
+/// How much brighter than the darkest sector around fire stays [of 0..255].
+constexpr int kFireAbove = 16;
+
+LightEffectRecord effect(LightKind kind, int dark, double dark_tics, double bright_tics, bool in_step = false) {
+    LightEffectRecord effect;
+    effect.kind = kind;
+    effect.dark = std::clamp(dark, 0, 255) / kLightLevels;
+    effect.dark_s = dark_tics / kTicsPerSecond;
+    effect.bright_s = bright_tics / kTicsPerSecond;
+    effect.in_step = in_step;
+    effect.lasts = true;
+    effect.clock_hz = kind == LightKind::flicker ? kFlickerClock : kTicsPerSecond;
+    if (kind == LightKind::fire) effect.step = kFireStep / kLightLevels;
+    return effect;
+}
+
+/// Strobes go quite dark where nothing around is darker.
+LightEffectRecord strobe(int light, int darkest, double dark_tics, bool in_step) {
+    return effect(LightKind::strobe, darkest == light ? 0 : darkest, dark_tics, kFlash, in_step);
+}
+
+// The heights a map starts with: sound ones, and with open doors if asked.
+
+/// Line specials that open the sector behind the line: doors one pushes.
+constexpr std::array kPushedDoors = {1, 26, 27, 28, 31, 32, 33, 34, 117, 118};
+
+/// Line specials that open the sectors of the line's tag. Source: "The Unofficial Doom Specs", §4.3.3.
+constexpr std::array kRemoteDoors = {2,   4,   29,  46,  61,  63,  86,  90,  99,  103, 105, 106,
+                                     108, 109, 111, 112, 114, 115, 133, 134, 135, 136, 137};
+
+/// How far below the lowest ceiling around it an open door stops [map units].
+constexpr std::int32_t kDoorLip = 4;
+
+bool is_one_of(std::span<const int> specials, int special) {
+    return std::ranges::find(specials, special) != specials.end();
+}
+
+/// Which sectors some line opens.
+std::vector<bool> find_doors(const DoomMap& doom, const Parts& parts) {
+    std::vector<bool> is_door(doom.sectors.size());
+    std::vector<bool> tag_opens(65536);
+    for (const Linedef& line : doom.lines)
+        if (line.tag != 0 && is_one_of(kRemoteDoors, line.special)) tag_opens[line.tag] = true;
+    for (std::size_t s = 0; s < doom.sectors.size(); ++s) is_door[s] = tag_opens[doom.sectors[s].tag];
+    for (const Edge& edge : parts.edges)
+        if (edge.line != kNone && edge.is_left && is_one_of(kPushedDoors, doom.lines[edge.line].special))
+            is_door[edge.sector] = true;
+    return is_door;
+}
+
+bool is_closed(const DoomHeights& h) { return h.floor == h.ceiling; }
+
+/// The lowest ceiling of the open sectors around each sector; the largest number where there is none.
+std::vector<std::int32_t> lowest_around(const Parts& parts, const std::vector<DoomHeights>& heights) {
+    std::vector<std::int32_t> lowest(heights.size(), std::numeric_limits<std::int32_t>::max());
+    for (const Edge& edge : parts.edges) {
+        if (!edge.is_open) continue;
+        const std::uint32_t around = parts.edges[edge.opposite].sector;
+        if (!is_closed(heights[around])) lowest[edge.sector] = std::min(lowest[edge.sector], heights[around].ceiling);
+    }
+    return lowest;
+}
+
+void raise_doors(const DoomMap& doom, const Parts& parts, std::vector<DoomHeights>& heights, Report& report) {
+    const std::vector<bool> is_door = find_doors(doom, parts);
+    const std::vector<std::int32_t> lowest = lowest_around(parts, heights);
+    for (std::size_t s = 0; s < heights.size(); ++s) {
+        if (!is_door[s] || !is_closed(heights[s]) || lowest[s] == std::numeric_limits<std::int32_t>::max()) continue;
+        if (lowest[s] - kDoorLip <= heights[s].floor) continue;
+        heights[s].ceiling = lowest[s] - kDoorLip;
+        report.note(Kind::opened_door, s);
+    }
+}
 
 /// A sky picture's columns go round 1024 to the full turn, and to the left: Doom's skies are mirrored.
 constexpr double kSkyColumns = -1024;
@@ -119,6 +202,39 @@ SectorRecord sector_record(Workbench& bench, const Part& part) {
 }
 
 }  // namespace
+
+LightEffectRecord slow_strobe(int dark) { return effect(LightKind::strobe, dark, kSlowDark, kFlash); }
+
+std::optional<LightEffectRecord> light_effect_of(int special, int light, int darkest) {
+    if (light <= 0) return {};
+    switch (special) {
+        case 2:
+        case 4: return strobe(light, darkest, kFastDark, false);
+        case 3: return strobe(light, darkest, kSlowDark, false);
+        case 12: return strobe(light, darkest, kSlowDark, true);
+        case 13: return strobe(light, darkest, kFastDark, true);
+        default: break;
+    }
+    if (darkest >= light) return {};
+    switch (special) {
+        case 1: return effect(LightKind::flicker, darkest, kMeanCalm, kMeanFlicker);
+        case 8: return effect(LightKind::glow, darkest, std::max(1.0, (light - darkest) / kGlowSpeed), kFlash);
+        case 17: return effect(LightKind::fire, std::min(darkest + kFireAbove, light), kSlowDark, kFlame);
+        default: return {};
+    }
+}
+
+std::vector<DoomHeights> settle_heights(const DoomMap& doom, const Parts& parts, bool open_doors, Report& report) {
+    std::vector<DoomHeights> heights;
+    for (std::size_t s = 0; s < doom.sectors.size(); ++s) {
+        const DoomSector& sector = doom.sectors[s];
+        heights.push_back({sector.floor, std::max(sector.floor, sector.ceiling)});
+        if (sector.ceiling < sector.floor) report.note(Kind::ceiling_below_floor, s);
+        if (sector.ceiling == sector.floor) report.note(Kind::closed_door, s);
+    }
+    if (open_doors) raise_doors(doom, parts, heights, report);
+    return heights;
+}
 
 bool is_sky(std::string_view flat) { return flat == kSkyFlat; }
 

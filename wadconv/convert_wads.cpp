@@ -1,4 +1,4 @@
-#include "wadconv/convert_wads.h"
+#include "wadconv/convert.h"
 
 #include <algorithm>
 #include <atomic>

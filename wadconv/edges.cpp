@@ -1,4 +1,4 @@
-#include "wadconv/edges.h"
+#include "wadconv/parts.h"
 
 #include <algorithm>
 #include <map>

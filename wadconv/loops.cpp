@@ -1,4 +1,4 @@
-#include "wadconv/loops.h"
+#include "wadconv/parts.h"
 
 #include <algorithm>
 #include <map>

@@ -11,7 +11,7 @@
 #include "base/output_file.h"
 #include "base/parallel.h"
 #include "base/terminal.h"
-#include "wadconv/convert_wads.h"
+#include "wadconv/convert.h"
 
 namespace {
 

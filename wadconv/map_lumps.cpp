@@ -8,7 +8,6 @@
 #include "wadconv/wad.h"
 
 namespace enfilade::wadconv {
-
 namespace {
 
 std::string read_name(ByteReader& reader) { return lump_name(reader.take(8)); }
@@ -134,6 +133,79 @@ Result<MapLumps> find_map(const WadPile& pile, std::string_view name) {
             if (lumps[i].name == name && is_map_name(name)) return take_lumps(wad->file(), name, lumps_after(lumps, i));
     }
     return Error{pile.wads().empty() ? "" : pile.wads().back().file(), "there is no map " + enfilade::quoted(name)};
+}
+
+namespace {
+
+/// Where one comes back to from an episode's ninth level, by episode; later ones as the fourth.
+constexpr std::array kAfterNinth = {'4', '6', '7', '3'};
+
+std::string next_of_episode(std::string_view map, bool by_secret_exit) {
+    std::string next(map);
+    if (map[3] == '9')
+        next[3] = kAfterNinth[map[1] >= '1' && map[1] <= '4' ? static_cast<std::size_t>(map[1] - '1') : 3];
+    else if (by_secret_exit)
+        next[3] = '9';
+    else if (map[3] == '8')
+        return {};
+    else
+        ++next[3];
+    return next;
+}
+
+std::string numbered(int number) {
+    return std::string("MAP") + static_cast<char>('0' + number / 10) + static_cast<char>('0' + number % 10);
+}
+
+}  // namespace
+
+std::string next_map(std::string_view map, bool by_secret_exit) {
+    if (map.starts_with('E')) return next_of_episode(map, by_secret_exit);
+    const int number = (map[3] - '0') * 10 + (map[4] - '0');
+    if (by_secret_exit && number == 15) return numbered(31);
+    if (by_secret_exit && number == 31) return numbered(32);
+    if (number == 31 || number == 32) return numbered(16);
+    if (number == 30 || number == 99) return {};
+    return numbered(number + 1);
+}
+
+Neighbours::Neighbours(const DoomMap& doom) : doom_(doom) {
+    struct Beside {
+        std::uint32_t sector;
+        Neighbour neighbour;
+    };
+    std::vector<Beside> found;
+    for (std::uint32_t i = 0; i < doom.lines.size(); ++i) {
+        const Linedef& line = doom.lines[i];
+        if (!(line.flags & kTwoSided) || line.right >= doom.sides.size() || line.left >= doom.sides.size()) continue;
+        const std::uint32_t right = doom.sides[line.right].sector, left = doom.sides[line.left].sector;
+        if (right >= doom.sectors.size() || left >= doom.sectors.size()) continue;
+        found.push_back({right, {i, left, true}});
+        found.push_back({left, {i, right, false}});
+    }
+    std::ranges::stable_sort(found, {}, &Beside::sector);
+    first_.resize(doom.sectors.size() + 1);
+    for (const Beside& beside : found) {
+        ++first_[beside.sector + 1];
+        all_.push_back(beside.neighbour);
+    }
+    for (std::size_t s = 0; s < doom.sectors.size(); ++s) first_[s + 1] += first_[s];
+}
+
+std::span<const Neighbour> Neighbours::of(std::uint32_t sector) const {
+    return std::span(all_).subspan(first_[sector], first_[sector + 1] - first_[sector]);
+}
+
+std::int16_t Neighbours::darkest(std::uint32_t sector) const {
+    std::int16_t darkest = doom_.sectors[sector].light;
+    for (const Neighbour& n : of(sector)) darkest = std::min(darkest, doom_.sectors[n.sector].light);
+    return darkest;
+}
+
+std::int16_t Neighbours::lowest_floor(std::uint32_t sector) const {
+    std::int16_t lowest = doom_.sectors[sector].floor;
+    for (const Neighbour& n : of(sector)) lowest = std::min(lowest, doom_.sectors[n.sector].floor);
+    return lowest;
 }
 
 }  // namespace enfilade::wadconv

@@ -1,8 +1,10 @@
-// Finding the maps in a pile of WADs.
+// The maps in a pile of WADs: finding them, what they hold, and which comes next.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -84,5 +86,41 @@ std::vector<std::string> map_names(const WadPile& pile);
 /// The lumps of a map, from the last archive that has it. An Error where there is none of that name, where a lump is
 /// missing, and where the map is in Hexen's format or in UDMF, which are told by their lumps BEHAVIOR and TEXTMAP.
 Result<MapLumps> find_map(const WadPile& pile, std::string_view name);
+
+// Which level comes after which.
+
+/// The level that a level's exit leads to, in Doom's order; empty behind the last of an episode or of the game.
+/// `map`: "E1M1" or "MAP01" (is_map_name).
+std::string next_map(std::string_view map, bool by_secret_exit);
+
+// What lies around Doom's sectors, line by line: what its actions look at when they look around.
+
+/// A line of a sector with another sector, or the same, on its other side.
+struct Neighbour {
+    std::uint32_t line;
+    std::uint32_t sector;
+    bool is_front;  ///< the sector that is asked about is in front of the line, on its right
+};
+
+/// Lines marked two-sided with two sides and sectors that exist; of the others nothing is known.
+class Neighbours {
+public:
+    /// Cost: the lines.
+    explicit Neighbours(const DoomMap& doom);
+
+    /// In the order of the lines; a line with the sector on both sides is there twice.
+    std::span<const Neighbour> of(std::uint32_t sector) const;
+
+    /// The darkest light around, not brighter than its own [0..255].
+    std::int16_t darkest(std::uint32_t sector) const;
+
+    /// The lowest floor, not higher than its own [map units].
+    std::int16_t lowest_floor(std::uint32_t sector) const;
+
+private:
+    const DoomMap& doom_;
+    std::vector<Neighbour> all_;
+    std::vector<std::uint32_t> first_;  ///< those of sector s are all_[first_[s]] to all_[first_[s + 1]]
+};
 
 }  // namespace enfilade::wadconv

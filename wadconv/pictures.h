@@ -11,10 +11,8 @@
 
 #include "base/result.h"
 #include "map/textures.h"
-#include "wadconv/animations.h"
 #include "wadconv/picture.h"
-#include "wadconv/sprites.h"
-#include "wadconv/texture_defs.h"
+#include "wadconv/texture_lumps.h"
 #include "wadconv/wad.h"
 
 namespace enfilade::wadconv {

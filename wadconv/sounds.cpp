@@ -1,10 +1,13 @@
 #include "wadconv/sounds.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 
 #include "base/bytes.h"
 #include "base/output_file.h"
+#include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {
 namespace {
@@ -45,6 +48,128 @@ Bytes wav(std::uint32_t rate, std::span<const std::byte> samples) {
     return {out.bytes().begin(), out.bytes().end()};
 }
 
+// What doors, lifts, floors, switches, teleports and pick-ups sound like.
+
+/// How far a sound of Doom is heard [map units].
+constexpr double kClippingDistance = 1200;
+
+/// Doors that move at least so fast have sounds of their own: Doom's fast ones are four times as fast as the others
+/// [m/s].
+constexpr double kFastDoor = 4;
+
+/// Names of sounds; empty: silent.
+struct MoverSounds {
+    std::string_view up, down, stop;
+};
+
+MoverSounds sounds_of(const TriggerRecord& trigger) {
+    switch (trigger.action) {
+        case TriggerAction::door:
+        case TriggerAction::open:
+        case TriggerAction::close:
+        case TriggerAction::close_then_open:
+            if (trigger.speed >= kFastDoor) return {"bdopn", "bdcls", ""};
+            return {"doropn", "dorcls", ""};
+        case TriggerAction::lift:
+        case TriggerAction::shuttle: return {"pstart", "pstart", "pstop"};
+        case TriggerAction::floor:
+        case TriggerAction::stairs: return {"stnmov", "stnmov", "pstop"};
+        case TriggerAction::ceiling:
+        case TriggerAction::crush: return {"stnmov", "stnmov", ""};
+        default: return {};
+    }
+}
+
+/// Grinding stone goes on for as long as it moves.
+bool is_looped(std::string_view sound) { return sound == "stnmov"; }
+
+class SoundMaker {
+public:
+    explicit SoundMaker(Workbench& bench) : bench_(bench) {
+        std::map<std::string_view, std::vector<std::size_t>> groups;
+        for (std::size_t i = 0; i < bench.file.sectors.size(); ++i) groups[bench.file.sectors[i].group].push_back(i);
+        for (std::size_t i = 0; i < bench.file.sectors.size(); ++i) {
+            const SectorRecord& sector = bench.file.sectors[i];
+            called_[sector.name] = sector.group.empty() ? std::vector{i} : groups[sector.group];
+            for (const std::string& tag : sector.tags) called_[tag].push_back(i);
+        }
+        for (const SwitchRecord& pair : bench.pictures.switches()) switches_.insert({pair.off, pair.on});
+    }
+
+    void run() {
+        for (SectorRecord& sector : bench_.file.sectors) {
+            for (LoopRecord& loop : sector.loops)
+                for (WallRecord& wall : loop.walls) give_sounds(wall.triggers, shows_switch(wall), wall.next);
+            for (PanelRecord& panel : sector.panels)
+                give_sounds(panel.triggers, switches_.contains(panel.texture.name), sector.name);
+        }
+        for (ThingRecord& thing : bench_.file.things) give_sound(thing);
+        for (const std::string_view sound : used_)
+            bench_.file.sounds.push_back(
+                {std::string(sound), Sounds::file_of(sound), 1, metres(kClippingDistance), is_looped(sound), {}});
+    }
+
+private:
+    /// `usual`: the sector that a trigger without a target is about.
+    void give_sounds(std::vector<TriggerRecord>& triggers, bool is_switch, const std::string& usual) {
+        for (TriggerRecord& trigger : triggers) {
+            if (trigger.action == TriggerAction::teleport)
+                trigger.sound = use("telept");
+            else if (is_switch && trigger.on == Activation::use)
+                trigger.sound = use(trigger.action == TriggerAction::leave_map ? "swtchx" : "swtchn");
+            give_movers(trigger, usual);
+        }
+    }
+
+    bool shows_switch(const WallRecord& wall) const {
+        const auto is_one = [this](const std::optional<TextureSpec>& spec) {
+            return spec && switches_.contains(spec->name);
+        };
+        return is_one(wall.texture) || is_one(wall.upper) || is_one(wall.lower) || is_one(wall.middle);
+    }
+
+    /// Whatever first moves a sector decides.
+    void give_movers(const TriggerRecord& trigger, const std::string& usual) {
+        const MoverSounds sounds = sounds_of(trigger);
+        if (sounds.up.empty()) return;
+        if (trigger.targets.empty()) return give_movers(sounds, usual);
+        for (const std::string& target : trigger.targets) give_movers(sounds, target);
+    }
+
+    void give_movers(const MoverSounds& sounds, const std::string& name) {
+        const auto found = called_.find(name);
+        if (found == called_.end()) return;
+        for (const std::size_t i : found->second) {
+            SectorRecord& sector = bench_.file.sectors[i];
+            if (!sector.move_sound.empty()) continue;
+            sector.move_sound = use(sounds.up);
+            if (sounds.down != sounds.up) sector.down_sound = use(sounds.down);
+            sector.stop_sound = use(sounds.stop);
+        }
+    }
+
+    void give_sound(ThingRecord& thing) {
+        if (thing.gives_key.empty() && thing.gives_health == 0) return;
+        TriggerRecord trigger;
+        trigger.on = Activation::touch;
+        trigger.action = TriggerAction::sound;
+        trigger.sound = use("itemup");
+        if (!trigger.sound.empty()) thing.triggers.push_back(std::move(trigger));
+    }
+
+    /// Its name, if the archives have it.
+    std::string use(std::string_view sound) {
+        if (!bench_.sounds.has(sound)) return "";
+        used_.insert(sound);
+        return std::string(sound);
+    }
+
+    Workbench& bench_;
+    std::map<std::string, std::vector<std::size_t>, std::less<>> called_;  ///< what moves, by name and tag
+    std::set<std::string> switches_;                                       ///< pictures of switches
+    std::set<std::string_view> used_;
+};
+
 }  // namespace
 
 Result<Bytes> wav_of(const Lump& lump) {
@@ -84,5 +209,7 @@ Status Sounds::write(const std::string& folder) const {
         if (Status unwritten = write_one_of_many(folder + "/" + file_of(name), bytes)) return unwritten;
     return flush_folder(path);
 }
+
+void convert_sounds(Workbench& bench) { SoundMaker(bench).run(); }
 
 }  // namespace enfilade::wadconv

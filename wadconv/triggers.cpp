@@ -1,18 +1,13 @@
-#include "wadconv/triggers.h"
+#include "wadconv/workbench.h"
 
 #include <algorithm>
 #include <array>
 
-#include "wadconv/light_effects.h"
-#include "wadconv/next_maps.h"
+#include "wadconv/map_lumps.h"
 #include "wadconv/thing_table.h"
-#include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {
 namespace {
-
-/// Brightness that Doom's 0 to 255 become; see convert_sectors.cpp.
-constexpr double kLightLevels = 256;
 
 /// Tics between two pains on a floor that hurts.
 constexpr double kTicsOfDamage = 32;

@@ -16,7 +16,7 @@
 #include "app/play/game.h"
 #include "base/attempt.h"
 #include "base/output_file.h"
-#include "wadconv/convert_wads.h"
+#include "wadconv/convert.h"
 #include "wadconv/wad_builder.h"
 
 namespace enfilade::test {

@@ -1,5 +1,5 @@
 // Pictures that follow one another, and faces of switches.
-#include "wadconv/animations.h"
+#include "wadconv/texture_lumps.h"
 
 #include <gmock/gmock.h>
 

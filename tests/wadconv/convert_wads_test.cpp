@@ -1,5 +1,5 @@
 // A whole run, down to the files it writes.
-#include "wadconv/convert_wads.h"
+#include "wadconv/convert.h"
 
 #include <gmock/gmock.h>
 

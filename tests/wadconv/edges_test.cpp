@@ -1,5 +1,5 @@
 // Lines as directed edges, and the repairs on the way.
-#include "wadconv/edges.h"
+#include "wadconv/parts.h"
 
 #include <gmock/gmock.h>
 

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "wadconv/next_maps.h"
+#include "wadconv/map_lumps.h"
 
 namespace enfilade::wadconv {
 namespace {

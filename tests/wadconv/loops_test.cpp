@@ -1,5 +1,5 @@
 // Tracing a sector's edges: outlines, holes, pinches, lone edges, open ends.
-#include "wadconv/loops.h"
+#include "wadconv/parts.h"
 
 #include <gmock/gmock.h>
 

@@ -9,7 +9,7 @@
 
 #include "map/load.h"
 #include "support/temp_dir.h"
-#include "wadconv/convert_wads.h"
+#include "wadconv/convert.h"
 #include "wadconv/map_lumps.h"
 #include "wadconv/pictures.h"
 #include "wadconv/sounds.h"
