@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-#include "app/exit_codes.h"
-#include "app/progress.h"
-#include "app/viewing.h"
+#include "app/messages.h"
+#include "app/options.h"
 #include "base/files.h"
 #include "base/hash.h"
 #include "formats/script_toml.h"

@@ -1,4 +1,4 @@
-#include "app/bench_children.h"
+#include "app/bench.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -6,9 +6,8 @@
 #include <charconv>
 #include <string_view>
 
-#include "app/bench.h"
 #include "app/child_program.h"
-#include "app/progress.h"
+#include "app/messages.h"
 
 namespace enfilade {
 

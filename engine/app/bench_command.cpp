@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include "app/bench.h"
-#include "app/bench_children.h"
 #include "app/commands.h"
 #include "app/effect_prices.h"
-#include "app/exit_codes.h"
 #include "app/file_kind.h"
+#include "app/messages.h"
 #include "app/open_map.h"
 #include "app/options.h"
 #include "base/files.h"

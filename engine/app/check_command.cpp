@@ -7,8 +7,8 @@
 
 #include "app/commands.h"
 #include "app/effect_prices.h"
-#include "app/exit_codes.h"
 #include "app/file_kind.h"
+#include "app/messages.h"
 #include "app/open_map.h"
 #include "app/sounds.h"
 #include "base/files.h"

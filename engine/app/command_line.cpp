@@ -1,5 +1,5 @@
 // The only file that knows CLI11: reading its headers takes longer than compiling the rest of a command.
-#include "app/command_line.h"
+#include "app/commands.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,7 @@
 #include <csignal>
 #include <sstream>
 
-#include "app/commands.h"
-#include "app/exit_codes.h"
+#include "app/messages.h"
 #include "app/options.h"
 #include "base/output_file.h"
 #include "base/terminal.h"

@@ -60,11 +60,16 @@ struct BenchRequest {
     bool effects = false, instructions = false;
 };
 
-/// Each does its work, says on stderr what went wrong and returns an exit code (app/exit_codes.h).
+/// Each does its work, says on stderr what went wrong and returns an exit code (app/messages.h).
 int run_play(const PlayRequest& request);
 int run_render(const RenderRequest& request);
 int run_fly(const FlyRequest& request);
 int run_check(const CheckRequest& request);
 int run_bench(const BenchRequest& request);
+
+// The whole command line, as a function.
+
+/// Runs `enfilade` with these arguments and returns its exit code (app/messages.h).
+int run_command_line(int argc, const char* const* argv);
 
 }  // namespace enfilade

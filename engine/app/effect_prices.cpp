@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-#include "app/progress.h"
-#include "app/viewing.h"
+#include "app/messages.h"
+#include "app/options.h"
 #include "base/check.h"
 #include "formats/table_text.h"
 #include "map/build.h"

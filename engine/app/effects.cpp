@@ -1,4 +1,4 @@
-#include "app/effects.h"
+#include "app/effect_prices.h"
 
 #include <algorithm>
 

@@ -5,13 +5,10 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "app/cut_short.h"
-#include "app/exit_codes.h"
-#include "app/film.h"
-#include "app/open_flight.h"
+#include "app/messages.h"
+#include "app/open_map.h"
 #include "app/options.h"
 #include "app/pictures.h"
-#include "app/progress.h"
 #include "app/recorded_flight.h"
 #include "base/output_file.h"
 #include "base/terminal.h"

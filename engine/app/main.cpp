@@ -4,7 +4,7 @@
 #include <sys/resource.h>
 #endif
 
-#include "app/command_line.h"
+#include "app/commands.h"
 #include "base/attempt.h"
 
 namespace {

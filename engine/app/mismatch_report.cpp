@@ -1,4 +1,4 @@
-#include "app/mismatch_report.h"
+#include "app/recorded_flight.h"
 
 #include <fmt/format.h>
 #include <algorithm>

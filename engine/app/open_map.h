@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "flight/flight.h"
+#include "formats/script.h"
 #include "map/load.h"
 
 namespace enfilade {
@@ -34,5 +36,17 @@ std::string next_map_path(const std::string& map_path, const std::string& name);
 /// skill : 1..kMostSkill; things that do not stand at it are left out; none: all stand
 std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders,
                                 std::optional<int> skill);
+
+// A flythrough for a command: script, map and pictures, or what is wrong with them on stderr.
+
+struct OpenFlight {
+    ScriptFile script;
+    OpenMap map;
+    Flight flight;
+};
+
+/// Reads the script, and the map and tape it names, which are seen from the script's folder; `skill` as for open_map.
+std::optional<OpenFlight> open_flight(const std::string& script_path, const std::vector<std::string>& texture_folders,
+                                      int skill);
 
 }  // namespace enfilade

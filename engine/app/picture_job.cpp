@@ -7,10 +7,8 @@
 #include <atomic>
 #include <memory>
 
-#include "app/cut_short.h"
-#include "app/film.h"
+#include "app/messages.h"
 #include "app/pictures.h"
-#include "app/progress.h"
 #include "base/files.h"
 #include "base/output_file.h"
 #include "base/parallel.h"

@@ -1,22 +1,104 @@
 #include "app/pictures.h"
-#include "formats/quoted.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <span>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "app/child_program.h"
 #include "base/output_file.h"
+#include "flight/y4m.h"
+#include "formats/quoted.h"
 
 namespace enfilade {
 namespace {
 
 constexpr std::array<std::string_view, 14> kOtherKinds{".jpg", ".jpeg", ".bmp", ".gif",  ".tga", ".tif", ".tiff",
                                                        ".ppm", ".webp", ".avi", ".webm", ".mkv", ".mov", ".mpg"};
+
+Error write_error(const std::string& path) {
+    return {path, fmt::format("cannot write the film: {}", std::strerror(errno))};
+}
+
+class Y4mFilm final : public Film {
+public:
+    Y4mFilm(OutputFile file, const FilmFormat& format)
+        : file_(std::move(file)), header_(y4m_header(format.width, format.height, format.rate)) {}
+
+    Status add(const Frame& frame) override {
+        const std::string header = std::exchange(header_, {});
+        if (Status failed = file_.write(std::as_bytes(std::span(header)))) return failed;
+        return file_.write(y4m_frame(frame));
+    }
+
+    Status finish() override { return file_.commit(); }
+
+private:
+    OutputFile file_;
+    std::string header_;  ///< until it is written
+};
+
+/// ffmpeg writes into our file, which it is handed open: under a name it could only be given a name to foresee.
+class Mp4Film final : public Film {
+public:
+    Mp4Film(std::string path, OutputFile file, std::FILE* ffmpeg)
+        : path_(std::move(path)), file_(std::move(file)), ffmpeg_(ffmpeg) {}
+    Mp4Film(const Mp4Film&) = delete;
+    Mp4Film& operator=(const Mp4Film&) = delete;
+    ~Mp4Film() override {
+        if (ffmpeg_) pclose(ffmpeg_);
+    }
+
+    Status add(const Frame& frame) override {
+        const std::size_t bytes = frame.pixels.size() * 4;
+        if (std::fwrite(frame.pixels.data(), 1, bytes, ffmpeg_) != bytes) return write_error(path_);
+        return {};
+    }
+
+    Status finish() override {
+        if (pclose(std::exchange(ffmpeg_, nullptr)) != 0)
+            return Error{path_, "the film could not be finished: ffmpeg failed"};
+        return file_.commit();
+    }
+
+private:
+    std::string path_;
+    OutputFile file_;
+    std::FILE* ffmpeg_;
+};
+
+/// H.264 with 4:2:0 chroma is what every player shows; it needs even sides. 16 is "looks like the original".
+std::string ffmpeg_command(const std::string& target, const FilmFormat& format) {
+    return fmt::format(
+        "ffmpeg -v error -nostats -y -f rawvideo -pix_fmt rgba -s {}x{} -r {} -i - "
+        "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -c:v libx264 -crf 16 -pix_fmt yuv420p -movflags +faststart -f mp4 {}",
+        format.width, format.height, format.rate, target);
+}
+
+Result<std::unique_ptr<Film>> start_mp4(const std::string& path, const FilmFormat& format) {
+    if (!is_installed("ffmpeg"))
+        return Error{path,
+                     "an .mp4 film needs the program ffmpeg, which is not installed; install it, or write a .y4m "
+                     "film or a folder of pictures"};
+    auto file = OutputFile::open(path);
+    if (!file.ok()) return file.error();
+    std::signal(SIGPIPE, SIG_IGN);  // an ffmpeg that ends early is an error of ours, not our end
+    file.value().share_with_children(true);
+    std::FILE* ffmpeg = popen(ffmpeg_command(file.value().name_for_children(), format).c_str(), "w");
+    file.value().share_with_children(false);
+    if (!ffmpeg) return write_error(path);
+    return std::unique_ptr<Film>(std::make_unique<Mp4Film>(path, std::move(file).value(), ffmpeg));
+}
 
 }  // namespace
 
@@ -63,6 +145,17 @@ Status write_picture(const std::string& path, const Image& image) { return write
 
 Status write_numbered_picture(const std::string& folder, std::size_t number, const Image& image) {
     return write_one_of_many(numbered_picture(folder, number), write_png(image));
+}
+
+bool names_film(const std::string& path) {
+    return ending_of(path) == ".y4m" || ending_of(path) == ".mp4" || names_stream(path);
+}
+
+Result<std::unique_ptr<Film>> start_film(const std::string& path, const FilmFormat& format) {
+    if (ending_of(path) == ".mp4") return start_mp4(path, format);
+    auto file = OutputFile::open(path);
+    if (!file.ok()) return file.error();
+    return std::unique_ptr<Film>(std::make_unique<Y4mFilm>(std::move(file).value(), format));
 }
 
 }  // namespace enfilade

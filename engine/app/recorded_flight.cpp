@@ -6,8 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/mismatch_report.h"
-#include "app/progress.h"
+#include "app/messages.h"
 #include "base/files.h"
 #include "base/terminal.h"
 #include "formats/frame_hashes.h"

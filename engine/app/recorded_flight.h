@@ -1,12 +1,88 @@
 // What a flythrough looked like when it was recorded, and whether it still does.
 #pragma once
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "app/mismatch_report.h"
 #include "base/result.h"
+#include "flight/comparison.h"
+#include "flight/contact_sheet.h"
 #include "flight/draw_frames.h"
+#include "formats/frame_hashes.h"
 
 namespace enfilade {
+
+// Pictures and a page about frames that are not what they should be.
+
+// The pictures that lie beside a recording for the human eye: small ones on one sheet, and full-size ones where
+// somebody asked for them.
+
+/// What a recording keeps beside its hashes.
+struct PictureKeeping {
+    bool no_pictures = false;
+    int full_size_every = 0;  ///< each so-many-th frame also as it is; 0: those of which there is one already
+};
+
+/// Keeps the pictures of one recording while its frames are drawn.
+class PictureKeeper {
+public:
+    PictureKeeper(const std::string& script_path, const DrawPlan& plan, const PictureKeeping& keeping);
+
+    /// Makes room; removes full-size pictures that are not kept any more.
+    Status start() const;
+    /// A FrameTaker: of any thread, each frame once.
+    Status take(int number, const Frame& frame);
+    /// Writes the sheet, or removes it where no pictures are wanted. The hash by which the recording knows its sheet.
+    Result<std::optional<std::uint64_t>> finish() const;
+
+private:
+    std::string sheet_, folder_;  ///< paths
+    PictureKeeping keeping_;
+    std::vector<int> before_, full_size_;  ///< frames that have a full-size picture, and that shall have one
+    ContactSheet contact_sheet_;
+};
+
+/// A picture that was kept: of the frame's size, or `reduction` times smaller.
+struct KeptPicture {
+    Frame picture;
+    int reduction = 1;
+};
+
+/// What was kept of a recording. Only pictures that belong to it: files may be of another day.
+class KeptPictures {
+public:
+    KeptPictures(const std::string& script_path, const FrameRecording& recording, const DrawPlan& plan);
+
+    /// The frame as it was recorded, full-size if that was kept.
+    std::optional<KeptPicture> of(const FrameHash& recorded) const;
+
+    /// Why there are no small pictures, as a sentence; empty: there are.
+    const std::string& what_is_missing() const { return missing_; }
+
+private:
+    std::string folder_, missing_;
+    int reduction_;
+    ContactSheet sheet_;
+};
+
+/// A frame that differs, with both its pictures.
+struct BadFrame {
+    Mismatch mismatch;
+    std::optional<Frame> expected;  ///< none: nobody knows what it looked like
+    Frame actual;
+    std::string expected_origin;  ///< as in MismatchRow
+    int reduction = 1;            ///< of expected, which is compared with the actual picture reduced as much
+};
+
+/// Frames that a report shows; more would be more than anybody looks at.
+inline constexpr std::size_t kMostShown = 12;
+
+/// Takes out of the folder what an earlier report put there, and the folder where nothing else is in it. What is not a
+/// report's stays.
+void remove_report(const std::string& folder);
+
+/// Writes the pictures and index.html into the folder, which is made where it is missing, instead of an earlier report.
+Status write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames);
 
 /// The hashes beside a script: "tour.hashes" of "tour.toml".
 std::string hashes_path(const std::string& script_path);

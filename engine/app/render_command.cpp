@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "app/exit_codes.h"
+#include "app/messages.h"
+#include "app/options.h"
 #include "app/picture_job.h"
 #include "app/pixel_text.h"
-#include "app/viewing.h"
 #include "base/files.h"
 #include "base/terminal.h"
 #include "formats/quoted.h"

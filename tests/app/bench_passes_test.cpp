@@ -1,5 +1,5 @@
 // What two programs that took turns said: read from among other words, and compared.
-#include "app/bench_children.h"
+#include "app/bench.h"
 
 #include <gmock/gmock.h>
 

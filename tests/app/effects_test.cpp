@@ -1,5 +1,5 @@
 // What a map calls for.
-#include "app/effects.h"
+#include "app/effect_prices.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // The pixel font, and characters out of UTF-8.
-#include "app/draw/font.h"
+#include "app/draw/overlay.h"
 
 #include <gtest/gtest.h>
 

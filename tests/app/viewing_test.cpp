@@ -1,5 +1,5 @@
 // From typed numbers to a view inside the map.
-#include "app/viewing.h"
+#include "app/options.h"
 
 #include <gtest/gtest.h>
 

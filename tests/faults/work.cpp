@@ -12,7 +12,7 @@
 #include <fstream>
 
 #include "app/cli/program.h"
-#include "app/command_line.h"
+#include "app/commands.h"
 #include "app/play/game.h"
 #include "base/attempt.h"
 #include "base/output_file.h"

@@ -16,7 +16,7 @@ TEST(Layers, AllowWhatLiesBelow) {
     EXPECT_THAT(check_layers(including("engine/space/trace.cpp", "\"math/vec.h\"")), IsEmpty());
     EXPECT_THAT(check_layers(including("engine/space/trace.cpp", "\"space/trace.h\"")), IsEmpty());
     EXPECT_THAT(check_layers(including("engine/render/column/walls.cpp", "\"render/view.h\"")), IsEmpty());
-    EXPECT_THAT(check_layers(including("engine/app/play/loop.cpp", "\"app/draw/font.h\"")), IsEmpty());
+    EXPECT_THAT(check_layers(including("engine/app/play/loop.cpp", "\"app/draw/overlay.h\"")), IsEmpty());
     EXPECT_THAT(check_layers(including("wadconv/convert.cpp", "\"map/build.h\"")), IsEmpty());
     EXPECT_THAT(check_layers(including("wadconv/convert.cpp", "\"wadconv/wad.h\"")), IsEmpty());
 }
@@ -26,7 +26,7 @@ TEST(Layers, RefuseWhatLiesAbove) {
                 ElementsAre("engine/math/vec.h:1: includes point only downward, not at map/map.h"));
     EXPECT_THAT(check_layers(including("engine/render/view.h", "\"render/column/walls.h\"")),
                 ElementsAre(HasSubstr("only downward")));
-    EXPECT_THAT(check_layers(including("engine/world/effects/door.cpp", "\"app/draw/font.h\"")),
+    EXPECT_THAT(check_layers(including("engine/world/effects/door.cpp", "\"app/draw/overlay.h\"")),
                 ElementsAre(HasSubstr("only downward")));
 }
 

@@ -1,5 +1,7 @@
 // A map that is being played: the world in it, what was seen of it, and the tape of what was pressed.
 #pragma once
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,9 +10,9 @@
 
 #include "app/open_map.h"
 #include "app/play/automap.h"
-#include "app/play/map_watch.h"
 #include "app/play/player_input.h"
 #include "app/play/saved_game.h"
+#include "base/files.h"
 #include "base/result.h"
 #include "formats/tape.h"
 #include "render/view.h"
@@ -18,6 +20,24 @@
 #include "world/timeline.h"
 
 namespace enfilade {
+
+// Notices when a map or one of its pictures is saved, so that an author sees the change at once.
+
+/// Remembers every file that was read through it, and those that were looked for in vain.
+class MapWatch {
+public:
+    /// A reader for load_map. What was remembered before is forgotten. Must not outlive the watch.
+    FileReader start_reading();
+
+    /// True where a file has changed, appeared or gone since it was read. Cost: one look at each file.
+    bool changed() const;
+
+private:
+    /// When the file was last written, or the smallest time where there is none.
+    static std::filesystem::file_time_type written(const std::string& path);
+
+    std::map<std::string, std::filesystem::file_time_type> files_;
+};
 
 class Game {
 public:

@@ -8,8 +8,7 @@
 #include "app/play/menu.h"
 #include "app/play/outside_view.h"
 #include "app/play/readout.h"
-#include "app/play/settings.h"
-#include "app/play/soundscape.h"
+#include "app/sounds.h"
 #include "flight/renderer.h"
 #include "platform/window.h"
 

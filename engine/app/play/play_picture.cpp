@@ -1,11 +1,11 @@
 // What is shown while one plays: the view, and over it the map, notices and the menu.
 #include <algorithm>
 
-#include "app/cut_short.h"
+#include "app/messages.h"
 #include "app/pixel_text.h"
 #include "app/play/play_loop.h"
 #include "app/play/player_input.h"
-#include "app/play/screenshot.h"
+#include "app/play/saved_game.h"
 #include "base/attempt.h"
 #include "base/parallel.h"
 #include "platform/clock.h"

@@ -1,9 +1,11 @@
 #include "app/play/saved_game.h"
 
 #include <fmt/format.h>
+
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/pictures.h"
 #include "base/hash.h"
 
 namespace enfilade {
@@ -43,6 +45,24 @@ std::string saved_game_of(const std::string& map_path) {
     const fs::path map = fs::weakly_canonical(map_path, unknown);
     const std::uint64_t folder = hash_of_text(map.parent_path().string());
     return (data_folder() / fmt::format("{}-{:08x}.save", map.stem().string(), folder & 0xFFFFFFFFu)).string();
+}
+
+namespace {
+
+constexpr int kMostScreenshots = 9999;
+
+}  // namespace
+
+Result<std::string> save_screenshot(const Frame& frame, const std::string& folder) {
+    for (int number = 1; number <= kMostScreenshots; ++number) {
+        const std::string name = fmt::format("enfilade-{:04}.png", number);
+        const auto path = std::filesystem::path(folder) / name;
+        std::error_code unknown;
+        if (std::filesystem::exists(path, unknown)) continue;
+        if (Status failed = write_picture(path.string(), image_of(frame))) return *failed;
+        return name;
+    }
+    return Error{folder, fmt::format("there are {} screenshots already; move some away", kMostScreenshots)};
 }
 
 }  // namespace enfilade

@@ -3,7 +3,9 @@
 #include <string>
 
 #include "base/output_file.h"
+#include "base/result.h"
 #include "formats/tape.h"
+#include "render/frame.h"
 
 namespace enfilade {
 
@@ -32,5 +34,11 @@ private:
 /// The file for a map's saved game: in the user's folder for data (XDG base directories), named after the map and the
 /// folder it lies in; in the working folder where there is no home.
 std::string saved_game_of(const std::string& map_path);
+
+// F12: the picture on the screen as a file in the current folder.
+
+/// Writes the frame as the first of enfilade-0001.png, enfilade-0002.png, … that `folder` does not have yet; gives the
+/// file's name.
+Result<std::string> save_screenshot(const Frame& frame, const std::string& folder);
 
 }  // namespace enfilade

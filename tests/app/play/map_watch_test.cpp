@@ -1,5 +1,5 @@
 // Noticing that a map was saved.
-#include "app/play/map_watch.h"
+#include "app/play/game.h"
 
 #include <gtest/gtest.h>
 

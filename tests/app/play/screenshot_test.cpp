@@ -1,5 +1,5 @@
 // Screenshots never overwrite one another.
-#include "app/play/screenshot.h"
+#include "app/play/saved_game.h"
 
 #include <gtest/gtest.h>
 

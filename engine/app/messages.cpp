@@ -1,9 +1,10 @@
-#include "app/progress.h"
+#include "app/messages.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "base/terminal.h"
+#include "formats/table_text.h"
 #include "platform/clock.h"
 
 namespace enfilade {
@@ -15,6 +16,16 @@ constexpr std::int64_t kPause = 100'000'000;
 constexpr std::size_t kBarWidth = 30;  ///< [characters]
 
 }  // namespace
+
+int fail(const Error& error) {
+    print_text(stderr, "enfilade: " + error.text() + "\n");
+    return kFailed;
+}
+
+int refuse_usage(const Error& error) {
+    fail(error);
+    return kUsage;
+}
 
 Progress::Progress(std::size_t total, std::string noun)
     : total_(total),
@@ -39,6 +50,11 @@ void Progress::draw(std::size_t done) {
     const double passed_s = double(now_ns() - started_ns_) * 1e-9;
     redraw_line(fmt::format("[{:#<{}}{:.<{}}] {} of {} {}, {:.0f} s left", "", filled, "", kBarWidth - filled, done,
                             total_, noun_, passed_s / double(done) * double(total_ - done)));
+}
+
+CutShortNote::~CutShortNote() {
+    if (count_ == 0) return;
+    print_text(stderr, fmt::format("{}: note: in {} {}\n", out_, counted(count_, "picture"), kCutShort));
 }
 
 }  // namespace enfilade
