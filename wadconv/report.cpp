@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/check.h"
+#include "base/result.h"
 #include "formats/table_text.h"
 
 namespace enfilade::wadconv {

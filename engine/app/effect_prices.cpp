@@ -5,11 +5,11 @@
 
 #include "app/messages.h"
 #include "app/options.h"
-#include "base/check.h"
+#include "base/result.h"
 #include "formats/table_text.h"
 #include "map/build.h"
 #include "map/sector_finder.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "platform/clock.h"
 #include "render/column/column_renderer.h"
 #include "world/player.h"

@@ -13,7 +13,7 @@
 #include "base/terminal.h"
 #include "formats/quoted.h"
 #include "formats/table_text.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/view.h"
 #include "space/locate.h"
 

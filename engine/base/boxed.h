@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "base/check.h"
+#include "base/result.h"
 
 namespace enfilade {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/attempt.h"
-#include "base/check.h"
+#include "base/result.h"
 
 namespace enfilade {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "formats/quoted.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/locate.h"
 #include "world/input.h"
 #include "world/world.h"

@@ -7,7 +7,7 @@
 
 #include "formats/key.h"
 #include "formats/map_file.h"
-#include "math/grid.h"
+#include "math/vec.h"
 
 namespace enfilade {
 

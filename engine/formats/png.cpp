@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/attempt.h"
-#include "base/check.h"
+#include "base/result.h"
 
 namespace enfilade {
 namespace {

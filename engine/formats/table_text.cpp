@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "base/check.h"
+#include "base/result.h"
 #include "base/utf8.h"
 #include "formats/texture_spec.h"
 

@@ -4,7 +4,7 @@
 
 #include "map/compiled_map.h"
 #include "map/packing.h"
-#include "math/grid.h"
+#include "math/vec.h"
 
 namespace enfilade {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "formats/table_text.h"
-#include "math/grid.h"
 #include "math/predicates.h"
+#include "math/vec.h"
 
 namespace enfilade {
 

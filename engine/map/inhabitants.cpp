@@ -10,7 +10,7 @@
 #include "map/say.h"
 #include "map/sector_finder.h"
 #include "map/things.h"
-#include "math/grid.h"
+#include "math/vec.h"
 
 namespace enfilade {
 namespace {

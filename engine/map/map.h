@@ -5,7 +5,7 @@
 //
 // The words of this code, each for one thing:
 //
-//   grid        where points lie: vertices on multiples of 2^-10 m, bodies and eyes on 2^-32 m (math/grid.h)
+//   grid        where points lie: vertices on multiples of 2^-10 m, bodies and eyes on 2^-32 m (math/vec.h)
 //   record      a table of a map file as its author wrote it (formats/map_file.h); building resolves it into the map
 //   finding     an error or a warning about a file, with its place there (base/finding.h)
 //   sector      a room: a floor, a ceiling, and loops of walls around it
@@ -52,7 +52,6 @@
 #include "formats/map_file.h"
 #include "map/effects.h"
 #include "math/angle.h"
-#include "math/grid_map.h"
 #include "math/rigid.h"
 #include "math/vec.h"
 

@@ -12,8 +12,8 @@
 #include "map/edge_sweep.h"
 #include "map/say.h"
 #include "map/sector_finder.h"
-#include "math/grid.h"
 #include "math/predicates.h"
+#include "math/vec.h"
 
 namespace enfilade {
 namespace {

@@ -1,12 +1,12 @@
 // Sectors, loops and walls out of their records: coordinates go onto the vertex grid and are checked there.
 #include <cmath>
 
-#include "base/check.h"
+#include "base/result.h"
 #include "formats/quoted.h"
 #include "map/draft.h"
 #include "map/say.h"
 #include "map/shape.h"
-#include "math/grid.h"
+#include "math/vec.h"
 
 namespace enfilade {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/grid.h"
+#include "math/vec.h"
 
 namespace enfilade {
 

@@ -6,7 +6,7 @@
 #include "formats/quoted.h"
 #include "formats/table_text.h"
 #include "map/say.h"
-#include "math/grid.h"
+#include "math/vec.h"
 
 namespace enfilade {
 namespace {

@@ -3,7 +3,7 @@
 #include <compare>
 #include <cstdint>
 
-#include "base/check.h"
+#include "base/result.h"
 
 namespace enfilade {
 namespace {

@@ -1,11 +1,10 @@
-// Exact answers about points, lines and paths. No tolerance anywhere: with the grids of grid.h every determinant is a
+// Exact answers about points, lines and paths. No tolerance anywhere: with the grids of vec.h every determinant is a
 // whole number that fits its type.
 //
 // The tie rule (Edelsbrunner, Muecke: "Simulation of Simplicity", 1990): a moving point p counts as p + (e, e^2) with
 // e -> 0+. A side test therefore never answers "on the line", every point is in exactly one sector, and a path
 // crosses walls in exactly one order.
 #pragma once
-#include "math/grid.h"
 #include "math/vec.h"
 
 namespace enfilade {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/lock.h"
+#include "base/parallel.h"
 #include "render/light_patch.h"
 
 namespace enfilade {

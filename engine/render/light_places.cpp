@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/light_patch.h"
 #include "space/locate.h"
 #include "space/reach.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/reach.h"
 
 namespace enfilade {

@@ -1,6 +1,6 @@
 #include "render/view.h"
 
-#include "base/check.h"
+#include "base/result.h"
 
 namespace enfilade {
 

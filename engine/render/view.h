@@ -5,7 +5,6 @@
 #include "base/id.h"
 #include "map/map.h"
 #include "math/angle.h"
-#include "math/grid.h"
 #include "math/vec.h"
 
 namespace enfilade {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/reach.h"
 
 namespace enfilade {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "base/check.h"
+#include "base/result.h"
 #include "math/predicates.h"
 #include "space/triangulate.h"
 

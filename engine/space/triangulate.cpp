@@ -18,7 +18,7 @@
 #include <set>
 #include <span>
 
-#include "base/check.h"
+#include "base/result.h"
 #include "map/edge_sweep.h"
 #include "math/predicates.h"
 

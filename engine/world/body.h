@@ -3,7 +3,7 @@
 #include <span>
 
 #include "map/map.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/reach.h"
 #include "world/instant.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/grid.h"
 #include "math/predicates.h"
+#include "math/vec.h"
 #include "world/one_way.h"
 
 namespace enfilade {

@@ -4,7 +4,7 @@
 
 #include "base/hash.h"
 #include "formats/table_text.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "world/trigger_actions.h"
 
 namespace enfilade {

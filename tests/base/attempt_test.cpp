@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "base/check.h"
 #include "base/parallel.h"
+#include "base/result.h"
 
 namespace enfilade {
 namespace {

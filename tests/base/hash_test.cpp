@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <string>
 
-#include "base/random.h"
-
 namespace enfilade {
 namespace {
 

@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "base/attempt.h"
-#include "base/check.h"
-#include "base/lock.h"
+#include "base/result.h"
 
 namespace enfilade {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "base/random.h"
+#include "base/hash.h"
 
 namespace enfilade {
 namespace {

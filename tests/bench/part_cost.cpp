@@ -4,9 +4,9 @@
 
 #include <functional>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "formats/map_toml.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/column/kernels.h"
 #include "space/locate.h"
 #include "space/trace.h"

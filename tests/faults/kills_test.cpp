@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "app/play/game.h"
-#include "base/random.h"
+#include "base/hash.h"
 #include "faults/work.h"
 
 namespace enfilade::test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "flight/scenes.h"
-#include "math/grid.h"
+#include "math/vec.h"
 
 namespace enfilade {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "flight/draw_frames.h"
 
 namespace enfilade::test {

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "formats/map_file.h"
 #include "formats/words.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "formats/findings.h"
 #include "formats/hostile.h"
 #include "formats/map_toml.h"

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "base/utf8.h"
 #include "formats/lines.h"
 #include "formats/quoted.h"

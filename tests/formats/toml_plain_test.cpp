@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "base/files.h"
-#include "base/random.h"
+#include "base/hash.h"
 #include "formats/toml_guard.h"
 #include "formats/toml_tree.h"
 

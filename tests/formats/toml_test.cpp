@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "formats/findings.h"
 #include "formats/hostile.h"
 #include "formats/toml_guard.h"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/files.h"
-#include "base/random.h"
+#include "base/hash.h"
 #include "map/load.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/locate.h"
 #include "space/trace.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "map/map.h"
 #include "render/view.h"
 

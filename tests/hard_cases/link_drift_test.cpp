@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "space/locate.h"
 #include "space/trace.h"
 #include "support/map_builder.h"

@@ -1,7 +1,7 @@
 #include "hard_cases/linked_maps.h"
 
-#include "base/check.h"
 #include "base/files.h"
+#include "base/result.h"
 
 namespace enfilade::test {
 

@@ -9,7 +9,7 @@
 
 #include "hard_cases/comparison.h"
 #include "hard_cases/linked_maps.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/column/column_renderer.h"
 #include "space/locate.h"
 #include "space/trace.h"

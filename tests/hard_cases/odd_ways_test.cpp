@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "hard_cases/linked_maps.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/trace.h"
 #include "world/step.h"
 

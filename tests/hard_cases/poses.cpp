@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/locate.h"
 
 namespace enfilade::test {

@@ -1,6 +1,6 @@
 // Places to look from: some anywhere, some where ties happen.
 #pragma once
-#include "base/random.h"
+#include "base/hash.h"
 #include "map/map.h"
 #include "render/view.h"
 

@@ -7,7 +7,7 @@
 
 #include "hard_cases/poses.h"
 #include "hard_cases/scenes.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/trace.h"
 #include "support/map_builder.h"
 

@@ -7,7 +7,7 @@
 
 #include "hard_cases/scenes.h"
 #include "hard_cases/world.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/locate.h"
 #include "support/looks.h"
 

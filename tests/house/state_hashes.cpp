@@ -3,11 +3,10 @@
 #include <cstdio>
 
 #include "base/hash.h"
-#include "base/random.h"
 #include "math/angle.h"
-#include "math/grid.h"
 #include "math/predicates.h"
 #include "math/rigid.h"
+#include "math/vec.h"
 
 namespace enfilade::house {
 namespace {

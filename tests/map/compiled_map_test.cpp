@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 
 #include "base/hash.h"
-#include "base/random.h"
 #include "formats/map_toml.h"
 #include "formats/png.h"
 #include "map/load.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "math/predicates.h"
 
 namespace enfilade {

@@ -1,7 +1,7 @@
 // The player and the things: in the room they say, or reported; in the tutorial dialect, wherever they are.
 #include <gmock/gmock.h>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "map/sector_finder.h"
 #include "support/generate_map.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "map/edge_sweep.h"
 #include "math/predicates.h"
 #include "support/map_builder.h"

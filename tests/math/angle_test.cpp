@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "base/random.h"
+#include "base/hash.h"
 
 namespace enfilade {
 namespace {

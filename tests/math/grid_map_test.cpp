@@ -1,11 +1,11 @@
 // Turns of the point grid: nobody who goes there and back comes to another point.
-#include "math/grid_map.h"
+#include "math/rigid.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "math/angle.h"
 
 namespace enfilade {

@@ -1,11 +1,11 @@
 // Snapping to the two grids: half to even, no negative zero, and what is on the grid stays.
-#include "math/grid.h"
+#include "math/vec.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/hash.h"
 
 namespace enfilade {
 namespace {

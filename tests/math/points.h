@@ -6,8 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/random.h"
-#include "math/grid.h"
+#include "base/hash.h"
 #include "math/vec.h"
 
 namespace enfilade::testing {

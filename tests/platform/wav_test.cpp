@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "support/wav.h"
 
 namespace enfilade {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "render/light_grid.h"
 #include "render/sprite.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "support/map_builder.h"
 
 namespace enfilade {

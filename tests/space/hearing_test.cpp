@@ -6,7 +6,7 @@
 #include <cmath>
 #include <queue>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "space/locate.h"
 #include "space/mosaic.h"
 #include "support/map_builder.h"

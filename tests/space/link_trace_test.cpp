@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random.h"
-#include "math/grid.h"
+#include "base/hash.h"
 #include "math/predicates.h"
+#include "math/vec.h"
 #include "space/locate.h"
 #include "space/sight_line.h"
 #include "space/trace.h"

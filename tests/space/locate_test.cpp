@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/random.h"
-#include "math/grid.h"
+#include "base/hash.h"
+#include "math/vec.h"
 #include "space/mosaic.h"
 
 namespace enfilade {

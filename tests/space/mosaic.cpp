@@ -1,6 +1,6 @@
 #include "space/mosaic.h"
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "math/predicates.h"
 #include "support/map_builder.h"
 

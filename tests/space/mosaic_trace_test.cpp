@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/random.h"
-#include "math/grid.h"
+#include "base/hash.h"
+#include "math/vec.h"
 #include "space/locate.h"
 #include "space/mosaic.h"
 #include "space/trace.h"

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random.h"
-#include "math/grid.h"
+#include "base/hash.h"
+#include "math/vec.h"
 #include "space/locate.h"
 #include "space/mosaic.h"
 #include "support/generate_map.h"

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "base/random.h"
-#include "math/grid.h"
+#include "base/hash.h"
 #include "math/predicates.h"
+#include "math/vec.h"
 #include "space/mosaic.h"
 #include "support/map_builder.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/locate.h"
 #include "support/map_builder.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "math/grid.h"
+#include "math/vec.h"
 
 namespace enfilade::test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/random.h"
-#include "math/grid.h"
+#include "base/hash.h"
+#include "math/vec.h"
 #include "space/locate.h"
 
 namespace enfilade::test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "support/map_builder.h"
 
 namespace enfilade::test {

@@ -1,7 +1,7 @@
 #include "support/looks.h"
 
-#include "base/check.h"
-#include "math/grid.h"
+#include "base/result.h"
+#include "math/vec.h"
 #include "space/locate.h"
 
 namespace enfilade::test {

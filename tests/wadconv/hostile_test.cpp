@@ -1,7 +1,7 @@
 // Any bytes at all: a sentence or a map, never a crash, a hang or a map that the check would refuse unheard.
 #include <gmock/gmock.h>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "map/build.h"
 #include "wadconv/convert.h"
 #include "wadconv/map_lumps.h"

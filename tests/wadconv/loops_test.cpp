@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "wadconv/wad_builder.h"
 
 namespace enfilade::wadconv {

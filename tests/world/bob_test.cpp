@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "world/game.h"
 #include "world/snapshot.h"
 #include "world/timeline.h"

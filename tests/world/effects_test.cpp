@@ -1,7 +1,7 @@
 // What triggers do: doors, lifts, floors, lights, teleports, keys, and who is in the way of what moves.
 #include <gtest/gtest.h>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "world/activation.h"
 #include "world/hall_passage_room.h"
 #include "world/instant.h"

@@ -2,7 +2,7 @@
 #pragma once
 #include <utility>
 
-#include "base/check.h"
+#include "base/result.h"
 #include "space/locate.h"
 #include "support/map_builder.h"
 #include "world/step.h"

@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "support/map_builder.h"
 #include "world/input.h"
 #include "world/snapshot.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "world/game.h"
 
 namespace enfilade::test {

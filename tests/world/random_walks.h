@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "space/mosaic.h"
 #include "world/game.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "world/game.h"
 
 namespace enfilade {

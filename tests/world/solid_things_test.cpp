@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "math/predicates.h"
 #include "world/contact.h"
 #include "world/game.h"

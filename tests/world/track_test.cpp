@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "world/track.h"
 
 namespace enfilade {

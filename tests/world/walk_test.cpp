@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "math/predicates.h"
 #include "space/locate.h"
 #include "support/generate_map.h"

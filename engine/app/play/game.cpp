@@ -9,7 +9,7 @@
 #include "app/play/player_input.h"
 #include "base/hash.h"
 #include "map/load.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/locate.h"
 #include "world/world.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "formats/quoted.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "space/locate.h"
 #include "space/trace.h"
 #include "world/input.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "base/check.h"
+#include "base/result.h"
 #include "render/built_in.h"
 #include "render/column/viewport_drawer.h"
 #include "render/look_budget.h"

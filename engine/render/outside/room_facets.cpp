@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/openings.h"
 #include "render/sprite.h"
 

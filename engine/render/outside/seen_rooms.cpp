@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/grid.h"
 #include "math/predicates.h"
+#include "math/vec.h"
 #include "render/look_budget.h"
 #include "render/openings.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "base/check.h"
 #include "base/parallel.h"
+#include "base/result.h"
 #include "render/reference/cast_ray.h"
 #include "render/supersample.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "base/check.h"
+#include "base/result.h"
 #include "render/stencil/layer_painter.h"
 #include "render/stencil/panorama.h"
 #include "space/overlap.h"

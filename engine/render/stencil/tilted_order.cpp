@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "math/grid.h"
 #include "math/predicates.h"
+#include "math/vec.h"
 #include "render/stencil/sweep.h"
 #include "render/stencil/tilted_panes.h"
 

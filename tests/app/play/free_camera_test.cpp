@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "support/map_builder.h"
 
 namespace enfilade {

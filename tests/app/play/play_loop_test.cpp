@@ -3,8 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include "base/check.h"
 #include "base/files.h"
+#include "base/result.h"
 #include "formats/map_toml.h"
 #include "support/map_builder.h"
 #include "support/temp_dir.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/reference/reference_renderer.h"
 #include "space/locate.h"
 #include "support/count_allocations.h"

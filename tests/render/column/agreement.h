@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "render/column/column_renderer.h"
 #include "render/frame.h"
 #include "render/view.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/random.h"
+#include "base/hash.h"
 
 namespace enfilade::column {
 namespace {

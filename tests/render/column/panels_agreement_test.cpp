@@ -2,7 +2,7 @@
 // behind things, through doorways, links and mirrors, with the eye in their plane and on their ends.
 #include <gtest/gtest.h>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
 #include "space/locate.h"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/random.h"
+#include "base/hash.h"
 
 namespace enfilade::column {
 namespace {

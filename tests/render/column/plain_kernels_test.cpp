@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/random.h"
+#include "base/hash.h"
 
 namespace enfilade::column {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "base/random.h"
+#include "base/hash.h"
 
 namespace enfilade::column {
 namespace {

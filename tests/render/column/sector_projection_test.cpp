@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "math/predicates.h"
 #include "support/count_allocations.h"
 

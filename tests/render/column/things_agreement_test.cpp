@@ -2,7 +2,7 @@
 // through links and in mirrors.
 #include <gtest/gtest.h>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
 #include "render/reference/reference_renderer.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hard_cases/scenes.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/column/column_renderer.h"
 #include "render/stencil/agreement.h"
 #include "space/locate.h"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "math/angle.h"
-#include "math/grid.h"
+#include "math/vec.h"
 
 namespace enfilade::test {
 namespace {

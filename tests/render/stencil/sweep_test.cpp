@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "math/angle.h"
-#include "math/grid.h"
+#include "math/vec.h"
 
 namespace enfilade::stencil {
 namespace {

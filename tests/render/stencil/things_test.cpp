@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "hard_cases/scenes.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/stencil/agreement.h"
 #include "space/locate.h"
 #include "support/map_builder.h"

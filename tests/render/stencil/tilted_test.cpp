@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hard_cases/scenes.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/stencil/agreement.h"
 #include "support/furnish.h"
 #include "support/looks.h"

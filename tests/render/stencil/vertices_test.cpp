@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "hard_cases/comparison.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/stencil/agreement.h"
 #include "space/cells.h"
 #include "space/locate.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/grid.h"
+#include "math/vec.h"
 #include "world/body.h"
 
 namespace enfilade::test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
+#include "base/hash.h"
 #include "wadconv/freedoom/floor_grid.h"
 #include "world/input.h"
 #include "world/world.h"

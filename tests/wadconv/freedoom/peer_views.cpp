@@ -17,7 +17,7 @@
 
 #include "formats/png.h"
 #include "formats/views_csv.h"
-#include "math/grid.h"
+#include "math/vec.h"
 #include "render/column/column_renderer.h"
 #include "space/locate.h"
 #include "wadconv/freedoom/wads.h"
