@@ -8,7 +8,7 @@
 
 #include "app/pictures.h"
 #include "base/files.h"
-#include "flight/contact_sheet.h"
+#include "flight/comparison.h"
 #include "formats/png.h"
 
 namespace enfilade {

@@ -6,8 +6,7 @@
 
 #include "base/result.h"
 #include "flight/comparison.h"
-#include "flight/contact_sheet.h"
-#include "flight/draw_frames.h"
+#include "flight/flight.h"
 #include "formats/frame_hashes.h"
 
 namespace enfilade {

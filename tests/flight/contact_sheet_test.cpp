@@ -1,5 +1,5 @@
 // Small pictures of a flight on one sheet.
-#include "flight/contact_sheet.h"
+#include "flight/comparison.h"
 
 #include <gmock/gmock.h>
 

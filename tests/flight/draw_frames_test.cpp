@@ -1,5 +1,5 @@
 // Many frames on several threads.
-#include "flight/draw_frames.h"
+#include "flight/flight.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "base/hash.h"
-#include "flight/draw_frames.h"
+#include "flight/flight.h"
 
 namespace enfilade::test {
 namespace {

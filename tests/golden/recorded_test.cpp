@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "flight/contact_sheet.h"
-#include "flight/draw_frames.h"
+#include "flight/comparison.h"
+#include "flight/flight.h"
 #include "formats/frame_hashes.h"
 #include "formats/png.h"
 #include "formats/script_toml.h"
