@@ -8,8 +8,7 @@
 
 #include "base/parallel.h"
 #include "formats/map_toml.h"
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "map/build.h"
 #include "wadconv/map_lumps.h"
 #include "wadconv/pictures.h"

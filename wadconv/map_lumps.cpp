@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/bytes.h"
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "wadconv/wad.h"
 
 namespace enfilade::wadconv {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/result.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 
 namespace enfilade::wadconv {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "base/bytes.h"
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 
 namespace enfilade::wadconv {
 namespace {

@@ -14,7 +14,7 @@
 #include "base/files.h"
 #include "base/terminal.h"
 #include "formats/map_toml.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "map/load.h"
 
 namespace enfilade {

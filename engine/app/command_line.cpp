@@ -12,8 +12,7 @@
 #include "app/options.h"
 #include "base/output_file.h"
 #include "base/terminal.h"
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "render/supersample.h"
 #include "render/view.h"
 

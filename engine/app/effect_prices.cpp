@@ -6,7 +6,7 @@
 #include "app/messages.h"
 #include "app/options.h"
 #include "base/result.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "map/build.h"
 #include "map/sector_finder.h"
 #include "math/vec.h"

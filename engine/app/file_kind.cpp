@@ -10,9 +10,9 @@
 #include "app/child_program.h"
 #include "base/files.h"
 #include "formats/map_toml.h"
-#include "formats/quoted.h"
 #include "formats/script_toml.h"
 #include "formats/tape.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 

@@ -12,7 +12,7 @@
 #include "app/recorded_flight.h"
 #include "base/output_file.h"
 #include "base/terminal.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "platform/gl_context.h"
 
 namespace enfilade {

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "base/terminal.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "platform/clock.h"
 
 namespace enfilade {

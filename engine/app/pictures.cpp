@@ -18,7 +18,7 @@
 #include "app/child_program.h"
 #include "base/output_file.h"
 #include "flight/y4m.h"
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {

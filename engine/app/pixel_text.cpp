@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "render/reference/reference_renderer.h"
 #include "render/shade.h"
 #include "render/sprite.h"

@@ -10,7 +10,7 @@
 #include "base/files.h"
 #include "base/terminal.h"
 #include "formats/frame_hashes.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/pixel_text.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "formats/views_csv.h"
 
 namespace enfilade {

@@ -2,8 +2,7 @@
 
 #include <filesystem>
 
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "platform/audio.h"
 
 namespace enfilade {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "math/vec.h"
 #include "space/locate.h"
 #include "world/input.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "world/activation.h"
 #include "world/input.h"
 #include "world/trigger_actions.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "formats/words.h"
 #include "render/column/column_renderer.h"
 #include "render/column/kernels.h"

@@ -1,8 +1,8 @@
 // The keys of triggers, light effects, bobs, animations, switches and sounds.
 #include <array>
 
-#include "formats/file_key.h"
 #include "formats/map_keys.h"
+#include "formats/text_keys.h"
 
 namespace enfilade {
 namespace {

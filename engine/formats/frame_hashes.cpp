@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "formats/lines.h"
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "formats/words.h"
 
 namespace enfilade {

@@ -10,9 +10,8 @@
 
 #include "base/boxed.h"
 #include "base/parallel.h"
-#include "formats/quoted.h"
 #include "formats/reading.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 

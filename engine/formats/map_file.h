@@ -9,7 +9,6 @@
 #include "base/boxed.h"
 #include "base/finding.h"
 #include "formats/effect_records.h"
-#include "formats/key_places.h"
 #include "math/vec.h"
 
 namespace enfilade {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {

@@ -1,8 +1,117 @@
+// A map file as a whole: its keys, those of the player's start and of the picture, and how they are read.
 #include "formats/map_toml.h"
 
+#include <algorithm>
+#include <array>
+
 #include "formats/map_keys.h"
+#include "formats/text_keys.h"
 
 namespace enfilade {
+namespace {
+
+constexpr auto kBoth = Dialect::tutorial;
+constexpr auto kNew = Dialect::enfilade;
+
+/// Height of the eye above the floor where the file gives none [m]: a grown-up's.
+constexpr double kUsualEyeHeight = 1.6;
+
+/// Radians to degrees.
+constexpr double kDegreesPerRadian = 57.29577951308232;
+
+/// The tutorial's `angle`, in radians.
+void read_angle(Reading& reading, const NamedValue& value, Range range, PlayerRecord& player) {
+    double radians = 0;
+    read_value(reading, value, range, radians);
+    player.yaw_degrees = radians * kDegreesPerRadian;
+}
+
+constexpr std::array kPlayerKeys{
+    key<&PlayerRecord::sector>("sector", kBoth),
+    key<&PlayerRecord::position, &Vec2::x>("x", kBoth, Need::required, kPositions),
+    key<&PlayerRecord::position, &Vec2::y>("y", kBoth, Need::required, kPositions),
+    key<&PlayerRecord::eye_z>("z", kBoth, Need::written, kHeights),
+    key<&PlayerRecord::yaw_degrees>("yaw", kNew, Need::optional, kAngles),
+    Key<PlayerRecord>{"angle", kBoth, Need::optional, kAngles, read_angle},
+};
+
+constexpr std::array kRenderKeys{
+    key<&RenderRecord::stretch>("stretch", kNew, Need::optional, {0.125, 8}),
+    key<&RenderRecord::light>("light", kNew),
+    color_key<&RenderRecord::recursion_color>("recursion_color", kNew),
+    key<&RenderRecord::max_depth>("max_depth", kNew, Need::optional, {0, 1024}),
+    color_key<&RenderRecord::fog_color>("fog_color", kNew),
+    key<&RenderRecord::fog_reach>("fog_reach", kNew, Need::optional, {0, kWorldLimit}),
+    key<&RenderRecord::sky>("sky", kNew),
+    key<&RenderRecord::things>("things", kNew),
+    file_key<&RenderRecord::color_table>("color_table", kNew),
+};
+
+void read_format(Reading& reading, const NamedValue& value, Range, MapFile& map) {
+    map.format = 1;
+    if (value.node.kind() != TomlKind::integer || value.node.integer() != 1)
+        reading.error(value.node.place(), "unknown-format", "'format' must be 1, the only one there is so far");
+}
+
+void write_format(TableText& table, const Key<MapFile>& key, const MapFile&, const MapFile&) {
+    table.add(key.name, "1");
+}
+
+constexpr std::array kMapKeys{
+    Key<MapFile>{"format", kBoth, Need::optional, {}, read_format, write_format},
+    key<&MapFile::name>("name", kBoth),
+    file_key<&MapFile::textures, Files::anywhere>("textures", kBoth),
+    key<&MapFile::size>("size", kNew, Need::optional, kTexelsPerMetre),
+    header_key<&MapFile::render>("render", kNew),
+    header_key<&MapFile::player>("player", kBoth),
+    header_key<&MapFile::sectors>("sectors", kBoth, Need::required),
+    header_key<&MapFile::things>("things", kNew),
+    header_key<&MapFile::lights>("lights", kNew),
+    header_key<&MapFile::suns>("suns", kNew),
+    header_key<&MapFile::animations>("animations", kNew),
+    header_key<&MapFile::switches>("switches", kNew),
+    header_key<&MapFile::sounds>("sounds", kNew),
+};
+
+/// Where the file gives the player no eye height: standing on the floor.
+void stand_on_the_floor(MapFile& map) {
+    const auto has_name = [&](const SectorRecord& sector) { return sector.name == map.player->sector; };
+    const auto sector = std::find_if(map.sectors.begin(), map.sectors.end(), has_name);
+    map.player->eye_z = (sector == map.sectors.end() ? 0 : sector->floor.z) + kUsualEyeHeight;
+}
+
+constexpr KeyList<PlayerRecord> kPlayerList{"the player", kPlayerKeys};
+constexpr KeyList<RenderRecord> kRenderList{"'render'", kRenderKeys};
+constexpr KeyList<MapFile> kMapList{"a map", kMapKeys};
+
+}  // namespace
+
+template <>
+const KeyList<PlayerRecord>& keys_of() {
+    return kPlayerList;
+}
+
+template <>
+const KeyList<RenderRecord>& keys_of() {
+    return kRenderList;
+}
+
+template <>
+const KeyList<MapFile>& keys_of() {
+    return kMapList;
+}
+
+template <>
+void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, PlayerRecord&) {
+    refuse_both(reading, entries, "yaw", "angle", "yaw-and-angle");
+}
+
+template <>
+void check_record(Reading&, TomlNode, std::span<const TomlEntry> entries, MapFile& map) {
+    const TomlEntry* player = find_entry(entries, "player");
+    if (player && player->value.kind() == TomlKind::table && player->value.find("z").kind() == TomlKind::absent)
+        stand_on_the_floor(map);
+}
 
 namespace {
 

@@ -33,7 +33,7 @@ inline constexpr std::size_t kMaxMapBytes = kMaxFileBytes;
 
 /// Most values in one map, counted as formats/toml.h says: a sector with four walls has about 150, so that a world of
 /// 10^6 sectors may be read; the largest level of FreeDoom II has 540 000. A plain text takes 60 bytes for each while
-/// it is read, 7 gigabytes for such a world. For other notations formats/toml_guard.h has lower limits.
+/// it is read, 7 gigabytes for such a world. For other notations formats/toml_tree.h has lower limits.
 inline constexpr std::size_t kMaxMapValues = 160'000'000;
 
 /// The map as text in the enfilade dialect, in which a tutorial file's skies and light are other ones (maps/FORMAT.md):

@@ -4,8 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "formats/texture_spec.h"
 
 namespace enfilade {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "formats/file_key.h"
 #include "formats/map_keys.h"
+#include "formats/text_keys.h"
 
 namespace enfilade {
 

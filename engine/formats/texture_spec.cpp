@@ -4,9 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "formats/file_key.h"
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_keys.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {

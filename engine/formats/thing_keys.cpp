@@ -1,8 +1,8 @@
 // The keys of things and of the pictures they show.
 #include <array>
 
-#include "formats/file_key.h"
 #include "formats/map_keys.h"
+#include "formats/text_keys.h"
 
 namespace enfilade {
 namespace {
@@ -77,6 +77,36 @@ constexpr std::array kThingKeys{
 constexpr KeyList<SpriteFrameRecord> kFrameList{"a sprite's frame", kFrameKeys};
 constexpr KeyList<ThingRecord> kThingList{"a thing", kThingKeys};
 
+// The keys of point lights and suns.
+
+/// How far a light may reach [m]: all surfaces it reaches hold a few thousand numbers each.
+constexpr Range kLightReaches{0x1p-4, 64};
+
+/// Twice as bright as painted is as bright as anything gets.
+constexpr Range kBrightnesses{0, 2};
+
+constexpr std::array kPointLightKeys{
+    key<&PointLightRecord::sector>("sector", kNew),
+    key<&PointLightRecord::position, &Vec2::x>("x", kNew, Need::required, kPositions),
+    key<&PointLightRecord::position, &Vec2::y>("y", kNew, Need::required, kPositions),
+    key<&PointLightRecord::z>("z", kNew, Need::required, kHeights),
+    color_key<&PointLightRecord::color>("color", kNew),
+    key<&PointLightRecord::brightness>("brightness", kNew, Need::optional, kBrightnesses),
+    key<&PointLightRecord::reach>("reach", kNew, Need::optional, kLightReaches),
+    key<&PointLightRecord::effect>("effect", kNew),
+};
+
+constexpr std::array kSunKeys{
+    key<&SunRecord::name>("name", kNew, Need::required),
+    key<&SunRecord::yaw_degrees>("yaw", kNew, Need::optional, kAngles),
+    key<&SunRecord::elevation_degrees>("elevation", kNew, Need::optional, {0, 90}),
+    color_key<&SunRecord::color>("color", kNew),
+    key<&SunRecord::brightness>("brightness", kNew, Need::optional, kBrightnesses),
+};
+
+constexpr KeyList<PointLightRecord> kPointLightList{"a light", kPointLightKeys};
+constexpr KeyList<SunRecord> kSunList{"a sun", kSunKeys};
+
 }  // namespace
 
 template <>
@@ -95,6 +125,16 @@ void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries
     reading.error(find_entry(entries, "rotations")->value.place(), "out-of-range",
                   "'rotations' must be 1 or 8, found " + std::to_string(thing.rotations));
     thing.rotations = 1;
+}
+
+template <>
+const KeyList<PointLightRecord>& keys_of() {
+    return kPointLightList;
+}
+
+template <>
+const KeyList<SunRecord>& keys_of() {
+    return kSunList;
 }
 
 }  // namespace enfilade

@@ -7,7 +7,6 @@
 #include "base/terminal.h"
 #include "base/utf8.h"
 #include "formats/toml_tree.h"
-#include "formats/toml_words.h"
 
 // toml++ 3.3.0 states what it believes as assertions, and with NDEBUG as promises to the optimiser; fuzzing shows
 // that texts like "[=]" break some of them. Without NDEBUG and with an empty TOML_ASSERT they are neither, and the

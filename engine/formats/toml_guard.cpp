@@ -1,10 +1,10 @@
-#include "formats/toml_guard.h"
+#include "formats/toml_tree.h"
 
 #include <array>
 #include <string>
 
 #include "base/utf8.h"
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/result.h"
-#include "formats/toml_guard.h"
 
 namespace enfilade {
 namespace {

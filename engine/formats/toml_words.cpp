@@ -1,10 +1,10 @@
 // The sentences of toml++ 3.3 and ours. It tells what its parser was doing; ours tell an author what to write.
-#include "formats/toml_words.h"
+#include "formats/toml_tree.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {

@@ -3,9 +3,8 @@
 #include <array>
 
 #include "base/utf8.h"
-#include "formats/lines.h"
 #include "formats/map_keys.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/edge_sweep.h"
 #include "map/say.h"

@@ -2,8 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/names.h"
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "math/predicates.h"
 #include "math/vec.h"
 

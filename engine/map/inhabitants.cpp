@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/names.h"
 #include "map/say.h"

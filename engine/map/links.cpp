@@ -2,8 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "map/draft.h"
 #include "math/predicates.h"
 

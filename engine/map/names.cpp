@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/things.h"
 

@@ -6,8 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/edge_sweep.h"
 #include "map/say.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/names.h"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string>
 
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "formats/words.h"
 #include "map/draft.h"
 #include "map/names.h"

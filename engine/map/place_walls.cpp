@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "base/result.h"
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/say.h"
 #include "map/shape.h"

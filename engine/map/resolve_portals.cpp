@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/names.h"
 #include "map/say.h"

@@ -1,6 +1,6 @@
 #include "map/say.h"
 
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 

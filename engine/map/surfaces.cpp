@@ -3,7 +3,7 @@
 #include <unordered_map>
 
 #include "base/hash.h"
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "map/draft.h"
 
 namespace enfilade {

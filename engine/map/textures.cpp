@@ -8,7 +8,7 @@
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "formats/png.h"
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "map/names.h"
 
 namespace enfilade {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "map/say.h"
 #include "math/vec.h"
 

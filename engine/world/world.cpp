@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 #include "math/vec.h"
 #include "world/trigger_actions.h"
 

@@ -6,10 +6,10 @@
 
 #include "base/files.h"
 #include "formats/json.h"
-#include "formats/lines.h"
 #include "formats/map_keys.h"
 #include "formats/map_toml.h"
 #include "formats/script_toml.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {

@@ -1,12 +1,12 @@
 // Names of files in maps and scripts: one rule, which no key forgets.
-#include "formats/file_key.h"
+#include "formats/text_keys.h"
 
 #include <gmock/gmock.h>
 
 #include "formats/map_keys.h"
 #include "formats/map_toml.h"
 #include "formats/script_toml.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "formats/map_toml.h"
-#include "formats/toml_guard.h"
+#include "formats/toml_tree.h"
 #include "support/count_allocations.h"
 
 namespace enfilade {

@@ -7,9 +7,7 @@
 
 #include "base/hash.h"
 #include "base/utf8.h"
-#include "formats/lines.h"
-#include "formats/quoted.h"
-#include "formats/table_text.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "formats/toml_guard.h"
 #include "formats/toml_tree.h"
 
 namespace enfilade {

@@ -5,7 +5,6 @@
 
 #include "base/files.h"
 #include "base/hash.h"
-#include "formats/toml_guard.h"
 #include "formats/toml_tree.h"
 
 namespace enfilade {

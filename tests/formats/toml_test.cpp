@@ -6,7 +6,7 @@
 #include "base/hash.h"
 #include "formats/findings.h"
 #include "formats/hostile.h"
-#include "formats/toml_guard.h"
+#include "formats/toml_tree.h"
 
 namespace enfilade {
 namespace {

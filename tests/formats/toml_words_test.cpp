@@ -1,5 +1,5 @@
 // What an author reads of a text that is no TOML: each of the library's reasons in our words.
-#include "formats/toml_words.h"
+#include "formats/toml_tree.h"
 
 #include <gtest/gtest.h>
 

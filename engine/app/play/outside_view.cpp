@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formats/quoted.h"
+#include "formats/text_parts.h"
 #include "math/vec.h"
 #include "space/locate.h"
 #include "space/trace.h"

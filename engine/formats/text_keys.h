@@ -1,13 +1,42 @@
-// Keys for names of files. A key that names a file is one of these, and a test asks so of every key with a string.
+// Keys whose texts mean more than they say: colors, and names of files.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.h"
 #include "formats/key.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
+
+// Keys for colours: "#rrggbb", or the number 0xrrggbb.
+
+/// The colour as 0xRRGGBB, or none and bad-color is noted.
+std::optional<std::uint32_t> read_color(Reading& reading, const NamedValue& value);
+
+/// "#rrggbb"
+std::string color_text(std::uint32_t color);
+
+/// A key for a field that is a colour.
+template <auto member>
+constexpr auto color_key(std::string_view name, Dialect since) {
+    using Record = typename MemberPointer<decltype(member)>::Record;
+    return Key<Record>{name,
+                       since,
+                       Need::optional,
+                       {},
+                       [](Reading& reading, const NamedValue& value, Range, Record& record) {
+                           if (const auto color = read_color(reading, value)) record.*member = *color;
+                       },
+                       [](TableText& table, const Key<Record>& key, const Record& record, const Record& defaults) {
+                           if (record.*member != defaults.*member)
+                               table.add(key.name, string_text(color_text(record.*member)));
+                       }};
+}
+
+// Keys for names of files. A key that names a file is one of these, and a test asks so of every key with a string.
 
 // Which texts of a hostile file may become names of other files.
 
@@ -20,7 +49,7 @@ Status refuse_as_file_name(std::string_view text);
 /// set up by hand, as the folder of their pictures.
 Status refuse_as_path(std::string_view text);
 
-/// Whether a string's value may name a file, by the rules of formats/file_key.h; if not, bad-file-name is noted at it.
+/// Whether a string's value may name a file, by the rules above; if not, bad-file-name is noted at it.
 /// files : below_folder or anywhere
 bool expect_file_name(Reading& reading, const NamedValue& value, Files files);
 
