@@ -43,7 +43,7 @@ Result<Palette> read_palette(std::span<const std::byte> playpal);
 /// of level's sum of channels / full sum. Fewer than 32 maps of 256 bytes are an Error.
 Result<std::array<double, 32>> measure_colormap(std::span<const std::byte> colormap, const Palette& palette);
 
-/// COLORMAP as the picture that map/color_table.h wants: the palette's colours, and below them its 32 light levels.
+/// COLORMAP as the picture that map/textures.h wants: the palette's colours, and below them its 32 light levels.
 /// Fewer than 32 maps of 256 bytes are an Error.
 Result<Picture> color_table_picture(std::span<const std::byte> colormap);
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "formats/text_parts.h"
+#include "map/sector_finder.h"
 #include "math/vec.h"
 #include "space/locate.h"
 #include "world/input.h"
@@ -60,11 +61,6 @@ CameraPose pose_within(const Map& map, const CameraLeg& leg, double fraction) {
     return {way.end, way.passage.apply_height(between(leg.from.eye_z, leg.to_z, fraction)),
             turned_by(way.passage, leg.from.yaw + Angle{turn}),
             between(leg.from.pitch_degrees, leg.to_pitch_degrees, fraction)};
-}
-
-SectorId sector_named(const Map& map, const std::string& name) {
-    const auto found = std::ranges::find(map.sectors, name, &Sector::name);
-    return found == map.sectors.end() ? SectorId{} : SectorId(static_cast<std::size_t>(found - map.sectors.begin()));
 }
 
 /// From records to poses, one leg after the other.

@@ -231,7 +231,7 @@ struct RenderRecord {
     double fog_reach = 0;                      ///< depth at which fog hides half of everything but sky; 0: no fog [m]
     SkyRows sky = SkyRows::round;
     ThingEdges things = ThingEdges::cut;
-    std::string color_table;  ///< picture of what becomes of colours in the dark (map/color_table.h); empty: none
+    std::string color_table;  ///< picture of what becomes of colours in the dark (map/textures.h); empty: none
     TextPlace place{};
     KeyPlaces places{};
     bool operator==(const RenderRecord&) const = default;

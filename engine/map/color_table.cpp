@@ -1,10 +1,8 @@
-#include "map/color_table.h"
+#include "map/textures.h"
 
 #include <algorithm>
 #include <optional>
 #include <string>
-
-#include "map/textures.h"
 
 namespace enfilade {
 namespace {

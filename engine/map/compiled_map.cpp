@@ -3,7 +3,7 @@
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "map/packing.h"
-#include "map/shape.h"
+#include "map/sector_finder.h"
 
 namespace enfilade {
 

@@ -89,11 +89,11 @@ inline constexpr std::size_t kMostErrors = 1000, kMostWarnings = 1000;
 void place_walls(Draft& draft);
 /// Heights and names (check_sectors.cpp).
 void check_sectors(Draft& draft);
-/// Which sectors move as one (gather_groups.cpp).
+/// Which sectors move as one (check_sectors.cpp).
 void gather_groups(Draft& draft);
 /// No two edges of a sector cross, and every edge has its sector on its right (check_loops.cpp).
 void check_loops(Draft& draft);
-/// Panels, on the grid and inside their sectors (place_panels.cpp).
+/// Panels, on the grid and inside their sectors (place_walls.cpp).
 void place_panels(Draft& draft);
 /// Which sector each portal leads into and which wall it comes out of (resolve_portals.cpp).
 void resolve_portals(Draft& draft);
@@ -107,7 +107,7 @@ void check_textures(Draft& draft);
 void place_inhabitants(Draft& draft);
 /// Triggers find what they are about (place_triggers.cpp).
 void place_triggers(Draft& draft);
-/// Keys, which triggers ask for and things give (place_keys.cpp).
+/// Keys, which triggers ask for and things give (things.cpp).
 void place_keys(Draft& draft);
 /// Things, sectors and triggers find their sounds (place_sounds.cpp).
 void place_sounds(Draft& draft);

@@ -6,7 +6,6 @@
 #include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/names.h"
-#include "map/say.h"
 #include "map/sector_finder.h"
 #include "map/things.h"
 #include "math/vec.h"

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "math/vec.h"
+
 namespace enfilade {
 
 /// A name within a scope (walls are named within their sector; sectors all have scope 0).
@@ -35,5 +37,13 @@ private:
     std::vector<ScopedName> names_;  ///< by scope, name, id
     mutable std::size_t comparisons_left_;
 };
+
+// Points and edges as they appear in findings.
+
+/// "(x, y)", with the fewest digits that read back exactly.
+std::string point_text(Vec2 point);
+
+/// "(x, y)-(x, y)"
+std::string edge_text(Vec2 a, Vec2 b);
 
 }  // namespace enfilade

@@ -1,12 +1,13 @@
 #include "map/sector_finder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "math/predicates.h"
+#include "math/vec.h"
 
 namespace enfilade {
-
 namespace {
 
 constexpr std::uint32_t kLeafSize = 8;  ///< fewer sectors than this are looked at one by one
@@ -82,6 +83,27 @@ bool is_inside(const Map& map, SectorId sector, Vec2 p) {
     const Sector& s = map[sector];
     if (p.x < s.min.x || p.x > s.max.x || p.y < s.min.y || p.y > s.max.y) return false;
     return is_inside(std::span(map.walls).subspan(s.first_wall, s.wall_count), p);
+}
+
+SectorId sector_named(const Map& map, std::string_view name) {
+    const auto found = std::ranges::find(map.sectors, name, &Sector::name);
+    return found == map.sectors.end() ? SectorId{} : SectorId(static_cast<std::size_t>(found - map.sectors.begin()));
+}
+
+void settle_shape(Map& map, SectorId id) {
+    Sector& sector = map.sectors[id.index];
+    sector.min = {kWorldLimit, kWorldLimit};
+    sector.max = {-kWorldLimit, -kWorldLimit};
+    for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i) {
+        Wall& wall = map.walls[i];
+        Wall& next = map.walls[wall.next.index];
+        wall.sector = id;
+        wall.b = next.a;
+        wall.length = std::sqrt(dot(wall.b - wall.a, wall.b - wall.a));
+        next.previous = WallId(i);
+        sector.min = {std::min(sector.min.x, wall.a.x), std::min(sector.min.y, wall.a.y)};
+        sector.max = {std::max(sector.max.x, wall.a.x), std::max(sector.max.y, wall.a.y)};
+    }
 }
 
 }  // namespace enfilade

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "map/map.h"
@@ -15,7 +16,7 @@ public:
     /// Only the given sectors are looked at.
     SectorFinder(const Map& map, std::vector<std::uint32_t> sectors);
 
-    /// The sector with the lowest number that contains p (map/sector_finder.h), or none.
+    /// The sector with the lowest number that contains p, or none.
     /// Cost: log of the number of sectors, and the walls of those whose boxes p is in.
     SectorId around(Vec2 p) const;
 
@@ -42,5 +43,13 @@ bool is_inside(std::span<const Wall> walls, Vec2 p);
 
 /// The same for a sector of a map, looking at its bounding box first.
 bool is_inside(const Map& map, SectorId sector, Vec2 p);
+
+/// The first sector of that name, or none. Cost: the sectors.
+SectorId sector_named(const Map& map, std::string_view name);
+
+// What follows from where each wall begins and which wall is next. Private to map/.
+
+/// Fills in the other ends, lengths, previous walls and sector of the sector's walls, and its bounding box.
+void settle_shape(Map& map, SectorId sector);
 
 }  // namespace enfilade

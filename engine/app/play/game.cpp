@@ -9,6 +9,7 @@
 #include "app/play/player_input.h"
 #include "base/hash.h"
 #include "map/load.h"
+#include "map/sector_finder.h"
 #include "math/vec.h"
 #include "space/locate.h"
 #include "world/world.h"
@@ -22,11 +23,6 @@ std::string lines_of(const std::string& path, const Findings& findings) {
         if (finding.severity == Severity::error) lines += to_text(path, finding) + "\n";
     if (!lines.empty()) lines.pop_back();
     return lines;
-}
-
-SectorId sector_named(const Map& map, const std::string& name) {
-    const auto found = std::ranges::find(map.sectors, name, &Sector::name);
-    return found == map.sectors.end() ? SectorId{} : SectorId(static_cast<std::size_t>(found - map.sectors.begin()));
 }
 
 /// How many games are kept that were saved in one place.
