@@ -2,6 +2,9 @@
 // that glide, its sides come in 255 steps, and it plays only into a device. So the device asks our mixer.
 #include <SDL.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "platform/audio.h"
 
 namespace enfilade {
@@ -55,6 +58,69 @@ private:
     SDL_AudioDeviceID device_ = 0;
 };
 
+/// A WAV of the longest sound, the highest rate and a few channels fits; what is larger is no sound effect [bytes].
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+
+Error sdl_error(const std::string& doing) { return {"sound", "cannot " + doing + ": " + SDL_GetError()}; }
+
+struct WavFreer {
+    void operator()(std::uint8_t* wav) const { SDL_FreeWAV(wav); }
+};
+
+struct Wav {
+    SDL_AudioSpec spec{};
+    std::unique_ptr<std::uint8_t, WavFreer> data;
+    std::uint32_t bytes = 0;
+
+    std::uint32_t frame_bytes() const { return SDL_AUDIO_BITSIZE(spec.format) / 8u * spec.channels; }
+    std::uint32_t frames() const { return bytes / frame_bytes(); }
+    double seconds() const { return double(frames()) / spec.freq; }
+};
+
+Result<Wav> load(std::span<const std::byte> bytes) {
+    if (bytes.empty() || bytes.size() > kMostBytes)
+        return Error{"sound", "expected a WAV file of up to 64 MiB, found " + std::to_string(bytes.size()) + " bytes"};
+    Wav wav;
+    std::uint8_t* data = nullptr;
+    SDL_RWops* source = SDL_RWFromConstMem(bytes.data(), static_cast<int>(bytes.size()));
+    if (source == nullptr || SDL_LoadWAV_RW(source, 1, &wav.spec, &data, &wav.bytes) == nullptr)
+        return sdl_error("read the WAV file");
+    wav.data.reset(data);
+    return wav;
+}
+
+Status check(const Wav& wav) {
+    const SDL_AudioSpec& spec = wav.spec;
+    if (spec.freq < kLeastRate || spec.freq > kMostRate)
+        return Error{"sound", "expected 1000 to 384000 frames a second, found " + std::to_string(spec.freq)};
+    if (spec.channels < 1 || spec.channels > kMostChannels)
+        return Error{"sound", "expected one channel or two, found " + std::to_string(spec.channels)};
+    if (wav.frames() == 0) return Error{"sound", "expected sound, found a WAV file without any"};
+    if (wav.seconds() > kLongestSound)
+        return Error{"sound", "expected two minutes at most, found " + std::to_string(wav.seconds()) + " s"};
+    return {};
+}
+
+/// In one go: SDL's streams lose the end of a sound.
+Result<Samples> converted(const Wav& wav) {
+    const SDL_AudioSpec& spec = wav.spec;
+    SDL_AudioCVT conversion{};
+    if (SDL_BuildAudioCVT(&conversion, spec.format, spec.channels, spec.freq, AUDIO_F32SYS, 1, kMixRate) < 0)
+        return sdl_error("convert the sound");
+    const std::uint32_t whole_frames = wav.frames() * wav.frame_bytes();
+    std::vector<std::uint8_t> buffer(std::size_t{whole_frames} * static_cast<std::size_t>(conversion.len_mult));
+    std::copy_n(wav.data.get(), whole_frames, buffer.begin());
+    conversion.buf = buffer.data();
+    conversion.len = conversion.len_cvt = static_cast<int>(whole_frames);
+    if (conversion.needed != 0 && SDL_ConvertAudio(&conversion) != 0) return sdl_error("convert the sound");
+    Samples samples(static_cast<std::size_t>(conversion.len_cvt) / sizeof(float));
+    // Of few frames at a high rate none may be left, and there is no memory behind a vector without elements.
+    std::copy_n(buffer.data(), samples.size() * sizeof(float), reinterpret_cast<std::uint8_t*>(samples.data()));
+    // Files of floats may hold anything.
+    for (float& sample : samples) sample = sample >= -1 ? std::min(sample, 1.0f) : sample < -1 ? -1.0f : 0.0f;
+    return samples;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Audio>> open_audio(std::vector<Samples> sounds) {
@@ -63,6 +129,13 @@ Result<std::unique_ptr<Audio>> open_audio(std::vector<Samples> sounds) {
     auto audio = std::make_unique<SdlAudio>(std::make_unique<AudioSession>(), std::move(sounds));
     if (!audio->open()) return Error{"sound", std::string("cannot open the sound device: ") + SDL_GetError()};
     return std::unique_ptr<Audio>(std::move(audio));
+}
+
+Result<Samples> read_wav(std::span<const std::byte> bytes) {
+    auto wav = load(bytes);
+    if (!wav.ok()) return wav.error();
+    if (Status refused = check(wav.value())) return *refused;
+    return converted(wav.value());
 }
 
 }  // namespace enfilade
