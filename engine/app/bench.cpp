@@ -8,7 +8,7 @@
 #include "base/files.h"
 #include "base/hash.h"
 #include "formats/script_toml.h"
-#include "render/pixel_surface.h"
+#include "render/frame.h"
 #include "world/trigger_actions.h"
 
 namespace enfilade {

@@ -34,7 +34,7 @@
 //   beam        what is seen of a room from one corner, as sound goes round it (space/hearing.h)
 //   view        the eye, where it looks and how wide (render/view.h)
 //   pose        that eye in the space behind a chain of links
-//   look        what one line of sight goes through, and may cost (render/look_budget.h)
+//   look        what one line of sight goes through, and may cost (render/openings.h)
 //   viewport    a sector seen through one chain of portals: its columns, and their open rows
 //   run         pixels of one surface down one column (render/column/kernels.h)
 //   pane        a picture with holes in a room: a panel, a thing, what hangs in a portal (render/stencil/pane.h)

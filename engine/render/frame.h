@@ -1,11 +1,65 @@
 // A picture, and beside it, for those who ask, what each pixel shows.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "render/pixel_surface.h"
+#include "map/map.h"
 
 namespace enfilade {
+
+// Numbers for surfaces, equal in all renderers: what an ids picture shows.
+
+/// 24 bits; 0 is "nothing was drawn here".
+using PixelSurface = std::uint32_t;
+
+inline constexpr PixelSurface kNothing = 0;
+
+/// Where a chain of links was cut and the map's recursion colour shows.
+inline constexpr PixelSurface kRecursionEnd = 0xFFFFFF;
+
+enum class WallPart : std::uint8_t { middle, upper, lower };
+
+inline PixelSurface floor_id(SectorId sector) { return 1 + 2 * sector.index; }
+inline PixelSurface ceiling_id(SectorId sector) { return 2 + 2 * sector.index; }
+inline PixelSurface wall_id(const Map& map, WallId wall, WallPart part) {
+    return static_cast<PixelSurface>(1 + 2 * map.sectors.size() + std::size_t{3} * wall.index +
+                                     static_cast<unsigned>(part));
+}
+
+inline PixelSurface thing_id(const Map& map, ThingId thing) {
+    return static_cast<PixelSurface>(1 + 2 * map.sectors.size() + 3 * map.walls.size() + thing.index);
+}
+
+inline PixelSurface panel_id(const Map& map, PanelId panel) {
+    return static_cast<PixelSurface>(1 + 2 * map.sectors.size() + 3 * map.walls.size() + map.things.size() +
+                                     panel.index);
+}
+
+enum class SurfaceKind : std::uint8_t { floor, ceiling, wall, thing, panel };
+
+/// What a surface belongs to.
+struct SurfaceOwner {
+    SurfaceKind kind = SurfaceKind::floor;
+    std::uint32_t index = 0;           ///< of the sector (floor, ceiling), wall, thing or panel
+    WallPart part = WallPart::middle;  ///< of a wall
+};
+
+/// The other way round: none where nothing was drawn, a chain of links was cut, or the map has no such number.
+inline std::optional<SurfaceOwner> owner_of(const Map& map, PixelSurface id) {
+    if (id == kNothing || id == kRecursionEnd) return {};
+    std::size_t number = id - 1;
+    if (number < 2 * map.sectors.size())
+        return SurfaceOwner{number % 2 == 0 ? SurfaceKind::floor : SurfaceKind::ceiling, std::uint32_t(number / 2), {}};
+    number -= 2 * map.sectors.size();
+    if (number < 3 * map.walls.size())
+        return SurfaceOwner{SurfaceKind::wall, std::uint32_t(number / 3), static_cast<WallPart>(number % 3)};
+    number -= 3 * map.walls.size();
+    if (number < map.things.size()) return SurfaceOwner{SurfaceKind::thing, std::uint32_t(number), {}};
+    number -= map.things.size();
+    if (number < map.panels.size()) return SurfaceOwner{SurfaceKind::panel, std::uint32_t(number), {}};
+    return {};
+}
 
 /// Texel coordinates in tiles, in [0, 1): position within the picture on that surface.
 struct TexelPosition {
@@ -27,7 +81,7 @@ struct Frame {
     int width = 0;
     int height = 0;
     std::vector<std::uint32_t> pixels;
-    bool is_cut_short = false;  ///< somewhere a look ended because its budget was spent (render/look_budget.h)
+    bool is_cut_short = false;  ///< somewhere a look ended because its budget was spent (render/openings.h)
 
     /// Sets the size and makes room. Pixels keep whatever they were: every renderer writes every one.
     void resize(int new_width, int new_height);

@@ -1,12 +1,97 @@
 // What arrives of one point light on one surface: a number at each point of a part of the surface's grid.
 #pragma once
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "map/map.h"
 #include "render/light_grid.h"
-#include "render/light_rays.h"
+#include "space/sight_line.h"
+#include "world/snapshot.h"
 
 namespace enfilade {
+
+// The ways from a point light to places on the surfaces around it: found once, as nothing moves in the plane, and then
+// asked at any heights.
+
+// Where point lights shine: which sectors each reaches, and from where it seems to shine there.
+
+/// A light as one sector sees it: in its own place, or through a link, somewhere else.
+struct LightImage {
+    std::uint32_t light = 0;  ///< index into Map::lights
+    Rigid passage;            ///< from the space of the light's sector into that of this one
+    Vec2 from;                ///< where it seems to be, on the point grid
+    double z = 0;             ///< [m]
+};
+
+/// All of them, by sector.
+class LightImages {
+public:
+    LightImages() = default;
+
+    /// A light is in every sector that a disc as wide as its reach overlaps (space/reach.h), whatever the heights; in
+    /// one that it reaches by two ways that put it at different places, twice.
+    /// Cost: the walls of the sectors reached.
+    explicit LightImages(const Map& map);
+
+    std::span<const LightImage> in(SectorId sector) const {
+        if (first_.empty()) return {};
+        return std::span(images_).subspan(first_[sector.index], first_[sector.index + 1] - first_[sector.index]);
+    }
+
+private:
+    std::vector<LightImage> images_;
+    std::vector<std::uint32_t> first_;  ///< those of sector i are images_[first_[i]] to images_[first_[i + 1]]
+};
+
+/// Images of one light nearer to each other than this are one: links that lead round a pillar agree but for rounding
+/// [m].
+inline constexpr double kSameImage = 0x1p-10;
+
+inline bool is_same_place(Vec2 p, Vec2 q) { return dot(p - q, p - q) < kSameImage * kSameImage; }
+
+/// Where a way is to end.
+struct LightSpot {
+    SectorId sector;
+    Vec2 place;   ///< in the sector, or on the wall
+    WallId wall;  ///< of the sector: the way must come to it from inside; none: it must end inside the sector
+};
+
+/// Ways from one light's image in one sector to spots of that sector.
+class LightRays {
+public:
+    /// The way to the spot becomes number count(). Cost: that of look_along().
+    void add(const Map& map, const LightImage& image, const LightSpot& spot);
+
+    /// A way that leads nowhere: it is not needed.
+    void add_none() { rays_.push_back({}); }
+
+    std::size_t count() const { return rays_.size(); }
+
+    /// Whether the light comes through at the heights of the moment: it is in its room, and every portal on the way is
+    /// open where the straight way from it to height z passes. Where both sides are under the sky, there is nothing
+    /// above. z: of the spot, in its sector's space [m].
+    bool arrives(const Map& map, const Snapshot& snapshot, const LightImage& image, std::size_t ray, double z) const;
+
+    /// Adds the sectors whose heights the answers depend on, the spots' own among them.
+    void add_sectors(const Map& map, std::vector<SectorId>& sectors) const;
+
+private:
+    struct PortalOnRay {
+        WallId portal;
+        double at;           ///< part of the way before it
+        double rise;         ///< from heights of the light's sector to those of the portal's [m]
+        double rise_behind;  ///< and to those of the sector behind it [m]
+    };
+    struct LightRay {
+        std::uint32_t first = 0, count = 0;  ///< of openings_
+        bool is_straight = false;            ///< there is a way
+    };
+
+    std::vector<LightRay> rays_;
+    std::vector<PortalOnRay> openings_;
+    SightLine line_;  ///< scratch
+};
 
 /// How much of a light arrives after `way` metres, 0..1: (1 - way / reach)^2, and nothing beyond.
 double light_falloff(double way, double reach);

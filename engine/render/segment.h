@@ -71,4 +71,12 @@ CoveredColumns covered_columns(Vec2 left_v, Vec2 right_v, const Pose& pose, cons
 /// The first column whose ray passes, `depth` away, at x_v or to the right of it; the picture's width if none does.
 int first_column_from(double x_v, double depth, const ColumnRays& rays);
 
+// The wall that stands in for one that rounding lost: shared by the renderers that draw walls as a whole.
+
+/// For a ray that no wall of the sector covers: the wall that comes nearest to it, preferably one beyond `entry`, which
+/// may be none. The eye is rounded onto its grid behind a link, and the tie rule moves it there in that space's own
+/// way, which can put a ray that came in at the very edge of the doorway just outside it; without this its pixels would
+/// never be drawn. Cost: the walls of the sector.
+WallId least_missed(const Map& map, SectorId sector, const Pose& pose, double slope, WallId entry);
+
 }  // namespace enfilade

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "render/pixel_surface.h"
+#include "render/frame.h"
 #include "support/map_builder.h"
 
 namespace enfilade {

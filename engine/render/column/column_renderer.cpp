@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "render/built_in.h"
 #include "render/column/viewport_drawer.h"
-#include "render/look_budget.h"
+#include "render/openings.h"
 
 namespace enfilade {
 

@@ -3,9 +3,9 @@
 // A frame is a stack of viewports. Drawing one: project its sector's walls, find in each open column the nearest wall
 // beyond the portal looked through, draw ceiling, wall or steps, and floor, and hand what is still open behind a portal
 // to a new viewport with tightened bounds. Where to read: column_renderer.cpp (the stack, and the strips that threads
-// share), viewport_drawer.h (one viewport), sector_projection.h (where is this wall on screen?), nearest_walls.h (which
-// wall does a column see?), wall_looks.h and viewport.h (which rows are what?), masked_columns.h (where are things and
-// panels?), wall_painter.h and flat_painter.h (which texel?), kernels.h and passes.h (the inner loops).
+// share), viewport_drawer.h (one viewport), sector_projection.h (where is this wall on screen?), viewport.h (which
+// wall does a column see, and which rows are what?), masked_columns.h (where are things and panels?), wall_painter.h
+// and flat_painter.h (which texel?), kernels.h and passes.h (the inner loops).
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -48,7 +48,7 @@ struct ColumnCounts {
     std::size_t viewports = 0;  ///< drawn
     int deepest = 0;            ///< portals looked through in the longest chain
     std::size_t cut = 0;        ///< viewports not drawn because a limit was reached
-    bool is_cut_short = false;  ///< that was kLookBudget for at least one of them (render/look_budget.h)
+    bool is_cut_short = false;  ///< that was kLookBudget for at least one of them (render/openings.h)
 };
 
 /// Draws pictures of one map. Keeps its scratch memory from frame to frame: once the hardest view has been drawn,

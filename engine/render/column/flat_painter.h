@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "render/column/scene.h"
-#include "render/column/wall_looks.h"
+#include "render/column/viewport.h"
 #include "render/lighting.h"
 #include "render/sprite.h"
 #include "render/view.h"

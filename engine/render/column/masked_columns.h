@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "render/column/nearest_walls.h"
 #include "render/column/scene.h"
 #include "render/column/viewport.h"
 #include "render/column/wall_painter.h"

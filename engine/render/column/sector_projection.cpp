@@ -5,7 +5,7 @@
 
 #include "math/predicates.h"
 #include "render/built_in.h"
-#include "render/least_missed.h"
+#include "render/segment.h"
 
 namespace enfilade::column {
 

@@ -65,7 +65,7 @@ inline double inverse_depth_seen(const ProjectedWall& w, double slope) {
 void project(const Map& map, SectorId sector, const Pose& pose, const RayTables& screen,
              std::vector<ProjectedWall>& out);
 
-/// For a column that no wall of the sector covers: the one that stands in (render/least_missed.h), as if it covered
+/// For a column that no wall of the sector covers: the one that stands in (render/segment.h), as if it covered
 /// that column alone.
 ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const RayTables& screen, int column,
                            WallId entry);

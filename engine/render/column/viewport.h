@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <vector>
 
 #include "base/id.h"
@@ -17,7 +18,7 @@ struct Viewport {
     WallId entry;                  ///< the wall of `sector` the look comes in through; none for the eye's own sector
     int pose = 0;                  ///< index of the eye in the frame's list of poses
     int depth = 0;                 ///< portals looked through so far
-    std::uint32_t spent = 0;       ///< on the looks into this sector and those before it (render/look_budget.h)
+    std::uint32_t spent = 0;       ///< on the looks into this sector and those before it (render/openings.h)
     int begin = 0, end = 0;        ///< columns
     std::vector<OpenRows> rows;    ///< occlusion bounds [end - begin]
     std::vector<double> boundary;  ///< 1 / depth of the portal looked through [end - begin]; what is drawn lies beyond.
@@ -112,5 +113,82 @@ inline RowSplit split_rows(const RayTables& screen, OpenRows open, double depth,
                               : rows.wall_bottom;
     return rows;
 }
+
+// Which wall does each open column of a viewport see first?
+
+/// Columns [begin, end) that see the same wall first.
+struct WallColumns {
+    int begin, end;
+    int wall;  ///< a number for NearestWalls::wall()
+};
+
+/// The answer for one viewport, as stretches of columns from left to right. Walls of a room cross nowhere, so which of
+/// two is the nearer is the same in all columns that they share: it is asked once for each pair.
+class NearestWalls {
+public:
+    static constexpr int kNoWall = -1;
+
+    /// Keeps of the viewport's projected walls those beyond its boundary, and of those the nearest in each column. The
+    /// walls must stay where they are as long as questions are asked.
+    void choose(const Map& map, const RayTables& screen, const Viewport& viewport, const Pose& pose,
+                std::span<const ProjectedWall> walls);
+
+    /// Without gaps but where columns are closed.
+    std::span<const WallColumns> stretches() const { return stretches_; }
+
+    /// Of an open column. Cost: the logarithm of the number of stretches.
+    int at(int x) const;
+    double inverse_depth_at(const RayTables& screen, int x) const;
+
+    /// Numbers given out are below this.
+    std::size_t count() const { return walls_.size() + lost_.size(); }
+    const ProjectedWall& wall(int number) const {
+        const auto i = static_cast<std::size_t>(number);
+        return i < walls_.size() ? walls_[i] : lost_[i - walls_.size()];
+    }
+
+private:
+    void offer(const Map& map, const RayTables& screen, WallColumns offered);
+    void merge(const Map& map, const RayTables& screen, std::size_t first, WallColumns offered);
+    void add(int begin, int end, int wall);
+    bool is_nearer_in(const Map& map, const RayTables& screen, int candidate, const WallColumns& shared) const;
+    void find_lost(const Map& map, const RayTables& screen, const Viewport& viewport, const Pose& pose);
+    void lose(const Map& map, const RayTables& screen, const Viewport& viewport, const Pose& pose, int begin, int end);
+
+    std::span<const ProjectedWall> walls_;
+    std::vector<WallColumns> stretches_;
+    std::vector<WallColumns> merged_;  ///< scratch
+    std::vector<ProjectedWall> lost_;  ///< one for each column that no projected wall covers; numbered after those
+};
+
+// What neighbouring columns see of one wall: where it stands, and which rows show what. Worked out for many columns at
+// once, so that compilers do it for two or four of them at a time.
+
+/// Columns [begin, begin + count).
+struct WallLooks {
+    static constexpr int kMost = 64;  ///< as many as fit well into the first-level cache
+
+    int begin = 0, count = 0;
+    double farthest = 0;          ///< no depth is larger [m]
+    double depth[kMost];          ///< [m], >= 0, finite
+    double along[kMost];          ///< position on the wall from a to b, 0..1
+    double inverse_depth[kMost];  ///< [1/m]; infinite where the eye is on the wall's line
+
+    WallHit at(int i) const { return {depth[i], along[i]}; }
+};
+
+/// count: 1..WallLooks::kMost. Every column gets what hit() and inverse_depth_seen() say.
+void look_at(const ProjectedWall& wall, const RayTables& screen, int begin, int count, WallLooks& looks);
+
+/// RowSplit by column, and the open rows that were split: top to bottom as there.
+struct RowSplits {
+    int top[WallLooks::kMost], wall_top[WallLooks::kMost], opening_top[WallLooks::kMost],
+        opening_bottom[WallLooks::kMost], wall_bottom[WallLooks::kMost], bottom[WallLooks::kMost];
+    bool has_ceiling, has_upper, has_lower, has_floor;  ///< whether any column shows rows of it
+};
+
+/// open: of each column. behind: null for a solid wall.
+void split_rows(const RayTables& screen, const WallLooks& looks, const OpenRows* open, const RelativeHeights& here,
+                const RelativeHeights* behind, RowSplits& rows);
 
 }  // namespace enfilade::column

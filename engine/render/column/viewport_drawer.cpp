@@ -4,7 +4,6 @@
 
 #include "render/built_in.h"
 #include "render/column/kernels.h"
-#include "render/look_budget.h"
 #include "render/openings.h"
 #include "render/sprite.h"
 

@@ -4,10 +4,8 @@
 
 #include "render/column/flat_painter.h"
 #include "render/column/masked_columns.h"
-#include "render/column/nearest_walls.h"
 #include "render/column/sector_projection.h"
 #include "render/column/viewport.h"
-#include "render/column/wall_looks.h"
 #include "render/column/wall_painter.h"
 
 namespace enfilade::column {

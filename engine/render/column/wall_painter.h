@@ -1,7 +1,7 @@
 // Walls, steps and pictures of things: which texel does a row of a column show?
 #pragma once
 #include "render/column/scene.h"
-#include "render/column/wall_looks.h"
+#include "render/column/viewport.h"
 #include "render/lighting.h"
 #include "render/view.h"
 

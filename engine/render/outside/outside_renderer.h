@@ -1,7 +1,7 @@
 // A picture of the world from outside, above the eye or behind it: what the eye sees, where it sees it, and through
 // which portals. Rooms behind links and in mirrors are where they appear to be.
 #pragma once
-#include "render/outside/room_facets.h"
+#include "render/outside/facet_painter.h"
 
 namespace enfilade {
 

@@ -1,4 +1,4 @@
-#include "render/outside/room_facets.h"
+#include "render/outside/facet_painter.h"
 
 #include <algorithm>
 

@@ -5,7 +5,6 @@
 
 #include "math/predicates.h"
 #include "math/vec.h"
-#include "render/look_budget.h"
 #include "render/openings.h"
 
 namespace enfilade {

@@ -6,9 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/look_budget.h"
 #include "render/openings.h"
-#include "render/reference/room_panes.h"
 #include "render/shade.h"
 #include "render/sprite.h"
 

@@ -1,11 +1,16 @@
 // What one ray sees: which surface, how far away, which texel, in which colour.
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "map/textures.h"
+#include "math/vec.h"
 #include "render/frame.h"
 #include "render/light_grids.h"
+#include "render/lighting.h"
 #include "render/reference/ray_path.h"
+#include "render/shade.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
@@ -26,10 +31,89 @@ struct Seen {
     TexelPosition texel;      ///< 0, 0 at the end of a chain of links
     std::uint32_t color = 0;  ///< 0xAABBGGRR, shaded
     bool ambiguous = false;   ///< a decision on the way was closer than kAmbiguous
-    bool cut_short = false;   ///< it ended because its budget was spent (render/look_budget.h)
+    bool cut_short = false;   ///< it ended because its budget was spent (render/openings.h)
 };
 
 /// Follows the ray with this path in the plane. path, course.quarters and course.slope belong together.
 Seen cast_ray(const ReferenceScene& scene, RayPath& path, const RayCourse& course);
+
+// What stands in one room, in the order in which a ray meets it.
+
+// Pictures with holes that a ray goes through: fences, panels and things.
+
+/// A picture with holes, and how much of it hides what is behind.
+struct Pane {
+    Seen seen;
+    std::uint32_t alpha = 0;  ///< 0: the ray goes through a hole, or past the picture
+    bool ambiguous = false;
+};
+
+/// A pane at some depth [m].
+struct MetPane {
+    double depth = 0;
+    Pane pane;
+};
+
+/// The stretch of a ray in one room: from where it comes in to the wall it meets.
+struct RoomRay {
+    const RayHit& hit;
+    const RayCourse& course;
+    double entry_depth;  ///< 0 in the eye's own room [m]
+    WallId entry;        ///< of the room; none in the eye's own
+};
+
+/// A texel as it is painted, and what its picture's color table, if it goes by one, calls it.
+struct Texel {
+    std::uint32_t color = 0;  ///< 0xAABBGGRR
+    std::optional<std::uint8_t> number;
+};
+
+inline Texel texel(const Texture& texture, TilePlace u, TilePlace v) {
+    const std::size_t x = texel_of(u, texture.width), y = texel_of(v, texture.height), i = x * texture.height + y;
+    Texel texel{texture.pixels[i], {}};
+    if (!texture.numbers.empty()) texel.number = texture.numbers[i];
+    return texel;
+}
+
+/// A texel's colour in this light and that of point lights; its alpha is kept.
+inline std::uint32_t lit(const ReferenceScene& scene, const Texel& texel, const Lighting& lighting, double depth,
+                         LightCell lamplight) {
+    const Shade shade = shade_at(lighting, depth);
+    const std::uint32_t bright = texel.number
+                                     ? lit_above(darkened_colors(scene.textures.color_table, shade)[*texel.number],
+                                                 texel.color, shade, lamplight)
+                                     : lit(texel.color, shade, lamplight);
+    return (texel.color & 0xFF000000u) | (bright & 0x00FFFFFFu);
+}
+
+/// The colour behind the map's fog; its alpha is kept.
+inline std::uint32_t in_fog(const ReferenceScene& scene, std::uint32_t color, double depth) {
+    const RenderRecord& render = scene.map.render;
+    return fogged(color, pixel_of(render.fog_color), fog_part_at(render.fog_reach, depth));
+}
+
+/// What point lights throw onto a place of a surface. grid: null: nothing.
+inline LightCell lamplight_on(const LightGrid* grid, double u, double v) { return grid ? light_on(*grid, u, v) : 0; }
+
+/// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round, or more or less of what is
+/// behind? size_m: of the picture.
+bool is_at_rim_of_hole(const Texture& texture, TexelPosition at, Vec2 size_m);
+
+/// Adds the things and panels that the ray goes through, the nearest first; of a thing and a panel at one depth, in
+/// steps (render/sprite.h), the thing. True where a shift of kAmbiguous would have met something else, or in another
+/// order.
+bool add_room_panes(const ReferenceScene& scene, const RoomRay& ray, std::vector<Pane>& panes);
+
+// The panels that a ray goes through on its way through one room.
+
+/// Adds the panels that the ray goes through, the nearest first. True where a shift of kAmbiguous would have met
+/// another one, or missed one.
+bool find_panels_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met);
+
+// The pictures of things that a ray meets on its way through one room.
+
+/// Adds the pictures that the ray goes through, the nearest first, by the rules of render/sprite.h. True where a shift
+/// of kAmbiguous would have met another picture.
+bool find_things_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met);
 
 }  // namespace enfilade

@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 #include "math/predicates.h"
-#include "render/look_budget.h"
+#include "render/openings.h"
 
 namespace enfilade {
 

@@ -72,7 +72,7 @@ struct RayHit {
     WallId wall;                   ///< of that sector
     double along = 0;              ///< 0 at the wall's a, 1 at its b [1]
     double depth = 0;              ///< along `forward`; 0 where the eye is on the wall's line [m]
-    std::uint32_t spent = 0;       ///< on the looks into this sector and those before it (render/look_budget.h)
+    std::uint32_t spent = 0;       ///< on the looks into this sector and those before it (render/openings.h)
     bool ambiguous = false;        ///< a vertex, another wall or a panel was within kAmbiguous of changing the answer
     std::vector<PanelHit> panels;  ///< with a picture, met on the way through the sector; depths never fall
 };

@@ -1,4 +1,4 @@
-#include "render/reference/room_panes.h"
+#include "render/reference/cast_ray.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "render/shade.h"
-#include "render/stencil/outline.h"
+#include "render/stencil/panorama.h"
 
 namespace enfilade::stencil {
 namespace {

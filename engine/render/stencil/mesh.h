@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/stencil/outline.h"
 #include "render/stencil/paint_params.h"
+#include "render/stencil/panorama.h"
 #include "render/stencil/surfaces.h"
 
 namespace enfilade::stencil {

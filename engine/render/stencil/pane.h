@@ -4,7 +4,7 @@
 #include <optional>
 #include <variant>
 
-#include "render/pixel_surface.h"
+#include "render/frame.h"
 #include "render/sprite.h"
 #include "render/stencil/wall_on_screen.h"
 

@@ -4,8 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "render/look_budget.h"
-#include "render/stencil/outline.h"
+#include "render/openings.h"
 #include "render/stencil/panorama.h"
 #include "render/stencil/room_look.h"
 #include "render/stencil/room_panes.h"
@@ -14,7 +13,7 @@
 namespace enfilade::stencil {
 namespace {
 
-/// Sectors looked into for one frame, whatever the looks' own budgets (render/look_budget.h). A view into a large map
+/// Sectors looked into for one frame, whatever the looks' own budgets (render/openings.h). A view into a large map
 /// takes a few hundred; only links that lead on for ever meet this.
 constexpr std::size_t kMostVisits = 1u << 16;
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "render/least_missed.h"
+#include "render/segment.h"
 
 namespace enfilade::stencil {
 

@@ -44,7 +44,7 @@ struct Visit {
     ClipWindow window;
     std::size_t face = 0;     ///< of the panorama
     int depth = 0;            ///< portals looked through
-    std::uint32_t spent = 0;  ///< on the looks into this sector and those before it (render/look_budget.h)
+    std::uint32_t spent = 0;  ///< on the looks into this sector and those before it (render/openings.h)
 };
 
 /// Holds the scratch memory for one visit at a time.

@@ -1,4 +1,4 @@
-#include "render/stencil/shader_texts.h"
+#include "render/stencil/shaders.h"
 
 namespace enfilade::stencil {
 
@@ -67,7 +67,7 @@ void main() {
 }
 )";
 
-// Light as in render/shade.cpp, sky and texels as in render/shade.h.
+// Light as in render/lighting.cpp, sky and texels as in render/shade.h.
 const char* const kSurfaceShader = R"(
 flat in vec4 a;
 flat in vec4 b;

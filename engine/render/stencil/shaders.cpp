@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "render/stencil/shader_texts.h"
-
 namespace enfilade::stencil {
 namespace {
 

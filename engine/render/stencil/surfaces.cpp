@@ -5,7 +5,7 @@
 #include "render/lighting.h"
 #include "render/shade.h"
 #include "render/sprite.h"
-#include "render/stencil/outline.h"
+#include "render/stencil/panorama.h"
 
 namespace enfilade::stencil {
 namespace {

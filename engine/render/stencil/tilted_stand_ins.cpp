@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/least_missed.h"
+#include "render/segment.h"
 
 namespace enfilade::stencil {
 

@@ -40,7 +40,7 @@ inline constexpr double kTieShift = 1.0 / 256;
 /// How far beyond the picture's edges shapes are kept [px].
 inline constexpr double kMargin = 1;
 
-/// Where a wall that stands in for a column whose ray misses it is met (render/least_missed.h).
+/// Where a wall that stands in for a column whose ray misses it is met (render/segment.h).
 struct Missed {
     double depth = 0;    ///< [m]
     double along = 0;    ///< from the wall's a to its b, 0..1

@@ -1,6 +1,6 @@
 // Looks that cost more than a frame may: all renderers end them at the same doorway, in the recursion colour, and say
 // so.
-#include "render/look_budget.h"
+#include "render/openings.h"
 
 #include <gtest/gtest.h>
 
