@@ -12,8 +12,8 @@
 #include "math/vec.h"
 #include "platform/clock.h"
 #include "render/column/column_renderer.h"
-#include "world/player.h"
 #include "world/snapshot.h"
+#include "world/world.h"
 
 namespace enfilade {
 

@@ -14,7 +14,7 @@
 #include "formats/text_parts.h"
 #include "math/vec.h"
 #include "render/view.h"
-#include "space/locate.h"
+#include "space/trace.h"
 
 namespace enfilade {
 namespace {

@@ -7,7 +7,7 @@
 #include "formats/text_parts.h"
 #include "map/sector_finder.h"
 #include "math/vec.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "world/input.h"
 #include "world/world.h"
 

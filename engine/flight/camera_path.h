@@ -11,7 +11,7 @@
 #include "map/map.h"
 #include "render/view.h"
 #include "space/trace.h"
-#include "world/timeline.h"
+#include "world/step.h"
 
 namespace enfilade {
 

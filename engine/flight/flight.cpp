@@ -9,7 +9,6 @@
 
 #include "base/parallel.h"
 #include "formats/text_parts.h"
-#include "world/activation.h"
 #include "world/input.h"
 #include "world/trigger_actions.h"
 

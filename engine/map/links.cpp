@@ -131,7 +131,7 @@ void link_way_back(Map& map, WallId id) {
     wall.link = add(map, m, GridMap(m, middle(wall), middle(there)));
 }
 
-/// Who comes out of a wall that does not always lead back is in it for a while (world/one_way.h).
+/// Who comes out of a wall that does not always lead back is in it for a while (world/body.h).
 void mark_one_way_exit(Map& map, WallId id) {
     const Wall& wall = map[id];
     if (wall.kind != WallKind::portal || wall.blocks || !wall.exit) return;

@@ -23,7 +23,7 @@
 //   surface     how a picture lies on a wall or flat
 //   group       sectors that move as one; what happens to them is told of the first, their leader
 //   trigger     an action (`do`), what sets it off (its activation, `on`), and what sectors it is about (its targets)
-//   track       how one height or light goes on in time, once a trigger went off (world/track.h)
+//   track       how one height or light goes on in time, once a trigger went off (world/history.h)
 //   bob         a floor's or ceiling's own way up and down, for ever (world/instant.h)
 //   history     all that happened; what is, at any moment, is a function of it (world/history.h)
 //   instant     a map, its history and a time: what heights and lights are asked of (world/instant.h)

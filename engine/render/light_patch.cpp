@@ -6,7 +6,7 @@
 
 #include "math/vec.h"
 #include "space/reach.h"
-#include "world/light.h"
+#include "world/snapshot.h"
 
 namespace enfilade {
 namespace {
@@ -122,7 +122,7 @@ namespace {
 /// What a surface takes of light that only grazes it [1]. Without it, floors far from a low lamp were black.
 constexpr double kGrazing = 1.0 / 3;
 
-/// Numbers for the lots of lights, apart from those of sectors (world/light.h).
+/// Numbers for the lots of lights, apart from those of sectors (world/snapshot.h).
 constexpr std::uint64_t kLightSeeds = std::uint64_t{1} << 32;
 
 /// What arrives at a place, were nothing in between. normal_way: how far the light is from the surface's plane [m].

@@ -6,7 +6,7 @@
 
 #include "map/map.h"
 #include "render/light_grid.h"
-#include "space/sight_line.h"
+#include "space/trace.h"
 #include "world/snapshot.h"
 
 namespace enfilade {

@@ -4,8 +4,8 @@
 
 #include "math/vec.h"
 #include "render/light_patch.h"
-#include "space/locate.h"
 #include "space/reach.h"
+#include "space/trace.h"
 
 namespace enfilade {
 namespace {

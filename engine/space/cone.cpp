@@ -1,4 +1,4 @@
-#include "space/cone.h"
+#include "space/reach.h"
 
 #include <cmath>
 

@@ -3,10 +3,19 @@
 #include <algorithm>
 #include <optional>
 
+#include "map/sector_finder.h"
 #include "math/predicates.h"
 #include "space/path_segment.h"
 
 namespace enfilade {
+
+bool contains(const Map& map, SectorId sector, Vec2 p) { return is_inside(map, sector, p); }
+
+SectorId locate(const Map& map, Vec2 p) {
+    for (std::size_t i = 0; i < map.sectors.size(); ++i)
+        if (contains(map, SectorId(i), p)) return SectorId(i);
+    return {};
+}
 
 namespace {
 
@@ -179,6 +188,38 @@ Trace trace(const Map& map, const Place& from, Vec2 to, const MayPass& may_pass,
         if (!wall) return path.ended();
         if (!is_passable(map, wall, path.passage(), may_pass) || !path.pass(wall)) return path.stopped_by(wall);
     }
+}
+
+namespace {
+
+PassedPortal passed_portal(const Map& map, const PathSegment& segment, WallId id, double rise) {
+    const Wall& wall = map[id];
+    const double at = fraction_along_path(segment.from, segment.to, wall.a, wall.b).value();
+    return {id, segment.from, std::clamp(at, 0.0, 1.0), rise};
+}
+
+}  // namespace
+
+void look_along(const Map& map, const Place& from, Vec2 to, SightLine& line) {
+    line.passed.clear();
+    line.met = {};
+    line.rise = 0;
+    PathSegment segment{from.sector, from.point, to, {}};
+    int links = 0;
+    while (const WallId wall = way_out(map, segment)) {
+        const bool is_link = map[wall].link != Wall::kNoLink;
+        const bool passes = map[wall].kind == WallKind::portal && !(is_link && ++links > kMaxLinksOnPath);
+        const std::optional<PathSegment> next = passes ? segment_behind(map, segment, wall) : std::nullopt;
+        if (!next) {
+            line.met = wall;
+            break;
+        }
+        line.passed.push_back(passed_portal(map, segment, wall, line.rise));
+        line.rise += map.passage(map[wall]).rise;
+        segment = *next;
+    }
+    line.sector = segment.sector;
+    line.from = segment.from;
 }
 
 }  // namespace enfilade

@@ -2,12 +2,22 @@
 // look and sound goes through here; nothing else in the engine knows how to cross a portal.
 #pragma once
 #include <functional>
+#include <vector>
 
 #include "base/short_list.h"
 #include "map/map.h"
 #include "space/path_segment.h"
 
 namespace enfilade {
+
+// Where is this point? Exact: under the tie rule (math/predicates.h) the answer is one sector or none.
+
+/// True where the sector's outline, holes taken out, contains the moving point p. Exact. Cost: its walls.
+bool contains(const Map& map, SectorId sector, Vec2 p);
+
+/// The sector with the lowest number that contains p, or none. Where sectors overlap there may be others.
+/// Cost: all bounding boxes; for places on a path use trace, which knows the way.
+SectorId locate(const Map& map, Vec2 p);
 
 // Panels on a path: which of them a segment of it goes through, in exact order. Only those that block or have triggers
 // (Panel::is_active); to whoever moves, the others are air.
@@ -82,15 +92,14 @@ struct Trace {
 /// has one answer; where portals lead both ways, the reverse path crosses the same portals backward, and a path split
 /// at one of its grid points crosses the same portals as the whole.
 /// Through a link the rest of the path is carried over and put onto the point grid (space/path_segment.h), so across
-/// links
-/// those two hold for points that are more than a few grid steps away from the portals.
+/// links those two hold for points that are more than a few grid steps away from the portals.
 /// Mirrors are solid.
 ///
 /// from     : inside its sector
 /// to       : on the point grid, in the space of `from`, |coordinates| <= 2 * kWorldLimit
 /// may_pass : asked once for each portal or way back met, in order; empty: every portal may be passed, no way back
-/// may_cross: asked for each panel met that blocks or has triggers (space/trace.h); empty: panels are nothing to
-///            the path, and are not among its crossings
+/// may_cross: asked for each panel met that blocks or has triggers; empty: panels are nothing to the path, and are not
+///            among its crossings
 /// Where the path is stopped, end is the last grid point found on the way that is inside, and stopped is the wall, or
 /// barrier the panel: between the start and the end there is none that may not be crossed.
 /// Crossings made on the way stay made, but for those behind which there is no grid point inside.
@@ -101,5 +110,30 @@ Trace trace(const Map& map, const Place& from, Vec2 to, const MayPass& may_pass 
 /// A straight path winds around a point where links meet as often as the angle around it fits into half a turn.
 /// This is far beyond any honest map; without it a path that is aimed into such a point might never come out.
 inline constexpr int kMaxLinksOnPath = 1024;
+
+// A straight look through the sectors: which portals it passes, how far along each is, and what it meets. Where a
+// moving body would stop, and how near to a wall it comes, is asked of trace().
+
+/// A portal on the way of a look.
+struct PassedPortal {
+    WallId portal;
+    Vec2 from;        ///< where the look came from, in the space of the portal's sector
+    double at = 0;    ///< how much of the way from its beginning to its end lies before the portal, 0..1
+    double rise = 0;  ///< from a height in the space where the look began to one in that of the portal's sector [m]
+};
+
+/// What became of a look.
+struct SightLine {
+    std::vector<PassedPortal> passed;  ///< in order
+    SectorId sector;                   ///< where it ended
+    WallId met;                        ///< the wall of that sector that ended it (solid or a mirror), or none
+    Vec2 from;                         ///< where it came from, in the space of that sector
+    double rise = 0;                   ///< from heights where it began to those of that sector [m]
+};
+
+/// Looks from a place to a point in its space, through every portal whatever the heights there. Exact as trace() is.
+/// to: on the point grid, |coordinates| <= 2 * kWorldLimit. line: its memory is used again.
+/// A look that passes kMaxLinksOnPath links is ended by the next. Cost: the walls of the sectors passed.
+void look_along(const Map& map, const Place& from, Vec2 to, SightLine& line);
 
 }  // namespace enfilade

@@ -1,9 +1,8 @@
-#include "world/activation.h"
+#include "world/trigger_actions.h"
 
 #include <algorithm>
 
 #include "math/predicates.h"
-#include "world/trigger_actions.h"
 
 namespace enfilade {
 namespace {

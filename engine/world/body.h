@@ -1,7 +1,9 @@
 // A body: an upright cylinder that stands, walks and falls in the rooms its disc overlaps.
 #pragma once
+#include <optional>
 #include <span>
 
+#include "base/short_list.h"
 #include "map/map.h"
 #include "math/vec.h"
 #include "space/reach.h"
@@ -45,15 +47,92 @@ bool can_pass(const Instant& now, const Body& body, WallId portal, const Rigid& 
 MayCross bodies_may_cross(const Map& map);
 
 /// Whether the body, where it is, touches no wall or panel and has headroom on the highest floor it stands on. Things
-/// beside it are for the walk to see to (world/contact.h).
+/// beside it are for the walk to see to.
 bool fits(const Instant& now, const Body& body, const Reach& around);
 
 /// The body where it is, made as wide, and at most as high, as there is room: a body that was put closer to a wall
 /// than its radius can still walk, and gets its width back as it leaves. In the exit of a one-way portal it keeps its
-/// width (world/one_way.h). Sets its ceiling.
+/// width. Sets its ceiling.
 Body squeezed(const Instant& now, Body body);
 
 /// reach() of the body's disc through the portals it can pass.
 Reach around(const Instant& now, const Body& body);
+
+// When a moving disc first touches a wall or a solid thing.
+
+// Coming out of a one-way portal. The wall one comes out of leads nowhere, or elsewhere, and half of the body is still
+// in it when the middle has passed: it must not hold who comes out, and must hold everybody else.
+//
+// The rule, decided exactly and by places alone, so that nothing has to be remembered from tick to tick: a wall that is
+// an exit (Wall::one_way_exit) does not touch a body whose middle is behind the wall's line, whatever of the disc is
+// on this side. A body in front of it that is nearer than its radius may go along it and away from it, but not nearer.
+// So one can stand in an exit, leave it at any angle, and back off as far as one has come, but its middle never gets
+// behind the line again. The corners beside the exit hold the body as those of any doorway do. Where the exit is itself
+// a portal that the body can pass, half of the disc comes out of that, and has to fit there.
+
+/// Whether the wall is the exit of a one-way portal; panels are none.
+inline bool is_one_way_exit(const Map& map, const ReachedWall& wall) {
+    return wall.wall && map[wall.wall].one_way_exit;
+}
+
+/// How near to a wall the middle of a body that goes from `from` may come [m], on the point grid: its radius, or for
+/// the exit of a one-way portal the distance it already has, if that is less. None where the wall does not hold it at
+/// all: it is such an exit, and `from` is behind it.
+///
+/// from   : where the middle was, on the point grid, in the space of the wall
+/// radius : of the body [m], on the point grid
+std::optional<double> distance_kept(const Map& map, const ReachedWall& wall, Vec2 from, double radius);
+
+/// Takes out the walls that do not hold a body that came straight from `from` to the place of `around`.
+///
+/// way : from the space of `from` into that of the place
+void drop_exits_left(const Map& map, Vec2 from, const Rigid& way, double radius, Reach& around);
+
+// Solid things near a body: upright cylinders that it may not get into.
+
+/// A solid thing that a body might touch.
+struct Obstacle {
+    ThingId thing;
+    Rigid passage;  ///< from the space of the body's place into that of the thing
+    Vec2 centre;    ///< the middle of the body in the space of the thing, on the point grid
+    double limit;   ///< how near to the thing the middle may come: both radii [m], on the point grid
+    double bottom;  ///< [m], in the space of the body's place
+    double top;     ///< [m], likewise
+};
+
+/// As many as anybody stands between; more are as good, but take memory.
+using Obstacles = ShortList<Obstacle, 8>;
+
+/// The solid things whose discs come nearer to the body's than `way`; with 0, those that overlap it. At whatever height
+/// they are, and also behind portals that the body cannot pass. Exact.
+/// Cost: the solid things and the walls of the sectors around the body; none in a map without solid things.
+Obstacles obstacles_near(const Instant& now, const Body& body, double way);
+
+/// Whether the obstacle is neither below the body's feet nor above its head.
+bool is_beside(const Obstacle& obstacle, const Body& body);
+
+/// Whether the body's disc is nearer to the thing than the limit. Exact.
+bool overlaps(const Map& map, const Obstacle& obstacle);
+
+/// A touch on the way.
+struct Contact {
+    double fraction;  ///< of the way, 0..1; 0: touching already, and moving into the wall
+    Vec2 normal;      ///< unit vector from the wall to the disc, in the space of the place
+};
+
+/// Where a disc that moves straight from the place of `around` to `target` first touches one of its walls, face or end;
+/// of equals the first. None where it gets there free. A touch that would go less than a grid step deep is none: who
+/// places the disc there sees to the last step (world/walk.cpp).
+///
+/// An exit of a one-way portal that holds the disc less or not at all is met accordingly.
+///
+/// around : reach() of the place with at least the radius plus the length of the way
+/// target : on the point grid, in the space of the place
+/// radius : of the disc [m]
+std::optional<Contact> first_contact(const Map& map, const Reach& around, Vec2 target, double radius);
+
+/// The same for solid things; each may be approached up to its limit, and one that is nearer already may not be
+/// approached at all.
+std::optional<Contact> first_contact(const Map& map, const Obstacles& obstacles, Vec2 target);
 
 }  // namespace enfilade

@@ -1,7 +1,9 @@
 // The world at one instant, as renderers see it: plain values, nothing that ticks.
 #pragma once
+#include <cstdint>
 #include <vector>
 
+#include "formats/effect_records.h"
 #include "map/map.h"
 #include "space/presence.h"
 #include "world/instant.h"
@@ -84,5 +86,12 @@ ThingSnapshot thing_at(const Map& map, const Snapshot& snapshot, ThingId thing);
 /// The frame that a sprite shows `time_s` after the start: a function of time, whatever was asked before. Negative
 /// times count as 0.
 std::size_t frame_at(const Sprite& sprite, double time_s);
+
+// Light that flickers, flashes and glows: a function of time and place, which nobody has to tick.
+
+/// The level, 0..1, of a light with this effect that would be `bright` without it, time_s >= 0 after the start. What is
+/// random in it depends on `seed` alone, of a light in step not even on that; so any moment can be asked for, and
+/// answers the same on every machine. Changes come at whole steps of its clock; only a glow goes on between them.
+double level_of(const LightEffectRecord& effect, double bright, std::uint64_t seed, double time_s);
 
 }  // namespace enfilade

@@ -3,8 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "world/contact.h"
-#include "world/one_way.h"
+#include "world/body.h"
 
 namespace enfilade {
 namespace {

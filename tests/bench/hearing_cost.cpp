@@ -9,7 +9,7 @@
 
 #include "app/open_map.h"
 #include "space/hearing.h"
-#include "space/locate.h"
+#include "space/trace.h"
 
 using namespace enfilade;
 

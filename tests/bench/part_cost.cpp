@@ -8,7 +8,6 @@
 #include "formats/map_toml.h"
 #include "math/vec.h"
 #include "render/column/kernels.h"
-#include "space/locate.h"
 #include "space/trace.h"
 #include "support/generate_map.h"
 #include "wadconv/freedoom/wads.h"

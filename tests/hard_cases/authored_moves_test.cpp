@@ -10,7 +10,6 @@
 #include "base/hash.h"
 #include "map/load.h"
 #include "math/vec.h"
-#include "space/locate.h"
 #include "space/trace.h"
 
 namespace enfilade {

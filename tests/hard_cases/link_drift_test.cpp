@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "base/hash.h"
-#include "space/locate.h"
 #include "space/trace.h"
 #include "support/map_builder.h"
 #include "world/step.h"

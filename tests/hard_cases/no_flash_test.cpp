@@ -11,7 +11,6 @@
 #include "hard_cases/linked_maps.h"
 #include "math/vec.h"
 #include "render/column/column_renderer.h"
-#include "space/locate.h"
 #include "space/trace.h"
 
 namespace enfilade::test {

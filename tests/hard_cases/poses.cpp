@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "math/vec.h"
-#include "space/locate.h"
+#include "space/trace.h"
 
 namespace enfilade::test {
 namespace {

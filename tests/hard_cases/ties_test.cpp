@@ -8,7 +8,7 @@
 #include "hard_cases/scenes.h"
 #include "hard_cases/world.h"
 #include "math/vec.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "support/looks.h"
 
 namespace enfilade::test {

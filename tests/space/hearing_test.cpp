@@ -7,8 +7,8 @@
 #include <queue>
 
 #include "base/hash.h"
-#include "space/locate.h"
 #include "space/mosaic.h"
+#include "space/trace.h"
 #include "support/map_builder.h"
 
 namespace enfilade {

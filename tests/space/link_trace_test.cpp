@@ -7,8 +7,6 @@
 #include "base/hash.h"
 #include "math/predicates.h"
 #include "math/vec.h"
-#include "space/locate.h"
-#include "space/sight_line.h"
 #include "space/trace.h"
 #include "support/map_builder.h"
 

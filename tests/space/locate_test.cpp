@@ -1,5 +1,5 @@
 // Point location against an oracle that only asks about convex cells.
-#include "space/locate.h"
+#include "space/trace.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 
 #include "base/hash.h"
 #include "math/vec.h"
-#include "space/locate.h"
 #include "space/mosaic.h"
 #include "space/trace.h"
 

@@ -1,5 +1,5 @@
 // Which rooms are bigger inside.
-#include "space/overlap.h"
+#include "space/tiling.h"
 
 #include <gtest/gtest.h>
 

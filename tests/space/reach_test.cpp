@@ -9,8 +9,8 @@
 
 #include "base/hash.h"
 #include "math/vec.h"
-#include "space/locate.h"
 #include "space/mosaic.h"
+#include "space/trace.h"
 #include "support/generate_map.h"
 
 namespace enfilade {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "math/vec.h"
-#include "space/locate.h"
 #include "support/map_builder.h"
 
 namespace enfilade {

@@ -4,7 +4,7 @@
 
 #include "base/hash.h"
 #include "math/vec.h"
-#include "space/locate.h"
+#include "space/trace.h"
 
 namespace enfilade::test {
 

@@ -2,7 +2,7 @@
 
 #include "base/result.h"
 #include "math/vec.h"
-#include "space/locate.h"
+#include "space/trace.h"
 
 namespace enfilade::test {
 

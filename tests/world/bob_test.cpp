@@ -8,7 +8,7 @@
 #include "base/hash.h"
 #include "world/game.h"
 #include "world/snapshot.h"
-#include "world/timeline.h"
+#include "world/step.h"
 
 namespace enfilade {
 namespace {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
-#include "world/activation.h"
 #include "world/hall_passage_room.h"
 #include "world/instant.h"
 #include "world/snapshot.h"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/result.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "support/map_builder.h"
 #include "world/step.h"
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "world/game.h"
-#include "world/light.h"
 #include "world/snapshot.h"
 #include "world/trigger_actions.h"
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "world/input.h"
-#include "world/light.h"
+#include "world/snapshot.h"
 
 namespace enfilade {
 namespace {

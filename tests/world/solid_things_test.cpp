@@ -5,7 +5,7 @@
 
 #include "base/hash.h"
 #include "math/predicates.h"
-#include "world/contact.h"
+#include "world/body.h"
 #include "world/game.h"
 
 namespace enfilade {

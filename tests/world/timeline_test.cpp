@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "world/game.h"
-#include "world/timeline.h"
+#include "world/step.h"
 
 namespace enfilade {
 namespace {

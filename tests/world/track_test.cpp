@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/hash.h"
-#include "world/track.h"
+#include "world/history.h"
 
 namespace enfilade {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/hash.h"
 #include "math/predicates.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "support/generate_map.h"
 #include "world/door_and_link.h"
 #include "world/game.h"

@@ -6,7 +6,7 @@
 
 #include "world/one_way_maps.h"
 #include "world/snapshot.h"
-#include "world/timeline.h"
+#include "world/step.h"
 #include "world/voices.h"
 #include "world/world.h"
 

@@ -11,7 +11,7 @@
 #include "map/load.h"
 #include "map/sector_finder.h"
 #include "math/vec.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "world/world.h"
 
 namespace enfilade {

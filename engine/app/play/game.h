@@ -17,7 +17,7 @@
 #include "formats/tape.h"
 #include "render/view.h"
 #include "world/snapshot.h"
-#include "world/timeline.h"
+#include "world/step.h"
 
 namespace enfilade {
 

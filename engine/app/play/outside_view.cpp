@@ -6,7 +6,6 @@
 
 #include "formats/text_parts.h"
 #include "math/vec.h"
-#include "space/locate.h"
 #include "space/trace.h"
 #include "world/input.h"
 

@@ -6,7 +6,7 @@
 #include "base/result.h"
 #include "render/stencil/layer_painter.h"
 #include "render/stencil/panorama.h"
-#include "space/overlap.h"
+#include "space/tiling.h"
 
 namespace enfilade {
 

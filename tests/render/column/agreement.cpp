@@ -6,7 +6,7 @@
 
 #include "math/vec.h"
 #include "render/reference/reference_renderer.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "support/count_allocations.h"
 
 namespace enfilade::test {

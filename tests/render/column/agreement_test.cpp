@@ -7,7 +7,7 @@
 
 #include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "support/furnish.h"
 
 namespace enfilade {

@@ -5,7 +5,7 @@
 #include "math/vec.h"
 #include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "support/furnish.h"
 
 namespace enfilade {

@@ -6,7 +6,7 @@
 #include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
 #include "render/reference/reference_renderer.h"
-#include "space/locate.h"
+#include "space/trace.h"
 
 namespace enfilade {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
-#include "space/locate.h"
+#include "space/trace.h"
 
 namespace enfilade {
 namespace {

@@ -7,7 +7,7 @@
 #include "math/vec.h"
 #include "render/column/column_renderer.h"
 #include "render/stencil/agreement.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "support/looks.h"
 #include "support/map_builder.h"
 

@@ -5,7 +5,7 @@
 #include "hard_cases/scenes.h"
 #include "math/vec.h"
 #include "render/stencil/agreement.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "support/furnish.h"
 #include "support/looks.h"
 #include "support/map_builder.h"

@@ -4,7 +4,7 @@
 #include "hard_cases/scenes.h"
 #include "math/vec.h"
 #include "render/stencil/agreement.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "support/map_builder.h"
 
 namespace enfilade::test {

@@ -9,7 +9,7 @@
 #include "math/vec.h"
 #include "render/stencil/agreement.h"
 #include "space/cells.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "support/map_builder.h"
 
 namespace enfilade::test {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/contact.h"
+#include "world/body.h"
 #include "world/walk.h"
 
 namespace enfilade::test {

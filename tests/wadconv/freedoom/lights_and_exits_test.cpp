@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "space/locate.h"
+#include "space/trace.h"
 #include "wadconv/freedoom/levels.h"
 
 namespace enfilade::test {

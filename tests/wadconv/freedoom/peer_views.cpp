@@ -19,7 +19,7 @@
 #include "formats/views_csv.h"
 #include "math/vec.h"
 #include "render/column/column_renderer.h"
-#include "space/locate.h"
+#include "space/trace.h"
 #include "wadconv/freedoom/wads.h"
 #include "world/snapshot.h"
 

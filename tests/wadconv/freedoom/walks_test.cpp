@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "space/locate.h"
+#include "space/trace.h"
 #include "wadconv/freedoom/explorer.h"
 #include "wadconv/freedoom/wads.h"
 #include "world/step.h"
