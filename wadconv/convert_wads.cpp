@@ -9,7 +9,7 @@
 #include "base/parallel.h"
 #include "formats/map_toml.h"
 #include "formats/text_parts.h"
-#include "map/build.h"
+#include "map/load.h"
 #include "wadconv/map_lumps.h"
 #include "wadconv/pictures.h"
 #include "wadconv/sounds.h"

@@ -1,4 +1,4 @@
-#include "wadconv/texture_lumps.h"
+#include "wadconv/pictures.h"
 
 #include <algorithm>
 #include <array>

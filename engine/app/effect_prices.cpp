@@ -7,7 +7,7 @@
 #include "app/options.h"
 #include "base/result.h"
 #include "formats/text_parts.h"
-#include "map/build.h"
+#include "map/load.h"
 #include "map/sector_finder.h"
 #include "math/vec.h"
 #include "platform/clock.h"

@@ -8,7 +8,6 @@
 #include "base/files.h"
 #include "map/map.h"
 #include "platform/audio.h"
-#include "platform/mixer.h"
 #include "world/world.h"
 
 namespace enfilade {

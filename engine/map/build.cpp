@@ -1,4 +1,4 @@
-#include "map/build.h"
+#include "map/load.h"
 
 #include <utility>
 

@@ -2,12 +2,18 @@
 // Private to map/.
 #pragma once
 #include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "base/finding.h"
 #include "map/map.h"
+#include "map/names.h"
 #include "map/textures.h"
 
 namespace enfilade {
@@ -115,5 +121,70 @@ void place_sounds(Draft& draft);
 void place_suns(Draft& draft);
 /// Animations and switches (surfaces.cpp).
 void note_picture_changes(Draft& draft);
+
+// Things and what they look like: from records to values.
+
+/// Makes sprites of records, each only once: a hundred barrels share one.
+class SpriteShelf {
+public:
+    explicit SpriteShelf(Draft& draft) : draft_(draft) {}
+
+    /// What the thing looks like; none where it has no frames.
+    SpriteId sprite_of(const ThingRecord& thing);
+
+private:
+    using OriginKey = std::optional<std::pair<double, double>>;
+    using FrameKey = std::tuple<std::string, double, OriginKey>;       ///< picture, seconds, origin
+    using SpriteKey = std::tuple<int, double, std::vector<FrameKey>>;  ///< rotations, size, frames
+
+    Draft& draft_;
+    std::map<SpriteKey, SpriteId> known_;
+};
+
+/// Adds the thing, which is inside the sector, to the draft's map.
+void add_thing(Draft& draft, const ThingRecord& record, SectorId sector, SpriteShelf& sprites);
+
+/// Sorts the solid things by sector.
+void list_solid_things(Map& map);
+
+/// Sorts the things that do something when touched by sector; their triggers and keys are known.
+void list_touchables(Map& map);
+
+// The sectors that triggers are about: by their names, and by the tags that several of them may share.
+
+/// Makes the lists in Map::targets, each only once: ten thousand triggers about one tag share one.
+class TargetLists {
+public:
+    explicit TargetLists(Draft& draft);
+
+    /// The first sector of that name or tag, or none. Cost: log of the number of names.
+    SectorId first_of(std::string_view name) const;
+
+    /// The sectors that the trigger names, in the order of its names and then of the file, each once; of a group its
+    /// leader; without the names that no sector has. Empty, with a finding, where the lists together get too long.
+    /// Cost: log of the number of names for each; and for a list that is new, its sectors.
+    TargetRange list_of(const TriggerRecord& record);
+
+    /// The list of this sector alone.
+    TargetRange list_of(SectorId sector);
+
+    /// "; did you mean 'X'?" or nothing.
+    std::string suggestion(std::string_view name) const { return index_.suggestion(0, name); }
+
+private:
+    std::span<const SectorId> sectors_of(std::string_view name) const;
+    bool has_room_for(const TriggerRecord& record, std::span<const std::span<const SectorId>> parts);
+    TargetRange new_list(std::span<const std::span<const SectorId>> parts);
+
+    Draft& draft_;
+    std::vector<std::string_view> names_;  ///< sorted
+    std::vector<SectorId> named_;  ///< who has the name of that index; in the order of the file where several have
+    std::map<std::vector<const SectorId*>, TargetRange> known_;  ///< by where the sectors of each name begin in named_
+    std::map<SectorId, TargetRange> alone_;
+    std::size_t listed_ = 0;                ///< sectors in all lists, counted before those that are there twice go
+    std::vector<std::uint32_t> last_list_;  ///< the last list a sector was put in, counted from 1; by SectorId
+    std::uint32_t list_count_ = 0;
+    NameIndex index_;
+};
 
 }  // namespace enfilade

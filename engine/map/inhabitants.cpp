@@ -7,7 +7,6 @@
 #include "map/draft.h"
 #include "map/names.h"
 #include "map/sector_finder.h"
-#include "map/things.h"
 #include "math/vec.h"
 
 namespace enfilade {

@@ -5,7 +5,6 @@
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "formats/map_toml.h"
-#include "map/build.h"
 
 namespace enfilade {
 namespace {

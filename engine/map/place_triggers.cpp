@@ -6,7 +6,6 @@
 #include "formats/words.h"
 #include "map/draft.h"
 #include "map/names.h"
-#include "map/target_lists.h"
 
 namespace enfilade {
 namespace {

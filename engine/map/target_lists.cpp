@@ -1,4 +1,4 @@
-#include "map/target_lists.h"
+#include "map/draft.h"
 
 #include <algorithm>
 #include <array>

@@ -117,7 +117,7 @@ public:
     TextureLoader(const PictureNeeds& needs, const std::vector<std::string>& folders, const FileReader& read,
                   const FolderLister& list = {});
 
-    /// Every picture as large as its file says, without pixels: enough to build a map (map/build.h).
+    /// Every picture as large as its file says, without pixels: enough to build a map (map/load.h).
     TextureSet sizes() const;
 
     std::size_t count() const { return pictures_.size(); }

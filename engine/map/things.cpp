@@ -1,4 +1,4 @@
-#include "map/things.h"
+#include "map/draft.h"
 
 #include <algorithm>
 #include <limits>
@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "formats/text_parts.h"
-#include "map/draft.h"
 #include "map/names.h"
 #include "math/vec.h"
 

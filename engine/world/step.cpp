@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "world/body.h"
 #include "world/trigger_actions.h"
-#include "world/walk.h"
 #include "world/world.h"
 
 namespace enfilade {

@@ -1,9 +1,7 @@
-#include "world/walk.h"
+#include "world/body.h"
 
 #include <array>
 #include <cmath>
-
-#include "world/body.h"
 
 namespace enfilade {
 namespace {

@@ -1,5 +1,5 @@
 // From records to a Map: walls, portals, boxes and the player.
-#include "map/build.h"
+#include "map/load.h"
 
 #include <gmock/gmock.h>
 

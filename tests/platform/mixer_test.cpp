@@ -1,5 +1,5 @@
 // What comes out of the mixer: measured, for known places, without a sound card.
-#include "platform/mixer.h"
+#include "platform/audio.h"
 
 #include <gmock/gmock.h>
 

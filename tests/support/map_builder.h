@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "map/build.h"
+#include "map/load.h"
 #include "math/predicates.h"
 
 namespace enfilade::test {

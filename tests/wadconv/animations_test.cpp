@@ -1,5 +1,5 @@
 // Pictures that follow one another, and faces of switches.
-#include "wadconv/texture_lumps.h"
+#include "wadconv/pictures.h"
 
 #include <gmock/gmock.h>
 

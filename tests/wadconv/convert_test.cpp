@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "formats/map_toml.h"
-#include "map/build.h"
+#include "map/load.h"
 #include "wadconv/converted.h"
 
 namespace enfilade::wadconv {

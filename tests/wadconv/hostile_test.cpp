@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "base/hash.h"
-#include "map/build.h"
+#include "map/load.h"
 #include "wadconv/convert.h"
 #include "wadconv/map_lumps.h"
 #include "wadconv/wad_builder.h"

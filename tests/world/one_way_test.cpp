@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "math/predicates.h"
+#include "world/body.h"
 #include "world/one_way_maps.h"
-#include "world/walk.h"
 
 namespace enfilade {
 namespace {

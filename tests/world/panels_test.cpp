@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "math/predicates.h"
+#include "world/body.h"
 #include "world/door_and_link.h"
 #include "world/game.h"
 #include "world/instant.h"
 #include "world/soak.h"
 #include "world/trigger_actions.h"
-#include "world/walk.h"
 
 namespace enfilade {
 namespace {

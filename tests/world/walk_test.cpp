@@ -8,9 +8,9 @@
 #include "math/predicates.h"
 #include "space/trace.h"
 #include "support/generate_map.h"
+#include "world/body.h"
 #include "world/door_and_link.h"
 #include "world/game.h"
-#include "world/walk.h"
 
 namespace enfilade {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "render/column/painters.h"
 #include "render/column/scene.h"
 #include "render/column/viewport.h"
-#include "render/column/wall_painter.h"
 #include "render/sprite.h"
 #include "render/view.h"
 

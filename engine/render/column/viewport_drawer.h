@@ -2,11 +2,10 @@
 #pragma once
 #include <vector>
 
-#include "render/column/flat_painter.h"
 #include "render/column/masked_columns.h"
+#include "render/column/painters.h"
 #include "render/column/sector_projection.h"
 #include "render/column/viewport.h"
-#include "render/column/wall_painter.h"
 
 namespace enfilade::column {
 

@@ -1,4 +1,4 @@
-#include "render/column/wall_painter.h"
+#include "render/column/painters.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/stencil/target.h"
+#include "render/stencil/layer_painter.h"
 
 #include <algorithm>
 #include <bit>

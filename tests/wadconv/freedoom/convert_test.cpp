@@ -6,7 +6,7 @@
 #include <set>
 
 #include "formats/map_toml.h"
-#include "map/build.h"
+#include "map/load.h"
 #include "wadconv/convert.h"
 #include "wadconv/freedoom/wads.h"
 #include "wadconv/parts.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "world/body.h"
-#include "world/walk.h"
 
 namespace enfilade::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "map/build.h"
+#include "map/load.h"
 #include "wadconv/convert.h"
 #include "wadconv/freedoom/doom_rules.h"
 #include "wadconv/freedoom/firing_range.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "map/build.h"
+#include "map/load.h"
 #include "wadconv/convert.h"
 #include "wadconv/freedoom/doom_rules.h"
 #include "wadconv/freedoom/firing_range.h"

@@ -1,4 +1,4 @@
-#include "platform/mixer.h"
+#include "platform/audio.h"
 
 #include <algorithm>
 #include <cmath>
