@@ -1,6 +1,5 @@
 #include "wadconv/sounds.h"
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <set>

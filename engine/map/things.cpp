@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "formats/text_parts.h"
-#include "map/names.h"
 #include "math/vec.h"
 
 namespace enfilade {
