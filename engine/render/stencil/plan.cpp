@@ -64,13 +64,14 @@ private:
         exits_.clear();
         seen_through_.clear();
         visits_ = std::move(visits);
-        if (rays_.is_tilted) look_through_stand_ins(layer);
+        const std::vector<Visit> looks = rays_.is_tilted && layer.entry ? visits_ : std::vector<Visit>();
         while (!visits_.empty()) {
             const Visit visit = take_visit();
             if (visit.window.is_empty() || (rays_.is_tilted && was_seen(visit))) continue;
             look_into(layer, visit);
             plan_.rooms.push_back({visit.sector, visit.depth, visit.window});
         }
+        if (rays_.is_tilted) look_through_stand_ins(layer, looks);
     }
 
     /// Tilted: of the looks that are left the one that has spent least, so that of two ways to a doorway the cheaper is
@@ -124,29 +125,32 @@ private:
 
     /// beyond: what is open; here: the look that got to the portal.
     void look_behind(const WallOnScreen& wall, ClipWindow beyond, double nearest, const Visit& here) {
-        const Wall& portal = map()[wall.wall];
-        Visit visit{portal.behind,
-                    portal.exit,
-                    wall,
-                    std::move(beyond),
-                    here.face,
-                    here.depth + 1,
-                    here.spent + cost_of_look_into(map()[portal.behind])};
-        const bool stands_in = rays_.is_tilted && wall.missed;
-        if (stands_in || leads_out(portal) || is_spent(here))
+        Visit visit = visit_behind(wall, std::move(beyond), here);
+        if (leads_out(map()[wall.wall]) || is_spent(here))
             note_exit(wall.wall, nearest, is_spent(here), std::move(visit));
         else
             visits_.push_back(std::move(visit));
     }
 
+    Visit visit_behind(const WallOnScreen& wall, ClipWindow beyond, const Visit& here) const {
+        const Wall& portal = map()[wall.wall];
+        return {portal.behind,
+                portal.exit,
+                wall,
+                std::move(beyond),
+                here.face,
+                here.depth + 1,
+                here.spent + cost_of_look_into(map()[portal.behind])};
+    }
+
     /// Through those of a tilted layer that are portals, in all that the layer shows. What is behind is a layer of its
-    /// own, where walls may have to stand in again.
-    void look_through_stand_ins(Layer& layer) {
+    /// own, where walls may have to stand in again. looks: the first ones.
+    void look_through_stand_ins(Layer& layer, const std::vector<Visit>& looks) {
         layer.stand_ins = tilted_stand_ins(layer, map());
-        const std::vector<Visit> looks = layer.stand_ins.empty() ? std::vector<Visit>() : visits_;
         for (const WallOnScreen& wall : layer.stand_ins)
             if (!parts_of(map(), input_.snapshot, wall.wall, layer.pose.eye_z).opening.is_empty())
-                for (const Visit& look : looks) look_behind(wall, look.window, 1 / kNearestSprite, look);
+                for (const Visit& look : looks)
+                    note_exit(wall.wall, 1 / kNearestSprite, is_spent(look), visit_behind(wall, look.window, look));
     }
 
     /// Whether a look that got here goes no further.
@@ -230,24 +234,24 @@ private:
             child.opened = *in_view(map(), seen.exit.wall, parent.pose);
             const RelativeHeights opening = parts_of(map(), input_.snapshot, seen.exit.wall, parent.pose.eye_z).opening;
             child.box = common(parent.box, box_around(rays_, child.opened, opening));
-            if (stands_in(parent, seen.exit.wall)) open_by_stand_ins(child, parent, seen.exit.wall);
+            if (is_missed(parent, seen.exit.wall)) open_by_stand_ins(child, parent, seen.exit.wall);
         } else {
             child.box = box_around(seen.visits[0].window);
         }
         return child;
     }
 
-    static bool stands_in(const Layer& layer, WallId portal) {
+    static bool is_missed(const Layer& layer, WallId portal) {
         return std::any_of(layer.stand_ins.begin(), layer.stand_ins.end(),
-                           [&](const WallOnScreen& wall) { return wall.wall == portal; });
+                           [&](const WallOnScreen& wall) { return wall.wall == portal && wall.missed; });
     }
 
-    /// One looks in anywhere between the first and the last of them.
+    /// One looks in anywhere between the first and the last of those that are missed.
     static void open_by_stand_ins(Layer& child, const Layer& parent, WallId portal) {
         child.box = parent.box;
         bool is_first = true;
         for (const WallOnScreen& wall : parent.stand_ins) {
-            if (wall.wall != portal) continue;
+            if (wall.wall != portal || !wall.missed) continue;
             const Vec2 left = is_first ? wall.shown_left_v : child.opened.shown_left_v;
             child.opened = wall;
             child.opened.shown_left_v = left;

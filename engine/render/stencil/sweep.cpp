@@ -31,9 +31,9 @@ bool comes_before(const Event& e, const Event& other, Vec2 eye) {
 
 /// Turns a ray once round the eye. Those parts that it meets are always in their order along it, so of each two that
 /// ever share a ray one gets before the other, maybe by way of others between them.
-class Sweep {
+class AngularSweep {
 public:
-    Sweep(const std::vector<Segment>& edges, Vec2 eye, const IsMetBefore& is_met_before)
+    AngularSweep(const std::vector<Segment>& edges, Vec2 eye, const IsMetBefore& is_met_before)
         : edges_(edges), eye_(eye), is_met_before_(is_met_before) {
         for (std::size_t i = 0; i < edges.size(); ++i) add(i);
         before_.resize(parts_.size());
@@ -94,7 +94,7 @@ private:
 /// Takes parts away, always one that no other hides (Kahn: "Topological sorting of large networks", 1962).
 class Sorter {
 public:
-    explicit Sorter(const Sweep& sweep) : sweep_(sweep), hiding_(sweep.parts().size()) {
+    explicit Sorter(const AngularSweep& sweep) : sweep_(sweep), hiding_(sweep.parts().size()) {
         for (const auto& hidden : sweep.before())
             for (const std::size_t part : hidden) ++hiding_[part];
         for (std::size_t part = hiding_.size(); part-- > 0;)
@@ -126,7 +126,7 @@ private:
         return part;
     }
 
-    const Sweep& sweep_;
+    const AngularSweep& sweep_;
     std::vector<std::size_t> hiding_;  ///< how many, not yet taken, hide each one
     std::vector<std::size_t> free_;    ///< hidden by none
 };
@@ -134,7 +134,7 @@ private:
 }  // namespace
 
 std::vector<SweptPart> in_order_of_rays(const std::vector<Segment>& edges, Vec2 eye, const IsMetBefore& is_met_before) {
-    Sweep sweep(edges, eye, is_met_before);
+    AngularSweep sweep(edges, eye, is_met_before);
     sweep.turn();
     return Sorter(sweep).sort();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/predicates.h"
 #include "render/segment.h"
 
 namespace enfilade::stencil {
@@ -23,28 +24,21 @@ struct Turn {
     double by;
 };
 
-struct Covered {
+/// What is between two directions; if it is where a wall is seen, that one.
+struct Arc {
     Turn begin, end;
+    WallId wall;
 };
 
-class Gaps {
+/// What the rays see that come past the doorway.
+class Strays {
 public:
-    Gaps(const Layer& layer, const Map& map) : layer_(layer), map_(map) {
-        const Sector& room = map[map[layer.entry].sector];
-        for (std::uint32_t i = room.first_wall; i < room.first_wall + room.wall_count; ++i) note(WallId(i));
-        std::sort(covered_.begin(), covered_.end(),
-                  [](const Covered& a, const Covered& b) { return a.begin.by < b.begin.by; });
-    }
+    Strays(const Layer& layer, const Map& map) : layer_(layer), map_(map) {}
 
     std::vector<WallOnScreen> fill() {
-        Turn reached{layer_.opened.shown_left_v, 0};
-        const Turn end = turn_to(layer_.opened.shown_right_v);
-        for (const Covered& wall : covered_) {
-            if (wall.begin.by >= end.by) break;
-            if (wall.begin.by > reached.by) fill(reached, wall.begin);
-            if (wall.end.by > reached.by) reached = wall.end;
-        }
-        if (end.by > reached.by) fill(reached, end);
+        const std::vector<Arc> strays = outside(way_in());
+        if (!strays.empty()) note_walls();
+        for (const Arc& stray : strays) fill_stray(stray);
         return std::move(filled_);
     }
 
@@ -56,23 +50,105 @@ private:
         return {way_v, ahead < 0 ? 2 + right / (right + ahead) : 3 + ahead / (ahead - right)};
     }
 
-    void note(WallId id) {
-        if (layer_.entry == id || !is_beyond(map_[id], map_[layer_.entry])) return;
-        const auto wall = in_view(map_, id, layer_.pose);
-        if (!wall) return;
-        const Turn begin = turn_to(wall->left_v), end = turn_to(wall->right_v);
-        if (end.by < begin.by) covered_.push_back({{layer_.opened.shown_left_v, 0}, end});
-        covered_.push_back({begin, end.by < begin.by ? Turn{begin.way_v, 4} : end});
+    /// In two where the doorway's left end is between its ends.
+    void add_arcs(std::vector<Arc>& arcs, const WallOnScreen& wall) const {
+        const Turn begin = turn_to(wall.left_v), end = turn_to(wall.right_v);
+        if (end.by < begin.by) arcs.push_back({{layer_.opened.shown_left_v, 0}, end, wall.wall});
+        arcs.push_back({begin, end.by < begin.by ? Turn{begin.way_v, 4} : end, wall.wall});
     }
 
-    void fill(const Turn& begin, const Turn& end) {
-        if (are_in_line(begin.way_v, end.way_v)) return;  // a wall reaches beyond its end there (extend_beyond)
-        const Vec2 across = unit(end.way_v) - unit(begin.way_v), middle{-across.y, across.x};
-        if (dot(across, across) > kPiece * kPiece) {
-            fill(begin, turn_to(middle));
-            return fill(turn_to(middle), end);
+    /// Where rays do not stray: between the doorway's ends as the eye behind it has them.
+    std::vector<Arc> way_in() const {
+        const Wall& entry = map_[layer_.entry];
+        std::vector<Arc> arcs;
+        if (side_of_line(entry.a, entry.b, layer_.pose.eye) < 0)
+            add_arcs(arcs, in_view(Segment(entry.b, entry.a), layer_.pose));
+        return arcs;
+    }
+
+    /// What of the doorway's picture is left by arcs, which are given from left to right.
+    std::vector<Arc> outside(const std::vector<Arc>& arcs) const {
+        std::vector<Arc> left;
+        const auto add = [&](const Turn& begin, const Turn& end) {
+            if (end.by > begin.by && !is_hair(begin, end)) left.push_back({begin, end, {}});
+        };
+        Turn reached{layer_.opened.shown_left_v, 0};
+        const Turn end = turn_to(layer_.opened.shown_right_v);
+        for (const Arc& arc : arcs) {
+            add(reached, arc.begin.by < end.by ? arc.begin : end);
+            if (arc.end.by > reached.by) reached = arc.end;
         }
-        WallOnScreen wall = stand_in(middle);
+        add(reached, end);
+        return left;
+    }
+
+    /// A wall reaches beyond its end there (extend_beyond).
+    static bool is_hair(const Turn& begin, const Turn& end) { return are_in_line(begin.way_v, end.way_v); }
+
+    void note_walls() {
+        const SectorId room = map_[layer_.entry].sector;
+        note_walls(room, room_);
+        for (const SectorId seen : layer_.sectors)
+            if (seen != room) note_walls(seen, others_);
+    }
+
+    void note_walls(SectorId seen, std::vector<Arc>& arcs) const {
+        const Sector& sector = map_[seen];
+        for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i) note(WallId(i), arcs);
+    }
+
+    void note(WallId id, std::vector<Arc>& arcs) const {
+        if (layer_.entry == id || !is_beyond(map_[id], map_[layer_.entry])) return;
+        if (const auto wall = in_view(map_, id, layer_.pose)) add_arcs(arcs, *wall);
+    }
+
+    /// From each end of a wall of the room to the next the same walls are met.
+    void fill_stray(const Arc& stray) {
+        const std::vector<Turn> ends = ends_in(stray);
+        for (std::size_t i = 1; i < ends.size(); ++i) fill_piece(ends[i - 1], ends[i]);
+    }
+
+    std::vector<Turn> ends_in(const Arc& stray) const {
+        std::vector<Turn> ends{stray.begin, stray.end};
+        for (const Arc& wall : room_)
+            for (const Turn& end : {wall.begin, wall.end})
+                if (end.by > stray.begin.by && end.by < stray.end.by) ends.push_back(end);
+        std::sort(ends.begin(), ends.end(), [](const Turn& a, const Turn& b) { return a.by < b.by; });
+        return ends;
+    }
+
+    void fill_piece(const Turn& begin, const Turn& end) {
+        const WallId nearest = nearest_in(begin, end);
+        if (!nearest)
+            fill_gap(begin, end);
+        else if (is_hidden(nearest, begin, end))
+            add(*in_view(map_, nearest, layer_.pose), begin, end);
+    }
+
+    WallId nearest_in(const Turn& begin, const Turn& end) const {
+        WallId nearest;
+        for (const Arc& arc : room_)
+            if (arc.begin.by <= begin.by && arc.end.by >= end.by &&
+                (!nearest || is_nearer(map_[arc.wall], map_[nearest])))
+                nearest = arc.wall;
+        return nearest;
+    }
+
+    bool is_hidden(WallId wall, const Turn& begin, const Turn& end) const {
+        return std::any_of(others_.begin(), others_.end(), [&](const Arc& arc) {
+            return arc.begin.by < end.by && arc.end.by > begin.by && is_nearer(map_[arc.wall], map_[wall]);
+        });
+    }
+
+    void fill_gap(const Turn& begin, const Turn& end) {
+        const Vec2 across = unit(end.way_v) - unit(begin.way_v), middle{-across.y, across.x};
+        if (dot(across, across) <= kPiece * kPiece) return add(stand_in(middle), begin, end);
+        fill_gap(begin, turn_to(middle));
+        fill_gap(turn_to(middle), end);
+    }
+
+    void add(WallOnScreen wall, const Turn& begin, const Turn& end) {
+        if (is_hair(begin, end)) return;
         wall.shown_left_v = begin.way_v;
         wall.shown_right_v = end.way_v;
         wall.is_open_left = begin.by == 0;
@@ -106,7 +182,7 @@ private:
 
     const Layer& layer_;
     const Map& map_;
-    std::vector<Covered> covered_;
+    std::vector<Arc> room_, others_;  ///< walls beyond the doorway: of the room behind it, of all others of the layer
     std::vector<WallOnScreen> filled_;
 };
 
@@ -114,7 +190,7 @@ private:
 
 std::vector<WallOnScreen> tilted_stand_ins(const Layer& layer, const Map& map) {
     if (!layer.entry || (map[layer.entry].link == Wall::kNoLink && !layer.opened.missed)) return {};
-    return Gaps(layer, map).fill();
+    return Strays(layer, map).fill();
 }
 
 }  // namespace enfilade::stencil

@@ -230,5 +230,30 @@ TEST(TiltedStencilVertex, IsDrawnRightOnTheEndOfATurnedLink) {
     expect_agreement(sum);
 }
 
+/// On the end of a turned link: behind it the eye is rounded past a wall, and rays miss the room but for another
+/// outline of it, before which another sector is in their way.
+TEST(TiltedStencilVertex, IsDrawnRightWhereARayMissesTheRoomButForItsOtherOutline) {
+    const Vec2 end{256, -1.818359375}, to{260.7578125, -2.390625}, far_a{7.8369140625, -0.1259765625},
+        far_b{12.6171875, -0.4599609375};
+    SectorRecord far = room("far", {{8.611328125, 3.6220703125}, far_a, far_b, {12.1611328125, 4.4931640625}}, 0, 1.5);
+    far.loops.push_back(loop_of({{7.4482421875, 12.25390625},
+                                 {7.380859375, 7.5380859375},
+                                 {12.4931640625, 8.2509765625},
+                                 {12.30078125, 11.8046875}}));
+    MapFile file =
+        map_of({room("near", {end, to, {261.4833984375, 3.6435546875}, {256.7255859375, 4.2158203125}}, 0, 2), far,
+                room("between",
+                     {{7.380859375, 7.5380859375},
+                      {8.611328125, 3.6220703125},
+                      {12.1611328125, 4.4931640625},
+                      {12.4931640625, 8.2509765625}},
+                     0.25, 1.25)});
+    join_all(file);
+    link(file, "near", end, to, "far", far_a, far_b);
+    const Agreement sum = tilted_all_around(file, end, 0.36705407285307523);
+    EXPECT_GT(sum.pixels, 0u);
+    expect_agreement(sum);
+}
+
 }  // namespace
 }  // namespace enfilade::test
