@@ -33,8 +33,9 @@ bool comes_before(const Event& e, const Event& other, Vec2 eye) {
 /// ever share a ray one gets before the other, maybe by way of others between them.
 class AngularSweep {
 public:
-    AngularSweep(const std::vector<Segment>& edges, Vec2 eye, const IsMetBefore& is_met_before)
-        : edges_(edges), eye_(eye), is_met_before_(is_met_before) {
+    AngularSweep(const std::vector<Segment>& edges, Vec2 eye, const IsMetBefore& is_met_before,
+                 const IsRounded& is_rounded)
+        : edges_(edges), eye_(eye), is_met_before_(is_met_before), is_rounded_(is_rounded) {
         for (std::size_t i = 0; i < edges.size(); ++i) add(i);
         before_.resize(parts_.size());
         std::sort(events_.begin(), events_.end(),
@@ -66,13 +67,28 @@ private:
     }
 
     void begin(std::size_t part) {
-        const auto is_nearer = [&](std::size_t met) { return is_met_before_(parts_[met].edge, parts_[part].edge); };
-        // From behind, one by one: where pictures' rounded ends overlap by a hair, which tells nothing, all others
-        // count.
-        const auto last_before = std::find_if(met_.rbegin(), met_.rend(), is_nearer);
-        const auto place = met_.insert(last_before.base(), part);
+        const auto place = met_.insert(met_.begin() + static_cast<std::ptrdiff_t>(place_for(part)), part);
         if (place != met_.begin()) before_[*(place - 1)].push_back(part);
         if (place + 1 != met_.end()) before_[part].push_back(*(place + 1));
+    }
+
+    /// An edge that is not rounded gets between the two others of its kind that it is between.
+    std::size_t place_for(std::size_t part) const {
+        std::size_t first = 0, last = met_.size();
+        if (!is_rounded(part)) {
+            while (last > 0 && (is_rounded(met_[last - 1]) || !is_before(met_[last - 1], part))) --last;
+            first = last;
+            while (last < met_.size() && is_rounded(met_[last])) ++last;
+        }
+        // From behind, one by one: where pictures' rounded ends overlap by a hair, which tells nothing, all others
+        // count.
+        while (last > first && !is_before(met_[last - 1], part)) --last;
+        return last;
+    }
+
+    bool is_rounded(std::size_t part) const { return is_rounded_(parts_[part].edge); }
+    bool is_before(std::size_t part, std::size_t other) const {
+        return is_met_before_(parts_[part].edge, parts_[other].edge);
     }
 
     void end(std::size_t part) {
@@ -85,6 +101,7 @@ private:
     const std::vector<Segment>& edges_;
     Vec2 eye_;
     const IsMetBefore& is_met_before_;
+    const IsRounded& is_rounded_;
     std::vector<SweptPart> parts_;
     std::vector<Event> events_;
     std::vector<std::vector<std::size_t>> before_;
@@ -133,8 +150,9 @@ private:
 
 }  // namespace
 
-std::vector<SweptPart> in_order_of_rays(const std::vector<Segment>& edges, Vec2 eye, const IsMetBefore& is_met_before) {
-    AngularSweep sweep(edges, eye, is_met_before);
+std::vector<SweptPart> in_order_of_rays(const std::vector<Segment>& edges, Vec2 eye, const IsMetBefore& is_met_before,
+                                        const IsRounded& is_rounded) {
+    AngularSweep sweep(edges, eye, is_met_before, is_rounded);
     sweep.turn();
     return Sorter(sweep).sort();
 }

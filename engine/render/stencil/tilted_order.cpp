@@ -35,9 +35,10 @@ public:
 
     TiltedLayer order() const {
         const auto is_met_before = [this](std::size_t i, std::size_t j) { return this->is_met_before(i, j); };
+        const auto is_rounded = [this](std::size_t i) { return uprights_[i].is_thing(); };
         TiltedLayer ordered{layer_.stand_ins, {}};
         int rank = 1;
-        for (const SweptPart& part : in_order_of_rays(lines_, layer_.pose.eye, is_met_before))
+        for (const SweptPart& part : in_order_of_rays(lines_, layer_.pose.eye, is_met_before, is_rounded))
             add_part(ordered, part, rank++);
         return ordered;
     }

@@ -79,18 +79,35 @@ TEST(TiltedView, LooksSteeplyUpAndDownAsInTheReference) {
     expect_agreement(sum);
 }
 
-/// The part of the thing that is in the room behind ends in the doorway, where a panel begins: the panel is before it.
-TEST(TiltedView, ShowsThePanelOfADoorwayThatAThingStandsIn) {
+/// In the courtyard with fences, panels and things.
+Agreement compare_in_courtyard(Vec2 eye, double eye_z, double yaw_degrees, double fov_degrees, const Tilt& tilt) {
     const MapFile file = furnished(open_steps());
     const Map map = built(file);
     TextureSet textures = textures_for(file);
     textures.textures[textures.find("lattice").index] = lattice();
     Sight sight(map, textures);
-    View view = look_from(map, snap_to_point_grid({5.5915323111694306, 4.2423060711007565}), 0, 196.91762038506567);
-    view.eye_z = 1.8613430701684204;
-    view.fov_degrees = 73.792947225955274;
-    view.tilt = tilt_of(41.586541431024671, 134.03163428418338);
-    expect_agreement(sight.compare(view, kSize));
+    View view = look_from(map, snap_to_point_grid(eye), 0, yaw_degrees);
+    view.eye_z = eye_z;
+    view.fov_degrees = fov_degrees;
+    view.tilt = tilt;
+    return sight.compare(view, kSize);
+}
+
+/// The part of the thing that is in the room behind ends in the doorway, where a panel begins: the panel is before it.
+TEST(TiltedView, ShowsThePanelOfADoorwayThatAThingStandsIn) {
+    expect_agreement(compare_in_courtyard({5.5915323111694306, 4.2423060711007565}, 1.8613430701684204,
+                                          196.91762038506567, 73.792947225955274,
+                                          tilt_of(41.586541431024671, 134.03163428418338)));
+}
+
+/// A thing ends by a corner of a building, a hair to the wrong side of one of its walls, between it and the next.
+TEST(TiltedView, ShowsTheWallsOfACornerThatAThingEndsBy) {
+    expect_agreement(compare_in_courtyard({2.720480349380523, 4.3697384933475405}, 3.8427779968631577,
+                                          325.52340533584356, 74.655955282866969,
+                                          tilt_of(21.876024138182402, 110.81885467283428)));
+    expect_agreement(compare_in_courtyard({0.96230322425253689, 7.8042150770779699}, 5.3697738238341319,
+                                          331.11586687155068, 91.7857939547238,
+                                          tilt_of(-63.36116717197001, 3.9586231671273708)));
 }
 
 /// The picture of an eye that does not tilt its head is the one whose horizon is not shifted.
