@@ -238,8 +238,7 @@ TEST_F(Render, SmoothsEdgesWithSamples) {
     render({"--out", "one.png", "--ids", "same.png"});
     EXPECT_NE(program_.text("one.png"), program_.text("sixteen.png"));
     EXPECT_EQ(program_.text("ids.png"), program_.text("same.png")) << "ids are those of the pixels' middles";
-    const Ended wide =
-        program_.run({"render", "map.toml", "--samples", "8", "--size", "4000x10", "--out", "wide.png"});
+    const Ended wide = program_.run({"render", "map.toml", "--samples", "8", "--size", "4000x10", "--out", "wide.png"});
     EXPECT_EQ(wide.exit_code, 2);
     EXPECT_THAT(wide.err, HasSubstr("--samples: expected at most 4 for a picture of 4000x10"));
 }
