@@ -62,11 +62,11 @@ void declare_true_pitch(CLI::App& command, bool& true_pitch) {
 }
 
 template <class Number>
-void declare_samples(CLI::App& command, Number& samples) {
+void declare_samples(CLI::App& command, Number& samples, const std::string& otherwise = "1") {
     command
-        .add_option(
-            "--samples", samples,
-            "Each pixel shows the mean of N x N rays: smooth edges, in N x N times the time or more; 1 if not given")
+        .add_option("--samples", samples,
+                    "Each pixel shows the mean of N x N rays: smooth edges, in N x N times the time or more; " +
+                        otherwise + " if not given")
         ->type_name("N")
         ->check(number_within(1, kMostSamples));
 }
@@ -203,7 +203,7 @@ void declare_drawing(CLI::App& command, FlyRequest& request) {
     command.add_option("--size", request.size, "Size in pixels instead of the script's")->type_name("WxH");
     command.add_option("--renderer", request.renderer, "column, stencil or reference, instead of the script's")
         ->type_name("NAME");
-    declare_samples(command, request.samples);
+    declare_samples(command, request.samples, "the script's");
     declare_threads(command, request.threads);
     declare_textures(command, request.texture_folders);
     declare_skill(command, request.skill);

@@ -53,9 +53,13 @@ std::string nearest_file(const std::string& path) {
     if (is_there(path + ".toml")) return fmt::format("; did you mean {}.toml?", path);
     const fs::path folder = fs::path(path).parent_path();
     const std::vector<std::string> names = list_folder(folder.empty() ? "." : folder.string());
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string_view near = nearest_word(fs::path(path).filename().string(), known);
-    return near.empty() ? "" : fmt::format("; did you mean {}?", (folder / near).string());
+    const fs::path ending = fs::path(path).extension();  // what files of one kind share makes none like another
+    std::vector<std::string> stems;
+    for (const std::string& name : names)
+        if (fs::path(name).extension() == ending) stems.push_back(fs::path(name).stem().string());
+    const std::vector<std::string_view> known(stems.begin(), stems.end());
+    const std::string_view near = nearest_word(fs::path(path).stem().string(), known);
+    return near.empty() ? "" : fmt::format("; did you mean {}{}?", (folder / near).string(), ending.string());
 }
 
 /// With a file in it of the kind that is wanted, where there is one.

@@ -108,8 +108,10 @@ BadFrame bad_frame(const Mismatch& mismatch, std::optional<KeptPicture> kept, Fr
 
 /// What a reader of the report can do.
 std::string advice_on(const KeptPictures& kept, const std::string& script_path) {
-    std::string advice =
-        fmt::format("If the change was meant, record them again with `enfilade fly {} --record`.", script_path);
+    std::string advice = fmt::format(
+        "If the change was meant, record them again with `enfilade fly {} --record` and the options that were "
+        "given here.",
+        script_path);
     if (!kept.what_is_missing().empty())
         advice += fmt::format(
             " {} To see what was expected, run the same in the version that was right, and check again "

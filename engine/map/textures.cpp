@@ -247,7 +247,8 @@ void TextureLoader::report_missing(std::size_t first, Findings& findings) const 
     if (more > 0) names += " and " + std::to_string(more) + " more, for other sides of the thing,";
     findings.push_back(
         {picture.place, Severity::warning, "missing-texture",
-         names + (more > 0 ? " are" : " is") + " in none of the texture folders; " +
+         names + (more > 0 ? " are" : " is") +
+             " in none of the texture folders (textures/ beside the map, the map's own 'textures', --textures); " +
              (picture.is_color_table ? "all colors are darkened in proportion" : "a placeholder is drawn") +
              picture.near});
 }

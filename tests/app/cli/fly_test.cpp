@@ -272,6 +272,8 @@ TEST_F(Fly, SaysWhatAFileIsThatIsNoScript) {
     EXPECT_THAT(said("map.toml"),
                 HasSubstr("expected a flythrough script (.toml), found a map; `enfilade play map.toml`"));
     EXPECT_THAT(said("wakl.toml"), HasSubstr("wakl.toml: no such file; did you mean walk.toml?"));
+    EXPECT_THAT(said("b.toml"), ::testing::Not(HasSubstr("did you mean")))
+        << "that both end in .toml makes no likeness";
 }
 
 TEST_F(Fly, OffersOnlyWhatItTakes) {
