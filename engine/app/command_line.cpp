@@ -299,7 +299,8 @@ CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
     command->footer(
         "Frames are drawn in turn, so that what else the machine does troubles all of them alike. Walls, runs (of one "
         "surface "
-        "down one column) and viewports are means of a picture.\nExamples:\n  "
+        "down one column) and viewports are means of a picture. Slowest is the frame whose minimum is the "
+        "largest.\nExamples:\n  "
         "enfilade bench maps/enfilade.toml maps/flythroughs/cells.toml --threads 1 --csv times.csv\n  enfilade bench "
         "e1m1.toml:walk.csv --threads 1 --against old/enfilade\n  enfilade bench --effects\nExit status: 0 done, 1 "
         "something is at fault, 2 wrong usage.");

@@ -127,6 +127,10 @@ std::optional<std::vector<ViewRow>> open_views(const std::string& path) {
     ViewsReading reading = read_views(as_text(bytes.value()));
     for (const Finding& finding : reading.findings) print_text(stderr, to_text(path, finding) + "\n");
     if (has_errors(reading.findings)) return {};
+    if (reading.views.empty()) {
+        fail({path, "expected at least one view below the names of the columns; the list has none"});
+        return {};
+    }
     return std::move(reading.views);
 }
 

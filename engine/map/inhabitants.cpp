@@ -129,7 +129,9 @@ private:
         start.sector = finder_.around(start.position);
         const std::string around = start.sector ? quoted(draft_.map[start.sector].name) : "no sector";
         if (draft_.is_strict())
-            return draft_.error(player, key, code, complaint + "; " + point_text(start.position) + " is in " + around);
+            return draft_.error(player, key, code,
+                                complaint + (start.sector ? "; " + point_text(start.position) + " is in " + around
+                                                          : "; no sector is there, so move the player into one"));
         draft_.warning(player, key, code, complaint + "; the player starts in " + around);
         if (start.sector) draft_.map.player = start;
     }

@@ -31,6 +31,13 @@ TEST(Player, InTheWrongRoomIsToldTheRightOne) {
                                                       "(6, 1) is in 'right' [player-outside]"));
 }
 
+TEST(Player, OutsideOfAllRoomsIsToldToMove) {
+    MapFile file = two_rooms();
+    place_player(file, "left", {60, 1});
+    EXPECT_THAT(text_of(findings_of(file)), HasSubstr("error: the player's position (60, 1) is outside sector 'left'; "
+                                                      "no sector is there, so move the player into one"));
+}
+
 TEST(Player, OfATutorialMapStartsWhereHeStands) {
     MapFile file = two_rooms();
     file.format = 0;

@@ -243,6 +243,14 @@ TEST_F(Render, SmoothsEdgesWithSamples) {
     EXPECT_THAT(wide.err, HasSubstr("--samples: expected at most 4 for a picture of 4000x10"));
 }
 
+TEST_F(Render, RefusesAListWithoutViews) {
+    program_.write("none.csv", "x,y,z,yaw,pitch\n");
+    const Ended ended = render({"--views", "none.csv", "--out", "all"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("none.csv: expected at least one view"));
+    EXPECT_FALSE(program_.exists("all"));
+}
+
 TEST_F(Render, RefusesNumbersOutOfRange) {
     for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--fov", "180"},
                                                                                         {"--fov", "nan"},
