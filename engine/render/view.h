@@ -31,6 +31,10 @@ struct View {
 /// Smallest and largest horizontal field of view [degrees].
 inline constexpr double kMinFov = 1, kMaxFov = 179;
 
+/// At least the tangent of half of kMaxFov: no ray of a picture that is not tilted has a steeper slope. A ray of a
+/// tilted one that has is followed along another of four directions, each a quarter of a turn on.
+inline constexpr double kMostSlope = 115;
+
 /// A ray by where it is one metre along the line of sight, the middle of the picture: so many metres along the view's
 /// `forward` in the plane, to its right and up.
 struct Ray {

@@ -27,10 +27,6 @@ bool is_in_front(const DirectedEdge& e, const DirectedEdge& f) {
 
 namespace {
 
-/// A slope that a path can have (ray_path.h) and that every ray of a picture that is not tilted has: the tangent of
-/// half of kMaxFov.
-constexpr double kMostSlope = 115;
-
 /// Straight down is down and this much ahead: a hair on any floor [1].
 constexpr double kLean = 0x1p-40;
 

@@ -170,7 +170,7 @@ void LayerPainter::use_layer(const Layer& layer, int level) {
     at_level(level, GL_KEEP);
 }
 
-/// is_far: at an infinite depth, instead of where the portal is.
+/// is_far: behind everything, instead of where the portal is.
 void LayerPainter::use_masks(bool is_far) const {
     glUseProgram(programs_->masks.program.id());
     depth_range(is_far ? 0 : 1);

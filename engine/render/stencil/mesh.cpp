@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "render/sprite.h"
-#include "render/stencil/tilted_order.h"
+#include "render/stencil/tilted.h"
 
 namespace enfilade::stencil {
 

@@ -8,7 +8,7 @@
 #include "render/stencil/panorama.h"
 #include "render/stencil/room_look.h"
 #include "render/stencil/room_panes.h"
-#include "render/stencil/tilted_stand_ins.h"
+#include "render/stencil/tilted.h"
 
 namespace enfilade::stencil {
 namespace {

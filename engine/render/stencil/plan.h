@@ -30,7 +30,7 @@ struct Layer {
     ScreenBox box;                    ///< no pixel of the layer is outside
     std::vector<SectorId> sectors;    ///< looked into
     std::vector<WallOnScreen> walls;  ///< upright: by runs of columns, which meet one in each room they go through
-    std::vector<WallOnScreen> stand_ins;  ///< tilted: before all else (tilted_stand_ins.h)
+    std::vector<WallOnScreen> stand_ins;  ///< tilted: before all else (tilted.h)
     std::vector<Exit> exits;              ///< nearest first
     std::vector<Pane> panes;              ///< upright: along every ray the nearer before the farther
 };

@@ -13,15 +13,15 @@
 // The classic alternative, a projection whose near plane is tilted into the portal's (Lengyel: "Oblique View Frustum
 // Depth Projection and Clipping", 2005), was left out on purpose: walls in the portal's plane fall to either side by
 // rounding, and depth becomes worse in proportion as the eye comes nearer to the plane, until, where portals matter
-// most, there is none. Nor has depth to tell walls apart in upright pictures: there the depth buffer holds through how
-// many portals a wall is seen, so that walls through the very eye, or a millimetre apart at 10 km, are in the order
-// that the planner found exactly. What 24 bits of depth tell apart, in a picture 90 degrees wide before a portal that
-// is square to the view (one that slants is up to 1.4 times worse), and what tilted pictures tell apart, where it is 1
-// / (1 + metres) in a float whatever one looks through (tests/render/stencil/near_plane_test.cpp):
+// most, there is none. Nor has depth to tell walls apart: the depth buffer holds ranks, upright through how many
+// portals a wall is seen, tilted its place in the order of a sweep round the eye (tilted.h), so that walls through the
+// very eye, or a millimetre apart at 10 km, are in the order that was found exactly. What 24 bits of depth would tell
+// apart, in a picture 90 degrees wide before a portal that is square to the view (one that slants is up to 1.4 times
+// worse; tests/render/stencil/near_plane_test.cpp):
 //
-//   eye to portal    1 m      6 cm     4 mm     1 mm     1/65 mm  on it    | any, here
-//   at 10 m          6 um     0.1 mm   1.5 mm   6 mm     0.4 m    nothing  | 1 um
-//   at 100 m         0.6 mm   1 cm     15 cm    0.6 m    64 m     nothing  | 10 um
+//   eye to portal    1 m      6 cm     4 mm     1 mm     1/65 mm  on it
+//   at 10 m          6 um     0.1 mm   1.5 mm   6 mm     0.4 m    nothing
+//   at 100 m         0.6 mm   1 cm     15 cm    0.6 m    64 m     nothing
 //
 // Floors, ceilings and skies are drawn as what a look meets below or above a wall, not as polygons of their own. So
 // every column is closed wherever a wall stands in it, whatever the heights of the rooms; there are no T-junctions, no

@@ -1,11 +1,10 @@
-#include "render/stencil/tilted_order.h"
+#include "render/stencil/tilted.h"
 
 #include <cmath>
 
 #include "math/predicates.h"
 #include "math/vec.h"
 #include "render/stencil/sweep.h"
-#include "render/stencil/tilted_panes.h"
 
 namespace enfilade::stencil {
 

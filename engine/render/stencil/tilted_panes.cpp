@@ -1,4 +1,4 @@
-#include "render/stencil/tilted_panes.h"
+#include "render/stencil/tilted.h"
 
 #include <algorithm>
 #include <cmath>

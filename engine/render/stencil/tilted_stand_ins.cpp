@@ -1,4 +1,4 @@
-#include "render/stencil/tilted_stand_ins.h"
+#include "render/stencil/tilted.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,6 @@ namespace {
 
 /// Length of a piece on a circle of radius 1.
 constexpr double kPiece = 1.0 / 64;
-
-/// Of what is missed a depth is known along one direction: the view's own, or for rays farther from it than this the
-/// one of four that is nearest, as in the reference (render/reference/ray_path.cpp) [1].
-constexpr double kMostSlope = 115;
 
 /// A direction as seen from the left end of the doorway, and how far it is turned to the right from there: 0 to 4, a
 /// quarter of a turn counting as 1, not evenly.
@@ -158,6 +154,8 @@ private:
 
     static Vec2 unit(Vec2 v) { return v * (1 / std::sqrt(dot(v, v))); }
 
+    /// Of what is missed a depth is known along one direction: the view's own, or the one of four that is nearest to
+    /// the ray, as in the reference (kMostSlope).
     WallOnScreen stand_in(Vec2 way) const {
         std::size_t quarters = 0;
         if (!(way.y > 0 && std::fabs(way.x) <= kMostSlope * way.y))
