@@ -277,6 +277,7 @@ Agreement Sight::compare_random_poses(int count, PictureSize size, std::uint64_t
 }
 
 void expect_agreement(const Agreement& a, double wrong_share, double elsewhere_share) {
+    EXPECT_GT(a.pixels, 0u) << "nothing was looked at";
     EXPECT_EQ(a.undrawn, 0u) << describe(a);
     EXPECT_LE(double(a.elsewhere), elsewhere_share * double(a.pixels)) << describe(a);
     EXPECT_LE(double(a.wrong_color), wrong_share * double(a.pixels)) << describe(a);

@@ -79,8 +79,8 @@ private:
     std::vector<Aside> asides_;  ///< of the view that is being compared, as many as were asked for
 };
 
-/// At most one pixel in a thousand shows another surface, only at edges but for a share of all; colours are right but
-/// for a share of all.
+/// Something was compared. At most one pixel in a thousand shows another surface, only at edges but for a share of all;
+/// colours are right but for a share of all.
 void expect_agreement(const Agreement& agreement, double wrong_share = 0, double elsewhere_share = 0);
 
 }  // namespace enfilade::test
