@@ -100,6 +100,8 @@ int run_command_line(int argc, char** argv) {
     return run(options, is_verbose);
 }
 
+[[gnu::constructor(enfilade::kBeforeAllConstants)]] void begin() { enfilade::end_in_a_sentence("wadconv"); }
+
 }  // namespace
 
 int main(int argc, char** argv) {

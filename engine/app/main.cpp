@@ -9,6 +9,8 @@
 
 namespace {
 
+constexpr const char* kName = "enfilade";
+
 /// Reading a large map takes and gives back some ten MiB in small pieces. By default every few KiB of it are a system
 /// call; this many bytes at once, kept until the end, make a map load in three quarters of the time. Memory that is
 /// not touched is not taken; but it counts where addresses are limited (ulimit -v), and there small pieces do.
@@ -23,9 +25,11 @@ void take_memory_in_large_pieces() {
 #endif
 }
 
+[[gnu::constructor(enfilade::kBeforeAllConstants)]] void begin() { enfilade::end_in_a_sentence(kName); }
+
 }  // namespace
 
 int main(int argc, char** argv) {
     take_memory_in_large_pieces();
-    return enfilade::run_program("enfilade", [&] { return enfilade::run_command_line(argc, argv); });
+    return enfilade::run_program(kName, [&] { return enfilade::run_command_line(argc, argv); });
 }

@@ -49,10 +49,18 @@ void say_last_words(const char* name, const char* what) {
 
 const char* program_name = "";  // a terminate handler gets no arguments
 
+/// An exception for which there is no memory is none.
+bool is_memory_short() {
+    constexpr std::size_t kSome = std::size_t{1} << 20;
+    void* const some = std::malloc(kSome);
+    std::free(some);
+    return some == nullptr;
+}
+
 /// Where an exception cannot get through: the same last words as elsewhere.
 [[noreturn]] void end_the_program() {
     remove_temporary_files();
-    const char* what = "it had to end";
+    const char* what = is_memory_short() ? kNoMemory : "it had to end";
     try {
         if (std::current_exception()) throw;
     } catch (const std::bad_alloc&) {
@@ -91,9 +99,13 @@ Status attempt(const std::function<void()>& work) {
     }
 }
 
-int run_program(const char* name, const std::function<int()>& work) {
+void end_in_a_sentence(const char* name) {
     program_name = name;
     std::set_terminate(end_the_program);
+}
+
+int run_program(const char* name, const std::function<int()>& work) {
+    end_in_a_sentence(name);
     try {
         return work();
     } catch (const std::bad_alloc&) {

@@ -34,6 +34,12 @@ private:
     bool before_;
 };
 
+/// From here on the program ends as run_program() says where an exception cannot be thrown, or nobody catches it. For a
+/// function that is called before all others ([[gnu::constructor]] of the first priority): libraries take memory for
+/// constants of their own before main(). name: of the program; lives as long.
+void end_in_a_sentence(const char* name);
+inline constexpr int kBeforeAllConstants = 101;  ///< that priority: those below it are the compiler's
+
 /// Runs a program: `work`'s exit status, or, where memory cannot be had or something else was thrown, 1, after one
 /// sentence on stderr that begins with the program's name and takes no memory itself. Temporary files are removed.
 int run_program(const char* name, const std::function<int()>& work);
