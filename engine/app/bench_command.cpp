@@ -40,6 +40,8 @@ Status refuse_beside_effects(const BenchRequest& request) {
     if (!request.renderer.empty() && request.renderer != "column")
         return Error{"--renderer",
                      "the prices of effects are those of the column renderer; leave it out beside --effects"};
+    if (request.samples != 1)
+        return Error{"--samples", "the prices of effects are those of one ray a pixel; leave it out beside --effects"};
     if (!request.csv.empty())
         return Error{"--csv", "--effects writes a table in Markdown to the terminal; leave one of the two out"};
     return {};
