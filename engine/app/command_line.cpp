@@ -13,7 +13,6 @@
 #include "base/output_file.h"
 #include "base/terminal.h"
 #include "formats/text_parts.h"
-#include "render/supersample.h"
 #include "render/view.h"
 
 namespace enfilade {

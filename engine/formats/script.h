@@ -43,6 +43,9 @@ struct StartRecord {
 
 enum class RendererKind : std::uint8_t { column, stencil, reference };
 
+/// Most rays along each side of a pixel: what sixty-four cannot smooth, more do not either.
+inline constexpr int kMostSamples = 8;
+
 /// The whole file. Frame n shows the time n / rate, so that it can be drawn without the frames before it.
 struct ScriptFile {
     std::string map;                ///< path, relative to the script
@@ -50,7 +53,7 @@ struct ScriptFile {
     int rate = 30;                  ///< frames a second, 1..1000
     RendererKind renderer = RendererKind::column;
     double fov_degrees = 90;  ///< horizontal, 1..179
-    int samples = 1;          ///< rays along each side of a pixel, 1..8
+    int samples = 1;          ///< rays along each side of a pixel, 1..kMostSamples
     std::string tape;         ///< path of recorded input, relative to the script, instead of legs; empty: none
     StartRecord start;
     std::vector<LegRecord> legs;  ///< empty exactly where there is a tape

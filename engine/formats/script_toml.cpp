@@ -91,7 +91,7 @@ constexpr std::array kScriptKeys{
     key<&ScriptFile::rate>("rate", kAlways, Need::optional, {1, 1000}),
     key<&ScriptFile::renderer>("renderer", kAlways),
     key<&ScriptFile::fov_degrees>("fov", kAlways, Need::optional, {1, 179}),
-    key<&ScriptFile::samples>("samples", kAlways, Need::optional, {1, 8}),
+    key<&ScriptFile::samples>("samples", kAlways, Need::optional, {1, kMostSamples}),
     path_key<&ScriptFile::tape, &ScriptFile::tape_place>("tape", Need::optional),
     key<&ScriptFile::start>("start", kAlways),
     key<&ScriptFile::legs>("legs", kAlways),

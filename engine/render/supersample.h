@@ -6,9 +6,6 @@
 
 namespace enfilade {
 
-/// Most rays along each side of a pixel: what sixty-four cannot smooth, more do not either.
-inline constexpr int kMostSamples = 8;
-
 /// The mean of colours as an eye mixes them, in linear light (IEC 61966-2-1, "sRGB"). Whole numbers: the same mean on
 /// every machine, and in whatever order colours are added.
 class LightMean {
