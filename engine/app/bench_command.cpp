@@ -24,7 +24,7 @@ constexpr std::size_t kUsualRounds = 9;
 struct BenchChoices {
     PictureSize size;
     RendererKind renderer = RendererKind::column;
-    int samples = 1;                                 ///< as RendererChoice::samples
+    Dials dials;
     std::size_t threads = 1, rounds = kUsualRounds;  ///< >= 1
     PriceChoices prices;
 };
@@ -40,8 +40,12 @@ Status refuse_beside_effects(const BenchRequest& request) {
     if (!request.renderer.empty() && request.renderer != "column")
         return Error{"--renderer",
                      "the prices of effects are those of the column renderer; leave it out beside --effects"};
-    if (request.samples != 1)
-        return Error{"--samples", "the prices of effects are those of one ray a pixel; leave it out beside --effects"};
+    if (request.dials.is_given())
+        return Error{request.dials.samples            ? "--samples"
+                     : request.dials.accuracy.empty() ? "--dial"
+                                                      : "--accuracy",
+                     "the prices of effects are those of exact pictures of one ray a pixel; leave it out beside "
+                     "--effects"};
     if (!request.csv.empty())
         return Error{"--csv", "--effects writes a table in Markdown to the terminal; leave one of the two out"};
     return {};
@@ -83,10 +87,11 @@ Result<BenchChoices> choices_of(const BenchRequest& request) {
     if (!size.ok()) return size.error();
     const auto renderer = parse_renderer(request.renderer.empty() ? "column" : request.renderer);
     if (!renderer.ok()) return renderer.error();
-    if (Status wrong = check_samples(request.samples, size.value())) return *wrong;
+    const auto dials = dials_from(request.dials, {}, renderer.value(), size.value());
+    if (!dials.ok()) return dials.error();
     return BenchChoices{size.value(),
                         renderer.value(),
-                        request.samples,
+                        dials.value(),
                         request.threads.value_or(hardware_threads()),
                         request.rounds.value_or(kUsualRounds),
                         price_choices(request, size.value())};
@@ -122,7 +127,7 @@ using Renderers = std::vector<std::unique_ptr<Renderer>>;
 Result<Renderers> renderers_for(const std::vector<BenchSubject>& subjects, const BenchChoices& choices) {
     Renderers renderers;
     for (const BenchSubject& subject : subjects) {
-        auto renderer = make_renderer({choices.renderer, choices.samples, choices.threads, open_gl_for_pictures},
+        auto renderer = make_renderer({choices.renderer, choices.dials, choices.threads, open_gl_for_pictures},
                                       subject.map(), subject.textures());
         if (!renderer.ok()) return renderer.error();
         renderers.push_back(std::move(renderer).value());
@@ -174,7 +179,10 @@ ChildBench child_bench(const BenchRequest& request, const BenchChoices& choices)
     bench.options = {"--size",     fmt::format("{}x{}", choices.size.width, choices.size.height),
                      "--threads",  std::to_string(threads),
                      "--renderer", name_of(choices.renderer)};
-    if (choices.samples > 1) bench.options.insert(bench.options.end(), {"--samples", std::to_string(choices.samples)});
+    const DialRequest& dials = request.dials;
+    if (dials.samples) bench.options.insert(bench.options.end(), {"--samples", std::to_string(*dials.samples)});
+    if (!dials.accuracy.empty()) bench.options.insert(bench.options.end(), {"--accuracy", dials.accuracy});
+    for (const std::string& dial : dials.dials) bench.options.insert(bench.options.end(), {"--dial", dial});
     for (const std::string& folder : request.texture_folders) {
         bench.options.push_back("--textures");
         bench.options.push_back(folder);

@@ -60,14 +60,26 @@ void declare_true_pitch(CLI::App& command, bool& true_pitch) {
                      "lines converge. Drawn by stencil and reference");
 }
 
-template <class Number>
-void declare_samples(CLI::App& command, Number& samples, const std::string& otherwise = "1") {
+/// otherwise: what holds where nothing is given.
+void declare_dials(CLI::App& command, DialRequest& request, const std::string& otherwise = "1") {
     command
-        .add_option("--samples", samples,
+        .add_option("--samples", request.samples,
                     "Each pixel shows the mean of N x N rays: smooth edges, in N x N times the time or more; " +
                         otherwise + " if not given")
         ->type_name("N")
         ->check(number_within(1, kMostSamples));
+    command
+        .add_option("--accuracy", request.accuracy,
+                    "How far texels may be off: exact, fine (a quarter of a texel), fast (one), or a number of texels. "
+                    "By the column renderer; what a pixel belongs to is exact with all of them")
+        ->type_name("NAME|TEXELS");
+    command
+        .add_option("--dial", request.dials,
+                    "A single dial, to see what it does: span=1..64 (columns or rows from one exact position to the "
+                    "next), number=double, float or fixed, sampling=nearest or mip (distant pictures made smaller), "
+                    "light=map, smooth or bands, links=0..1000 (looked through in one chain). May be given many times")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
 }
 
 void declare_left_out(CLI::App& command, LeftOut& left_out) {
@@ -136,7 +148,7 @@ void declare_pictures(CLI::App& command, RenderRequest& request) {
         ->type_name("S")
         ->check(number_within(kLeastStretch, kMostStretch));
     command.add_option("--renderer", request.renderer, kRenderers)->type_name("NAME");
-    declare_samples(command, request.samples);
+    declare_dials(command, request.dials);
     declare_threads(command, request.threads);
     declare_textures(command, request.texture_folders);
     declare_skill(command, request.skill);
@@ -202,7 +214,7 @@ void declare_drawing(CLI::App& command, FlyRequest& request) {
     command.add_option("--size", request.size, "Size in pixels instead of the script's")->type_name("WxH");
     command.add_option("--renderer", request.renderer, "column, stencil or reference, instead of the script's")
         ->type_name("NAME");
-    declare_samples(command, request.samples, "the script's");
+    declare_dials(command, request.dials, "the script's");
     declare_threads(command, request.threads);
     declare_textures(command, request.texture_folders);
     declare_skill(command, request.skill);
@@ -269,7 +281,7 @@ CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
     command->add_option("--size", request.size, "Size in pixels, 1280x800 if not given; with --effects 640x400")
         ->type_name("WxH");
     command->add_option("--renderer", request.renderer, kRenderers)->type_name("NAME");
-    declare_samples(*command, request.samples);
+    declare_dials(*command, request.dials);
     command
         ->add_option(
             "--rounds", request.rounds,

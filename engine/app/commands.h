@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/options.h"
 #include "base/parallel.h"
 #include "map/load.h"
 #include "render/outside/outside_camera.h"
@@ -19,7 +20,7 @@ struct PlayRequest {
 };
 
 struct RenderRequest {
-    int samples = 1;  ///< rays along each side of a pixel
+    DialRequest dials;
     std::string map, view, views, sector, size = "1280x800", renderer = "column";
     double fov_degrees = 90, time_s = 0, roll_degrees = 0;
     bool true_pitch = false;
@@ -35,7 +36,7 @@ struct RenderRequest {
 
 struct FlyRequest {
     std::string script, out, renderer, frames, size, against;
-    std::optional<int> samples;
+    DialRequest dials;
     std::vector<std::string> texture_folders;
     std::size_t threads = hardware_threads();
     int skill = kUsualSkill;
@@ -56,7 +57,7 @@ struct BenchRequest {
     std::string size, renderer, csv, against;  ///< empty where not given
     std::vector<std::string> texture_folders;
     std::optional<std::size_t> threads, rounds;
-    int samples = 1;
+    DialRequest dials;
     bool effects = false, instructions = false;
 };
 

@@ -23,7 +23,6 @@ struct FlyChoices {
     std::optional<PictureSize> size;
     std::optional<FrameRange> frames;
     std::optional<RendererKind> renderer, against;
-    std::optional<int> samples;
 };
 
 /// Puts the parsed argument into `choice` where it was given.
@@ -60,11 +59,16 @@ Status check_left_out(const FlyRequest& request) {
 }
 
 /// Recorded frames are drawn as the script says.
-Status refuse_other_samples(const FlyRequest& request) {
+Status refuse_other_dials(const FlyRequest& request) {
     const bool is_recorded = request.record || (request.check && request.against.empty());
-    if (!request.samples || !is_recorded) return {};
-    return Error{"--samples", "recorded frames have the samples that the script says; write samples = " +
-                                  std::to_string(*request.samples) + " there, and leave it out"};
+    if (!request.dials.is_given() || !is_recorded) return {};
+    if (request.dials.samples)
+        return Error{"--samples", "recorded frames have the samples that the script says; write samples = " +
+                                      std::to_string(*request.dials.samples) + " there, and leave it out"};
+    return Error{
+        request.dials.accuracy.empty() ? "--dial" : "--accuracy",
+        "recorded frames are drawn as exactly as the script says; write accuracy or [dials] there, and leave it "
+        "out"};
 }
 
 Status check_combination(const FlyRequest& request) {
@@ -82,7 +86,7 @@ Status check_combination(const FlyRequest& request) {
     if (!request.against.empty() && !request.check) return Error{"--against", "needs --check"};
     if (request.keep_every > 0 && !request.record) return Error{"--keep", "needs --record"};
     if (Status wrong = check_left_out(request)) return wrong;
-    if (Status wrong = refuse_other_samples(request)) return wrong;
+    if (Status wrong = refuse_other_dials(request)) return wrong;
     if (request.no_pictures && !request.record) return Error{"--no-pictures", "needs --record"};
     if (request.record && !request.frames.empty()) return Error{"--record", "records all frames; leave out --frames"};
     return {};
@@ -95,27 +99,21 @@ Result<FlyChoices> choices_of(const FlyRequest& request) {
     if (Status wrong = choose(request.frames, parse_frames, choices.frames)) return *wrong;
     if (Status wrong = choose(request.renderer, parse_renderer, choices.renderer)) return *wrong;
     if (Status wrong = choose(request.against, parse_renderer, choices.against)) return *wrong;
-    choices.samples = request.samples;
     return choices;
 }
 
-Result<DrawPlan> plan_of(const FlyChoices& choices, const OpenFlight& open) {
+Result<DrawPlan> plan_of(const FlyRequest& request, const FlyChoices& choices, const OpenFlight& open) {
     const int last = open.flight.frames() - 1;
     const FrameRange frames = choices.frames.value_or(FrameRange{0, last});
     if (frames.last > last)
         return Error{"--frames",
                      fmt::format("the flight has the frames 0..{}; found {}..{}", last, frames.first, frames.last)};
     const PictureSize size = choices.size.value_or(PictureSize{open.script.width, open.script.height});
-    const int samples = choices.samples.value_or(open.script.samples);
-    if (Status wrong = check_samples(samples, size)) return *wrong;
-    return DrawPlan{choices.renderer.value_or(open.script.renderer),
-                    samples,
-                    size.width,
-                    size.height,
-                    frames.first,
-                    frames.last,
-                    1,
-                    open_gl_for_pictures};
+    const RendererKind renderer = choices.renderer.value_or(open.script.renderer);
+    const auto dials = dials_from(request.dials, open.script.dials, renderer, size);
+    if (!dials.ok()) return dials.error();
+    return DrawPlan{renderer,     dials.value(), size.width, size.height,
+                    frames.first, frames.last,   1,          open_gl_for_pictures};
 }
 
 Status draw_pictures_into(const std::string& folder, const FlightScene& scene, const DrawPlan& plan) {
@@ -185,7 +183,7 @@ int run_fly(const FlyRequest& request) {
     auto open = open_flight(request.script, request.texture_folders, request.skill);
     if (!open) return kFailed;
     open->flight.leave_out(request.left_out);
-    auto plan = plan_of(choices.value(), *open);
+    auto plan = plan_of(request, choices.value(), *open);
     if (!plan.ok()) return refuse_usage(plan.error());
     plan.value().workers = request.threads;
     if (Status failed = work(request, *open, plan.value(), choices.value())) return fail(*failed);

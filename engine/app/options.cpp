@@ -54,6 +54,15 @@ Result<SectorId> sector_of(const Map& map, const ViewRow& row, Vec2 eye) {
     return named;
 }
 
+/// An error where a picture would be drawn too large to take means of samples x samples of its pixels.
+Status check_samples(int samples, PictureSize size) {
+    const int most = kMaxPictureSide / std::max(size.width, size.height);
+    if (samples <= most) return {};
+    return Error{"--samples", fmt::format("expected at most {} for a picture of {}x{}, which is drawn that many times "
+                                          "as wide and as high, at most {}; found {}",
+                                          most, size.width, size.height, kMaxPictureSide, samples)};
+}
+
 View looking(Vec2 forward, double pitch_degrees, const Lens& lens) {
     View view;
     view.forward = forward;
@@ -80,12 +89,18 @@ Result<PictureSize> parse_size(const std::string& text) {
                                        kMaxPictureSide, quoted(text))};
 }
 
-Status check_samples(int samples, PictureSize size) {
-    const int most = kMaxPictureSide / std::max(size.width, size.height);
-    if (samples <= most) return {};
-    return Error{"--samples", fmt::format("expected at most {} for a picture of {}x{}, which is drawn that many times "
-                                          "as wide and as high, at most {}; found {}",
-                                          most, size.width, size.height, kMaxPictureSide, samples)};
+Result<Dials> dials_from(const DialRequest& request, Dials from, RendererKind renderer, PictureSize size) {
+    if (!request.accuracy.empty()) {
+        const auto promised = parse_accuracy(request.accuracy);
+        if (!promised.ok()) return Error{"--accuracy", promised.error().what};
+        from.texel_error = promised.value();
+    }
+    for (const std::string& dial : request.dials)
+        if (Status wrong = set_dial(from, dial)) return Error{"--dial", wrong->what};
+    if (request.samples) from.samples = *request.samples;
+    if (Status wrong = check_dials(renderer, from)) return Error{"--dial", wrong->what};
+    if (Status wrong = check_samples(from.samples, size)) return *wrong;
+    return from;
 }
 
 Result<PixelPlace> parse_pixel(const std::string& text, PictureSize size) {

@@ -26,8 +26,18 @@ struct PictureSize {
 /// "WIDTHxHEIGHT".
 Result<PictureSize> parse_size(const std::string& text);
 
-/// An error where a picture would be drawn too large to take means of samples x samples of its pixels.
-Status check_samples(int samples, PictureSize size);
+/// What the dials are set to, by an accuracy and single dials, as typed.
+struct DialRequest {
+    std::string accuracy;            ///< empty where not given
+    std::vector<std::string> dials;  ///< "NAME=VALUE"
+    std::optional<int> samples;
+
+    bool is_given() const { return !accuracy.empty() || !dials.empty() || samples; }
+};
+
+/// The dials `from` and what is asked for on top of them. An error where the renderer has no such dials, they do not go
+/// together, or pictures of this size would be drawn too large to take means of their samples.
+Result<Dials> dials_from(const DialRequest& request, Dials from, RendererKind renderer, PictureSize size);
 
 /// A pixel of a picture, counted from the upper left corner [px].
 struct PixelPlace {

@@ -75,7 +75,7 @@ public:
 private:
     Status make_tools() {
         for (PictureTools& own : tools_) {
-            auto renderer = make_renderer({job_.renderer, job_.samples, threads_each_, open_gl_for_pictures}, map_.map,
+            auto renderer = make_renderer({job_.renderer, job_.dials, threads_each_, open_gl_for_pictures}, map_.map,
                                           map_.textures);
             if (!renderer.ok()) return renderer.error();
             own.renderer = std::move(renderer).value();

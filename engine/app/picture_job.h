@@ -18,7 +18,7 @@ struct PictureJob {
     std::vector<View> views;
     PictureSize size;
     RendererKind renderer = RendererKind::column;
-    int samples = 1;    ///< as RendererChoice::samples
+    Dials dials;
     double time_s = 0;  ///< the moment that is shown
     LeftOut left_out;
     std::size_t threads = 1;       ///< >= 1

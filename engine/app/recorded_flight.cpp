@@ -74,7 +74,8 @@ Status other_frames(const std::vector<FrameHash>& recorded, int frames, const st
 }
 
 Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPlan& plan, int number) {
-    const auto renderer = make_renderer({kind, plan.samples, plan.workers, plan.open_gl}, scene.map, scene.textures);
+    const Dials dials = kind == plan.renderer ? plan.dials : dials_of_all_renderers(plan.dials);
+    const auto renderer = make_renderer({kind, dials, plan.workers, plan.open_gl}, scene.map, scene.textures);
     if (!renderer.ok()) return renderer.error();
     Frame frame;
     frame.resize(plan.width, plan.height);
@@ -149,7 +150,8 @@ Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan&
     };
     std::vector<CheckTools> tools(plan.workers);
     for (CheckTools& own : tools) {
-        auto renderer = make_renderer({other, plan.samples, 1, plan.open_gl}, scene.map, scene.textures);
+        auto renderer =
+            make_renderer({other, dials_of_all_renderers(plan.dials), 1, plan.open_gl}, scene.map, scene.textures);
         if (!renderer.ok()) return renderer.error();
         own.renderer = std::move(renderer).value();
     }

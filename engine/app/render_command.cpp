@@ -23,11 +23,12 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     const auto renderer = parse_renderer(request.renderer);
     if (!renderer.ok()) return renderer.error();
     if (Status refused = refuse_true_pitch(renderer.value(), request.true_pitch)) return *refused;
-    if (Status wrong = check_samples(request.samples, size.value())) return *wrong;
+    const auto dials = dials_from(request.dials, {}, renderer.value(), size.value());
+    if (!dials.ok()) return dials.error();
     PictureJob job;
     job.size = size.value();
     job.renderer = renderer.value();
-    job.samples = request.samples;
+    job.dials = dials.value();
     job.time_s = request.time_s;
     job.left_out = request.left_out;
     job.threads = request.threads;

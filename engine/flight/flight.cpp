@@ -129,7 +129,7 @@ Status draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTa
     };
     std::vector<DrawTools> tools(plan.workers);
     for (DrawTools& own : tools) {
-        auto renderer = make_renderer({plan.renderer, plan.samples, 1, plan.open_gl}, scene.map, scene.textures);
+        auto renderer = make_renderer({plan.renderer, plan.dials, 1, plan.open_gl}, scene.map, scene.textures);
         if (!renderer.ok()) return renderer.error();
         own.renderer = std::move(renderer).value();
         own.frame.resize(plan.width, plan.height);

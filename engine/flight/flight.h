@@ -75,7 +75,7 @@ struct FlightScene {
 /// How and which frames are drawn.
 struct DrawPlan {
     RendererKind renderer = RendererKind::column;
-    int samples = 1;                ///< as RendererChoice::samples
+    Dials dials;
     int width = 640, height = 400;  ///< [px]
     int first = 0, last = 0;        ///< frames, both included
     std::size_t workers = 1;        ///< threads, >= 1

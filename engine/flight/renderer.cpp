@@ -1,5 +1,7 @@
 #include "flight/renderer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "formats/text_parts.h"
@@ -38,7 +40,8 @@ void add_strip(std::vector<ViewportShape> strip, std::vector<ViewportShape>& sha
 
 class ColumnDrawer final : public Renderer {
 public:
-    ColumnDrawer(const Map& map, const TextureSet& textures, std::size_t threads) : strips_(map, textures, threads) {}
+    ColumnDrawer(const Map& map, const TextureSet& textures, std::size_t threads, const Dials& dials)
+        : strips_(map, textures, threads, dials) {}
 
     Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
         strips_.render(frame, facts, snapshot, view);
@@ -110,14 +113,15 @@ Result<std::unique_ptr<Renderer>> make_stencil(const Map& map, const TextureSet&
     return std::unique_ptr<Renderer>(std::make_unique<Stencil>(std::move(renderer).value()));
 }
 
-Result<std::unique_ptr<Renderer>> make_column(const Map& map, const TextureSet& textures, std::size_t threads) {
+Result<std::unique_ptr<Renderer>> make_column(const RendererChoice& choice, const Map& map,
+                                              const TextureSet& textures) {
     if (const Status wrong = column::check_kernels()) return *wrong;
-    return std::unique_ptr<Renderer>(std::make_unique<ColumnDrawer>(map, textures, threads));
+    return std::unique_ptr<Renderer>(std::make_unique<ColumnDrawer>(map, textures, choice.threads, choice.dials));
 }
 
 Result<std::unique_ptr<Renderer>> make_plain(const RendererChoice& choice, const Map& map, const TextureSet& textures) {
     switch (choice.kind) {
-        case RendererKind::column: return make_column(map, textures, choice.threads);
+        case RendererKind::column: return make_column(choice, map, textures);
         case RendererKind::stencil: return make_stencil(map, textures, choice.open_gl);
         case RendererKind::reference: break;
     }
@@ -166,6 +170,42 @@ private:
     Frame fine_;
 };
 
+/// A map that says of light and links what the dials say, and a renderer made for it.
+class WithOwnMap final : public Renderer {
+public:
+    WithOwnMap(const Map& map, const Dials& dials) : map_(map) {
+        if (dials.light != LightSteps::as_map)
+            map_.render.light = dials.light == LightSteps::smooth ? LightModel::smooth : LightModel::classic;
+        map_.render.max_depth = std::min(map_.render.max_depth, dials.links);
+    }
+
+    Status make(const RendererChoice& choice, const TextureSet& textures) {
+        auto renderer = make_plain(choice, map_, textures);
+        if (!renderer.ok()) return renderer.error();
+        renderer_ = std::move(renderer).value();
+        return {};
+    }
+
+    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
+        return renderer_->render(frame, facts, snapshot, view);
+    }
+    std::vector<ViewportShape> viewports() const override { return renderer_->viewports(); }
+    std::string_view kernels() const override { return renderer_->kernels(); }
+
+private:
+    Map map_;
+    std::unique_ptr<Renderer> renderer_;
+};
+
+Result<std::unique_ptr<Renderer>> make_dialled(const RendererChoice& choice, const Map& map,
+                                               const TextureSet& textures) {
+    const bool needs_own_map = choice.dials.light != LightSteps::as_map || choice.dials.links < map.render.max_depth;
+    if (!needs_own_map) return make_plain(choice, map, textures);
+    auto renderer = std::make_unique<WithOwnMap>(map, choice.dials);
+    if (Status failed = renderer->make(choice, textures)) return *failed;
+    return std::unique_ptr<Renderer>(std::move(renderer));
+}
+
 }  // namespace
 
 Result<RendererKind> parse_renderer(const std::string& name) {
@@ -178,11 +218,34 @@ Result<RendererKind> parse_renderer(const std::string& name) {
 
 std::string name_of(RendererKind kind) { return std::string(to_word(kind)); }
 
+Dials dials_of_all_renderers(const Dials& dials) {
+    Dials shared;
+    shared.samples = dials.samples;
+    shared.light = dials.light;
+    shared.links = dials.links;
+    return shared;
+}
+
+Status check_dials(RendererKind kind, const Dials& dials) {
+    if (kind != RendererKind::column && dials != dials_of_all_renderers(dials))
+        return Error{"",
+                     fmt::format("only the column renderer draws texels by {}; the {} renderer has the dials samples, "
+                                 "light and links",
+                                 to_text(dials), name_of(kind))};
+    if (dials.texel_error > 0 && (dials.span > 1 || dials.number != NumberKind::real64))
+        return Error{"", fmt::format("an accuracy is a promise that span and number would break; expected it without "
+                                     "them, found {}",
+                                     to_text(dials))};
+    return {};
+}
+
 Result<std::unique_ptr<Renderer>> make_renderer(const RendererChoice& choice, const Map& map,
                                                 const TextureSet& textures) {
-    auto renderer = make_plain(choice, map, textures);
-    if (!renderer.ok() || choice.samples == 1) return renderer;
-    return std::unique_ptr<Renderer>(std::make_unique<Supersampler>(std::move(renderer).value(), choice.samples));
+    if (Status wrong = check_dials(choice.kind, choice.dials)) return *wrong;
+    auto renderer = make_dialled(choice, map, textures);
+    const int samples = choice.dials.samples;
+    if (!renderer.ok() || samples == 1) return renderer;
+    return std::unique_ptr<Renderer>(std::make_unique<Supersampler>(std::move(renderer).value(), samples));
 }
 
 }  // namespace enfilade

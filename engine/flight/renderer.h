@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "formats/dials.h"
 #include "formats/script.h"
 #include "map/map.h"
 #include "map/textures.h"
@@ -50,15 +51,21 @@ public:
 /// How pictures are drawn.
 struct RendererChoice {
     RendererKind kind = RendererKind::column;
-    /// The colour of a pixel is the mean, in linear light, of samples x samples rays spread evenly over it; facts are
-    /// those of its middle. 1..kMostSamples; samples times a side of the picture is at most kMaxPictureSide.
-    int samples = 1;
+    /// Where a pixel has several samples, its facts are those of its middle. Dials of texels are the column renderer's.
+    Dials dials;
     std::size_t threads = 1;  ///< that may draw one picture together, >= 1: it does not depend on them
     GlContextOpener open_gl;  ///< asked for an OpenGL context where the kind is drawn by one, and by no other
 };
 
+/// An error where only the column renderer has dials that are set, or where a promise stands beside dials that break
+/// it.
+Status check_dials(RendererKind kind, const Dials& dials);
+
+/// Those that every renderer has: what a picture is compared with is drawn by them.
+Dials dials_of_all_renderers(const Dials& dials);
+
 /// map, textures: outlive it, and stay as they are.
-/// An error where there is no such context, or none that will do.
+/// An error where there is no such context, or none that will do, and where check_dials() has one.
 Result<std::unique_ptr<Renderer>> make_renderer(const RendererChoice& choice, const Map& map,
                                                 const TextureSet& textures);
 

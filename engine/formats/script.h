@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/finding.h"
+#include "formats/dials.h"
 #include "math/vec.h"
 
 namespace enfilade {
@@ -43,9 +44,6 @@ struct StartRecord {
 
 enum class RendererKind : std::uint8_t { column, stencil, reference };
 
-/// Most rays along each side of a pixel: what sixty-four cannot smooth, more do not either.
-inline constexpr int kMostSamples = 8;
-
 /// The whole file. Frame n shows the time n / rate, so that it can be drawn without the frames before it.
 struct ScriptFile {
     std::string map;                ///< path, relative to the script
@@ -53,8 +51,8 @@ struct ScriptFile {
     int rate = 30;                  ///< frames a second, 1..1000
     RendererKind renderer = RendererKind::column;
     double fov_degrees = 90;  ///< horizontal, 1..179
-    int samples = 1;          ///< rays along each side of a pixel, 1..kMostSamples
-    std::string tape;         ///< path of recorded input, relative to the script, instead of legs; empty: none
+    Dials dials;
+    std::string tape;  ///< path of recorded input, relative to the script, instead of legs; empty: none
     StartRecord start;
     std::vector<LegRecord> legs;  ///< empty exactly where there is a tape
     TextPlace map_place, tape_place;

@@ -12,6 +12,8 @@ const KeyList<StartRecord>& keys_of();
 template <>
 const KeyList<LegRecord>& keys_of();
 template <>
+const KeyList<Dials>& keys_of();
+template <>
 const KeyList<ScriptFile>& keys_of();
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, StartRecord&);
@@ -74,6 +76,20 @@ void read_size(Reading& reading, const NamedValue& value, Range range, ScriptFil
     read_value(reading, {value.name, value.node.at(1)}, range, script.height);
 }
 
+void read_samples(Reading& reading, const NamedValue& value, Range range, ScriptFile& script) {
+    read_value(reading, value, range, script.dials.samples);
+}
+
+/// A number, or a word for one.
+void read_accuracy(Reading& reading, const NamedValue& value, Range range, ScriptFile& script) {
+    if (value.node.kind() != TomlKind::string) return read_value(reading, value, range, script.dials.texel_error);
+    const auto promised = parse_accuracy(value.node.text());
+    if (promised.ok())
+        script.dials.texel_error = promised.value();
+    else
+        reading.error(value.node.place(), "unknown-word", "'accuracy': " + promised.error().what);
+}
+
 /// A file's path, whose place is kept so that a message can point at it.
 template <auto path, auto place>
 constexpr Key<ScriptFile> path_key(std::string_view name, Need need) {
@@ -85,13 +101,23 @@ constexpr Key<ScriptFile> path_key(std::string_view name, Need need) {
     return with_place;
 }
 
+constexpr std::array kDialKeys{
+    key<&Dials::span>("span", kAlways, Need::optional, {1, kMostSpan}),
+    key<&Dials::number>("number", kAlways),
+    key<&Dials::sampling>("sampling", kAlways),
+    key<&Dials::light>("light", kAlways),
+    key<&Dials::links>("links", kAlways, Need::optional, {0, kMostLinks}),
+};
+
 constexpr std::array kScriptKeys{
     path_key<&ScriptFile::map, &ScriptFile::map_place>("map", Need::required),
     Key<ScriptFile>{"size", kAlways, Need::optional, {1, 16384}, read_size},
     key<&ScriptFile::rate>("rate", kAlways, Need::optional, {1, 1000}),
     key<&ScriptFile::renderer>("renderer", kAlways),
     key<&ScriptFile::fov_degrees>("fov", kAlways, Need::optional, {1, 179}),
-    key<&ScriptFile::samples>("samples", kAlways, Need::optional, {1, kMostSamples}),
+    Key<ScriptFile>{"samples", kAlways, Need::optional, {1, kMostSamples}, read_samples},
+    Key<ScriptFile>{"accuracy", kAlways, Need::optional, {0, kMostTexelError}, read_accuracy},
+    key<&ScriptFile::dials>("dials", kAlways),
     path_key<&ScriptFile::tape, &ScriptFile::tape_place>("tape", Need::optional),
     key<&ScriptFile::start>("start", kAlways),
     key<&ScriptFile::legs>("legs", kAlways),
@@ -99,6 +125,7 @@ constexpr std::array kScriptKeys{
 
 constexpr KeyList<StartRecord> kStartList{"'start'", kStartKeys};
 constexpr KeyList<LegRecord> kLegList{"a leg", kLegKeys};
+constexpr KeyList<Dials> kDialList{"'dials'", kDialKeys};
 constexpr KeyList<ScriptFile> kScriptList{"a script", kScriptKeys};
 
 /// `wait` is a leg of its own: nothing moves in it.
@@ -131,6 +158,11 @@ const KeyList<StartRecord>& keys_of() {
 template <>
 const KeyList<LegRecord>& keys_of() {
     return kLegList;
+}
+
+template <>
+const KeyList<Dials>& keys_of() {
+    return kDialList;
 }
 
 template <>
@@ -172,6 +204,7 @@ std::vector<KeyInfo> script_keys() {
     add_key_infos<ScriptFile>(all, "");
     add_key_infos<StartRecord>(all, "start.");
     add_key_infos<LegRecord>(all, "legs.");
+    add_key_infos<Dials>(all, "dials.");
     return all;
 }
 

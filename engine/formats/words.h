@@ -5,6 +5,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "formats/dials.h"
 #include "formats/map_file.h"
 #include "formats/script.h"
 
@@ -149,6 +150,32 @@ constexpr std::string_view to_word(HoldsUp value) {
         case HoldsUp::all: return "all";
         case HoldsUp::all_but_crushers: return "all_but_crushers";
         case HoldsUp::nothing: return "nothing";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(NumberKind value) {
+    switch (value) {
+        case NumberKind::real64: return "double";
+        case NumberKind::real32: return "float";
+        case NumberKind::fixed16: return "fixed";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(Sampling value) {
+    switch (value) {
+        case Sampling::nearest: return "nearest";
+        case Sampling::mip: return "mip";
+    }
+    return {};
+}
+
+constexpr std::string_view to_word(LightSteps value) {
+    switch (value) {
+        case LightSteps::as_map: return "map";
+        case LightSteps::smooth: return "smooth";
+        case LightSteps::bands: return "bands";
     }
     return {};
 }

@@ -9,6 +9,16 @@ namespace {
 
 constexpr std::uint32_t kAlpha = 0xFF000000u;
 
+/// The square of how far two colours are apart.
+int distance(std::uint32_t a, std::uint32_t b) {
+    int sum = 0;
+    for (const int shift : {0, 8, 16}) {
+        const int apart = static_cast<int>(a >> shift & 0xFF) - static_cast<int>(b >> shift & 0xFF);
+        sum += apart * apart;
+    }
+    return sum;
+}
+
 }  // namespace
 
 Result<ColorTable> ColorTable::read(const Texture& picture) {
@@ -43,6 +53,16 @@ std::vector<std::uint8_t> ColorTable::numbers_in(const Texture& picture) const {
         numbers[i] = last->number;
     }
     return numbers;
+}
+
+void ColorTable::paint_in_its_colors(Texture& picture) const {
+    picture.numbers.clear();
+    for (std::uint32_t& pixel : picture.pixels) {
+        const auto nearest =
+            std::ranges::min_element(painted_, {}, [&](const Painted& p) { return distance(p.color, pixel); });
+        pixel = nearest->color;
+        picture.numbers.push_back(nearest->number);
+    }
 }
 
 }  // namespace enfilade

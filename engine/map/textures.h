@@ -40,6 +40,10 @@ public:
     /// Cost: a search for every texel that differs from the one above it.
     std::vector<std::uint8_t> numbers_in(const Texture& picture) const;
 
+    /// Gives each texel of an opaque picture the nearest of the painted colours, and the picture their numbers.
+    /// Cost: a comparison with each colour for every texel.
+    void paint_in_its_colors(Texture& picture) const;
+
     /// Of all levels, level by level; for graphics cards.
     const std::vector<std::uint32_t>& levels() const { return levels_; }
 

@@ -63,8 +63,8 @@ inline std::optional<SurfaceOwner> owner_of(const Map& map, PixelSurface id) {
 
 /// Texel coordinates in tiles, in [0, 1): position within the picture on that surface.
 struct TexelPosition {
-    float u = 0;
-    float v = 0;
+    double u = 0;
+    double v = 0;
 };
 
 /// What each pixel shows; for tests, ids pictures and overlays. All arrays are by row, width * height long.

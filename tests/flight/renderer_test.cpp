@@ -20,7 +20,7 @@ TEST(ParseRenderer, KnowsWhatThereIs) {
 Result<std::unique_ptr<GlContext>> no_gl() { return Error{"OpenGL", "none here"}; }
 
 TEST(MakeRenderer, SaysWhyThereIsNoContext) {
-    const auto stencil = make_renderer({RendererKind::stencil, 1, 1, no_gl}, Map(), TextureSet());
+    const auto stencil = make_renderer({RendererKind::stencil, {}, 1, no_gl}, Map(), TextureSet());
     ASSERT_FALSE(stencil.ok());
     EXPECT_EQ(stencil.error().text(), "OpenGL: none here");
 }
@@ -32,7 +32,7 @@ TEST(MakeRenderer, AsksForAContextWhereItDrawsByOpenGlAndNowhereElse) {
             ++asked;
             return no_gl();
         };
-        (void)make_renderer({kind, 1, 2, counting}, Map(), TextureSet());
+        (void)make_renderer({kind, {}, 2, counting}, Map(), TextureSet());
         EXPECT_EQ(asked, kind == RendererKind::stencil ? 1 : 0) << name_of(kind);
     }
 }
@@ -48,7 +48,8 @@ protected:
     Frame picture(RendererKind kind, std::size_t threads, int samples = 1) {
         Frame frame;
         frame.resize(64, 40);
-        auto renderer = std::move(make_renderer({kind, samples, threads, no_gl}, map_, textures_)).value();
+        auto renderer =
+            std::move(make_renderer({kind, Dials{.samples = samples}, threads, no_gl}, map_, textures_)).value();
         EXPECT_FALSE(renderer->render(frame, nullptr, at_rest(map_), view()));
         viewports_ = renderer->viewports();
         return frame;

@@ -175,7 +175,7 @@ Comparison compare(const Subject& subject, const Snapshot& snapshot, const View&
     both.reference.resize(size.width, size.height);
     reset(both.column_facts, size.width, size.height);
     LightGrids lights(subject.map);
-    ColumnRenderer renderer(subject.map, subject.textures, lights);
+    ColumnRenderer renderer(subject.map, subject.textures, {lights});
     renderer.render(both.column, &both.column_facts, snapshot, view);
     render_reference(both.reference, &both.reference_facts, subject.map, subject.textures, snapshot, view,
                      {.lights = &lights});

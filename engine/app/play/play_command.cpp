@@ -190,7 +190,7 @@ int run_play(const PlayRequest& request) {
         if (Status failed = game.value()->load_saved(request.load)) return fail(*failed);
     auto window = window_for(*game.value(), options.value());
     if (!window.ok()) return fail(window.error());
-    auto renderer = make_renderer({options.value().renderer, 1, hardware_threads(), open_gl_for_play},
+    auto renderer = make_renderer({options.value().renderer, {}, hardware_threads(), open_gl_for_play},
                                   game.value()->map(), game.value()->textures());
     if (!renderer.ok()) return fail(renderer.error());
     PlayOptions chosen = options.value();

@@ -36,7 +36,7 @@ bool PlayLoop::change_renderer() {
 Status PlayLoop::use_renderer(RendererKind kind) {
     Status failed;
     const Status broken = attempt([&] {
-        auto renderer = make_renderer({kind, 1, hardware_threads(), open_gl_for_play}, game_.map(), game_.textures());
+        auto renderer = make_renderer({kind, {}, hardware_threads(), open_gl_for_play}, game_.map(), game_.textures());
         if (!renderer.ok()) failed = renderer.error();
         if (!failed) renderer_ = std::move(renderer).value();
     });

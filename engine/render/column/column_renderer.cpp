@@ -26,10 +26,11 @@ struct ColumnRenderer::Scratch {
     ColumnScratch column;
     PlainKernels kernels = chosen_kernels();
     Passes passes = passes_beside(kernels);
+    const TexelDials* dials = nullptr;
 
     Scratch(const Map& of, const TextureSet& pictures) : map(of), textures(pictures), lights(own_lights.emplace(of)) {}
-    Scratch(const Map& of, const TextureSet& pictures, LightGrids& of_several)
-        : map(of), textures(pictures), lights(of_several) {}
+    Scratch(const Map& of, const TextureSet& pictures, const Shared& shared)
+        : map(of), textures(pictures), lights(shared.lights), dials(shared.dials) {}
 };
 
 namespace {
@@ -60,8 +61,8 @@ void start_frame(FrameState& state, const Map& map, const View& view, ColumnRang
 
 ColumnRenderer::ColumnRenderer(const Map& map, const TextureSet& textures)
     : scratch_(std::make_unique<Scratch>(map, textures)) {}
-ColumnRenderer::ColumnRenderer(const Map& map, const TextureSet& textures, LightGrids& lights)
-    : scratch_(std::make_unique<Scratch>(map, textures, lights)) {}
+ColumnRenderer::ColumnRenderer(const Map& map, const TextureSet& textures, const Shared& shared)
+    : scratch_(std::make_unique<Scratch>(map, textures, shared)) {}
 ColumnRenderer::~ColumnRenderer() = default;
 ColumnRenderer::ColumnRenderer(ColumnRenderer&&) noexcept = default;
 ColumnRenderer& ColumnRenderer::operator=(ColumnRenderer&&) noexcept = default;
@@ -87,8 +88,8 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Snaps
     canvas.set(columns.begin, columns.end, frame.height);
     s.column.start_frame(frame.width, frame.height);
     LightGrids* lights = built_in::kPointLights ? s.lights.where_lit() : nullptr;
-    const ColumnScene scene{s.map, s.textures, snapshot, s.screen,  canvas,
-                            facts, lights,     s.column, s.kernels, s.passes};
+    const ColumnScene scene{s.map,  s.textures, snapshot,  s.screen, canvas, facts,
+                            lights, s.column,   s.kernels, s.passes, s.dials};
     start_frame(s.state, s.map, view, columns, frame.height);
     while (!s.state.stack.empty()) {
         Viewport& next = *s.state.stack.back();
@@ -159,17 +160,23 @@ void cut_into_strips(int width, int first_line, std::size_t most, std::vector<Co
     }
 }
 
-ColumnStrips::ColumnStrips(const Map& map, const TextureSet& textures, std::size_t threads)
+ColumnStrips::ColumnStrips(const Map& map, const TextureSet& textures, std::size_t threads, const Dials& dials)
     : map_(map),
       textures_(textures),
       threads_(threads),
       lights_(std::make_unique<LightGrids>(map)),
       canvases_(threads),
-      pool_(threads) {}
+      pool_(threads) {
+    if (dials.sampling == Sampling::mip) mips_ = std::make_unique<MipChains>(textures);
+    if (!are_texels_exact(dials)) dials_ = std::make_unique<TexelDials>(TexelDials{dials, mips_.get()});
+}
+
+ColumnStrips::~ColumnStrips() = default;
 
 void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) {
     cut_into_strips(frame.width, first_line_of(frame), most_strips(frame, threads_), strips_);
-    while (renderers_.size() < strips_.size()) renderers_.emplace_back(map_, textures_, *lights_);
+    while (renderers_.size() < strips_.size())
+        renderers_.emplace_back(map_, textures_, ColumnRenderer::Shared{*lights_, dials_.get()});
     const std::size_t strips = strips_.size();
     if (is_taken_.size() < strips) is_taken_ = std::vector<std::atomic_flag>(strips);
     for (std::atomic_flag& is_taken : is_taken_) is_taken.clear();

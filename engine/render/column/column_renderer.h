@@ -13,11 +13,13 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "formats/dials.h"
 #include "map/map.h"
 #include "map/textures.h"
 #include "render/column/canvas.h"
 #include "render/frame.h"
 #include "render/light_grids.h"
+#include "render/mips.h"
 #include "render/view.h"
 #include "world/snapshot.h"
 
@@ -25,7 +27,8 @@ namespace enfilade {
 
 namespace column {
 class Canvas;
-}
+struct TexelDials;
+}  // namespace column
 
 /// Columns [begin, end) of a picture.
 struct ColumnRange {
@@ -58,8 +61,12 @@ class ColumnRenderer {
 public:
     /// map, textures: outlive it.
     ColumnRenderer(const Map& map, const TextureSet& textures);
-    /// lights: of the map, kept for several renderers that draw parts of the same pictures; outlives them.
-    ColumnRenderer(const Map& map, const TextureSet& textures, LightGrids& lights);
+    /// What several renderers that draw parts of the same pictures share; outlives them.
+    struct Shared {
+        LightGrids& lights;                         ///< of the map
+        const column::TexelDials* dials = nullptr;  ///< null: texels are exact
+    };
+    ColumnRenderer(const Map& map, const TextureSet& textures, const Shared& shared);
     ~ColumnRenderer();
     ColumnRenderer(ColumnRenderer&&) noexcept;
     ColumnRenderer& operator=(ColumnRenderer&&) noexcept;
@@ -109,8 +116,9 @@ inline constexpr int kLinePixels = 16;
 /// own column and row.
 class ColumnStrips {
 public:
-    /// map, textures: outlive it. threads >= 1: they end with this.
-    ColumnStrips(const Map& map, const TextureSet& textures, std::size_t threads);
+    /// map, textures: outlive it. threads >= 1: they end with this. dials: only those of texels count here.
+    ColumnStrips(const Map& map, const TextureSet& textures, std::size_t threads, const Dials& dials = {});
+    ~ColumnStrips();
 
     /// As ColumnRenderer::render.
     void render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view);
@@ -123,10 +131,12 @@ private:
     const TextureSet& textures_;
     std::size_t threads_;
     std::unique_ptr<LightGrids> lights_;
-    std::vector<ColumnRenderer> renderers_;   ///< by strip: each remembers its viewports
-    std::vector<ColumnRange> strips_;         ///< of the last frame
-    std::vector<std::atomic_flag> is_taken_;  ///< by strip: some thread draws it, or has
-    std::vector<column::Canvas> canvases_;    ///< by thread: it draws strip after strip into memory that stays in cache
+    std::unique_ptr<MipChains> mips_;            ///< where dials ask for them
+    std::unique_ptr<column::TexelDials> dials_;  ///< null: texels are exact
+    std::vector<ColumnRenderer> renderers_;      ///< by strip: each remembers its viewports
+    std::vector<ColumnRange> strips_;            ///< of the last frame
+    std::vector<std::atomic_flag> is_taken_;     ///< by strip: some thread draws it, or has
+    std::vector<column::Canvas> canvases_;  ///< by thread: it draws strip after strip into memory that stays in cache
     ThreadPool pool_;
 };
 

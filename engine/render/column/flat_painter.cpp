@@ -50,6 +50,7 @@ void FlatPainter::start(const ColumnScene& scene, const Pose& pose, const FlatNo
     level_layers_.clear();
     sky_layers_.clear();
     if (has_layers) start_layers(scene);
+    start_dials(scene);
 }
 
 void FlatPainter::start_layers(const ColumnScene& scene) {
@@ -58,8 +59,10 @@ void FlatPainter::start_layers(const ColumnScene& scene) {
         const Surface layer = layer_now(scene.map, scene.snapshot, flat_, i);
         if (built_in::kSky && flat_.sky)
             sky_layers_.push_back(layer);
-        else
+        else {
             level_layers_.push_back(picture_of(scene, layer));
+            level_layers_.back().is_exact = true;
+        }
     }
 }
 
@@ -94,6 +97,10 @@ void FlatPainter::paint_plain(const ColumnScene& scene, const WallLooks& looks, 
     }
     if (top >= bottom) return;
     prepare_rows(scene, top, bottom);
+    if (is_dialled_ && !is_exact_in(scene, top, bottom)) {
+        paint_by_dials(scene, looks, tops, bottoms);
+        return note_plain(scene, looks, tops, bottoms);
+    }
     double step_u[WallLooks::kMost], step_v[WallLooks::kMost];
     const double* const slopes = &scene.screen.slopes[static_cast<std::size_t>(looks.begin)];
     const Vec2 forward = pose_->forward, right = pose_->right, tile = picture_.tile_m;
@@ -104,8 +111,14 @@ void FlatPainter::paint_plain(const ColumnScene& scene, const WallLooks& looks, 
     const ColumnRuns runs{scene.canvas.column(looks.begin), scene.canvas.pitch(), looks.count, tops, bottoms};
     scene.kernels.fill_flats({runs, picture_.texture, picture_.base_u, picture_.base_v, step_u, step_v, looks.depth,
                               row_depths_.data(), row_darkness_.data(), picture_.color_table});
+    note_plain(scene, looks, tops, bottoms);
+}
+
+void FlatPainter::note_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops,
+                             const int* bottoms) const {
     if (scene.facts == nullptr) return;
-    for (int i = 0; i < looks.count; ++i) note_level(scene, looks.begin + i, tops[i], bottoms[i], looks.depth[i]);
+    for (int i = 0; i < looks.count; ++i)
+        note_level(scene, column_at(scene, looks.begin + i, {tops[i], bottoms[i]}, looks.depth[i]), true);
 }
 
 FlatPainter::FlatColumn FlatPainter::column_at(const ColumnScene& scene, int x, OpenRows rows,
@@ -121,7 +134,7 @@ void FlatPainter::paint_level(const ColumnScene& scene, const FlatColumn& column
     for (const LevelPicture& layer : level_layers_) lay_layer(scene, layer, column);
     if (is_there(fog_))
         scene.passes.add_fog(scene.canvas.run(column.x, top, bottom), fog_.color, &row_fog_parts_[std::size_t(top)]);
-    if (scene.facts != nullptr) note_level(scene, column.x, top, bottom, column.farthest);
+    if (scene.facts != nullptr) note_level(scene, column, false);
 }
 
 void FlatPainter::paint_picture(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
@@ -144,6 +157,7 @@ void FlatPainter::with_flats(const LevelPicture& picture, const FlatColumn& colu
 
 void FlatPainter::fill(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                        const LevelTarget& to) const {
+    if (is_dialled_ && !picture.is_exact) return fill_by_dials(scene, picture, column, to);
     with_flats(picture, column, to, column.farthest < picture.near_limit ? scene.kernels.fill_flats : fill_far_flats);
 }
 
@@ -207,13 +221,10 @@ OpenRows FlatPainter::lit_rows(const FlatLamplight& lamplight, const OpenRows& r
     return lit;
 }
 
-void FlatPainter::note_level(const ColumnScene& scene, int x, int top, int bottom, double wall_depth) const {
-    const Vec2 ray = pose_->forward + pose_->right * scene.screen.slopes[x];
-    const Vec2 tile = picture_.tile_m;
-    for (int y = top; y < bottom; ++y) {
-        const double depth = std::min(row_depths_[y], wall_depth);
-        note(scene, x, y, id_, depth, picture_.base_u + depth * (ray.x / tile.x),
-             picture_.base_v + depth * (ray.y / tile.y));
+void FlatPainter::note_level(const ColumnScene& scene, const FlatColumn& column, bool is_alike) const {
+    for (int y = column.rows.top; y < column.rows.bottom; ++y) {
+        const TexelPosition at = drawn_at(scene, column, y, is_alike);
+        note(scene, column.x, y, id_, std::min(row_depths_[y], column.farthest), at.u, at.v);
     }
 }
 
@@ -250,15 +261,16 @@ void FlatPainter::prepare_rows(const ColumnScene& scene, int top, int bottom) {
 
 // A level ray meets a level plane at infinity, also one at its own height. Behind the eye (below 0) only where the eye
 // is above the ceiling or below the floor it looks at.
-void FlatPainter::prepare_more_rows(const ColumnScene& scene, int top, int bottom) {
+double FlatPainter::level_depth(const ColumnScene& scene, int row) const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    const double* const depths_per_metre = scene.screen.row_depths.data();
-    for (int row = top; row < bottom; ++row) {
-        const double depth = height_ * depths_per_metre[row];
-        row_depths_[row] = std::fabs(depths_per_metre[row]) == kInfinity ? depths_per_metre[row]
-                           : depth > 0                                   ? depth
-                                                                         : 0;
-    }
+    const double depth_per_metre = scene.screen.row_depths[static_cast<std::size_t>(row)];
+    const double depth = height_ * depth_per_metre;
+    return std::fabs(depth_per_metre) == kInfinity ? depth_per_metre : depth > 0 ? depth : 0;
+}
+
+void FlatPainter::prepare_more_rows(const ColumnScene& scene, int top, int bottom) {
+    for (int row = top; row < bottom; ++row) row_depths_[row] = level_depth(scene, row);
+    if (is_dialled_) prepare_dials(scene, top, bottom);
     shade_rows(top, bottom, &row_depths_[static_cast<std::size_t>(top)]);
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/column/scene.h"
+#include "render/column/texel_dials.h"
 #include "render/column/viewport.h"
 #include "render/lighting.h"
 #include "render/sprite.h"
@@ -41,6 +42,7 @@ public:
 private:
     /// Where on the picture the rows of some columns are, and how dark they are there.
     struct Placed {
+        const Texture* texture;
         std::uint32_t first_texels[WallLooks::kMost];
         TileSteps v_at_row_0[WallLooks::kMost], v_per_row[WallLooks::kMost];
         Shade shades[WallLooks::kMost];
@@ -49,7 +51,26 @@ private:
     struct ColumnTexels {
         double u, v_at_row_0, v_per_row;  ///< [tiles]
     };
+    /// Neighbouring columns that are drawn alike, by dials.
+    struct AlikeColumns {
+        ColumnGroup columns;
+        ColumnTexels at;
+        int level = 0;  ///< as MipChains::at
+    };
+    /// Some columns with one picture, by dials.
+    struct DialledColumns;
     ColumnTexels texels_at(const ColumnScene& scene, const WallHit& hit) const;
+    /// What some columns look at, exactly.
+    struct ExactColumns;
+    bool may_any_be_alike(const ColumnScene& scene, const WallLooks& looks) const;
+    void paint_by_dials(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
+    void fill_by_dials(const ColumnScene& scene, const ColumnRuns& runs, DialledColumns& dialled,
+                       const WallLooks& looks, int first) const;
+    ColumnTexels texels_in_span(const ColumnScene& scene, const ExactColumns& exact, int x) const;
+    bool may_be_alike(const ColumnScene& scene, const ExactColumns& exact, ColumnGroup columns) const;
+    AlikeColumns alike_at(const ColumnScene& scene, const ExactColumns& exact, int x) const;
+    int level_at(const ExactColumns& exact, int x) const;
+    ColumnTexels in_numbers(const ColumnScene& scene, const ColumnTexels& at) const;
     bool is_near(const ColumnScene& scene, double farthest) const;
     void place(const ColumnScene& scene, const double* depths, const double* along, int count, Placed& placed) const;
     void place_one(const ColumnTexels& at, double depth, Placed& placed, int i) const;
@@ -62,7 +83,7 @@ private:
     double across_at(const WallHit& hit) const;
     bool is_dark_at(const WallHit& hit) const;
     void add_fog(const ColumnScene& scene, const Run& run, double depth) const;
-    void note_column(const ColumnScene& scene, int x, int top, int bottom, const WallHit& hit) const;
+    void note_column(const ColumnScene& scene, int x, OpenRows rows, double depth, const ColumnTexels& at) const;
     WallLamplight lamplight_at(const ColumnScene& scene, int top, int bottom, Shade shade, const WallHit& hit) const;
     void hang(const ColumnScene& scene, const Surface& surface, double length, double peg);
     int end_of_picture(const ColumnTexels& at, int top, int bottom) const;
@@ -109,6 +130,13 @@ private:
         Vec2 tile_m;
         double base_u = 0, base_v = 0;  ///< tile position under the eye, in [0, 1)
         double near_limit = 0;          ///< up to here all positions are below kNearTiles [m]
+        bool is_exact = false;          ///< whatever the dials say
+    };
+    /// How a row is drawn by dials.
+    struct RowDials {
+        int held = 1;   ///< columns that are drawn alike
+        int level = 0;  ///< as MipChains::at
+        bool operator==(const RowDials&) const = default;
     };
     /// One column of the flat.
     struct FlatColumn {
@@ -125,7 +153,21 @@ private:
     LevelPicture picture_of(const ColumnScene& scene, const Surface& surface) const;
     void start_layers(const ColumnScene& scene);
     void paint_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms);
-    void note_level(const ColumnScene& scene, int x, int top, int bottom, double wall_depth) const;
+    void note_level(const ColumnScene& scene, const FlatColumn& column, bool is_alike) const;
+    void note_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
+    TexelPosition drawn_at(const ColumnScene& scene, const FlatColumn& column, int row, bool is_alike) const;
+    Vec2 steps_at(const ColumnScene& scene, int x, int held) const;
+    double level_depth(const ColumnScene& scene, int row) const;
+    int end_of_alike_rows(int row, int end) const;
+    bool is_exact_in(const ColumnScene& scene, int top, int bottom) const;
+    void start_dials(const ColumnScene& scene);
+    RowDials dials_at(const ColumnScene& scene, double depth) const;
+    double depth_in_span(const ColumnScene& scene, int row) const;
+    void prepare_dials(const ColumnScene& scene, int top, int bottom);
+    void paint_by_dials(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
+    void paint_alike(const ColumnScene& scene, const WallLooks& looks, const ColumnRuns& runs, RowDials dials) const;
+    void fill_by_dials(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
+                       const LevelTarget& to) const;
     FlatColumn column_at(const ColumnScene& scene, int x, OpenRows rows, double wall_depth) const;
     void paint_level(const ColumnScene& scene, const FlatColumn& column);
     void paint_picture(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
@@ -171,6 +213,11 @@ private:
     std::vector<std::uint32_t> full_light_;      ///< the same of rows as painted; where there are lamps
     std::vector<FogPart> row_fog_parts_;         ///< where there is fog
     int prepared_top_ = 0, prepared_bottom_ = 0;
+    bool is_dialled_ = false;
+    std::vector<double> texel_depths_;  ///< as row_depths_: of which texels are; where dials say so
+    std::vector<RowDials> row_dials_;   ///< where there are dials
+    double texels_across_ = 0;          ///< per metre of depth, from a column to the next
+    double texels_down_ = 0;            ///< per square metre of depth, from a row to the next
 };
 
 }  // namespace enfilade::column

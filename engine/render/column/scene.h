@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "formats/dials.h"
 #include "map/map.h"
 #include "map/textures.h"
 #include "render/built_in.h"
@@ -12,6 +13,7 @@
 #include "render/column/sector_projection.h"
 #include "render/frame.h"
 #include "render/light_grids.h"
+#include "render/mips.h"
 #include "render/view.h"
 #include "world/snapshot.h"
 
@@ -88,6 +90,12 @@ struct ColumnScratch {
     }
 };
 
+/// What the dials of texels say, where they say anything.
+struct TexelDials {
+    Dials dials;
+    const MipChains* mips = nullptr;  ///< where textures are to be made smaller
+};
+
 struct ColumnScene {
     const Map& map;
     const TextureSet& textures;
@@ -99,6 +107,7 @@ struct ColumnScene {
     ColumnScratch& scratch;
     const PlainKernels& kernels;
     const Passes& passes;
+    const TexelDials* dials = nullptr;  ///< null: texels are exact
 
     // What point lights throw on a surface, or null: nothing. Asked once for each surface.
     const LightGrid* light_on(WallId id) const { return lights ? lights->on_wall(snapshot, id) : nullptr; }
@@ -115,7 +124,7 @@ inline void note_over(const ColumnScene& scene, int x, int y, PixelSurface id, d
         static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.screen.width) + static_cast<std::size_t>(x);
     scene.facts->ids[i] = id;
     scene.facts->depths[i] = depth;
-    scene.facts->texels[i] = {static_cast<float>(fraction(u_tiles)), static_cast<float>(fraction(v_tiles))};
+    scene.facts->texels[i] = {fraction(u_tiles), fraction(v_tiles)};
 }
 
 /// Notes what one pixel shows, and that the opaque pass wrote it. Called outside the inner loops.

@@ -140,6 +140,7 @@ double NearestWalls::inverse_depth_at(const RayTables& screen, int x) const {
 }
 
 void look_at(const ProjectedWall& wall, const RayTables& screen, int begin, int count, WallLooks& looks) {
+    looks.wall = &wall;
     looks.begin = begin;
     looks.count = count;
     looks.farthest = wall.farthest;

@@ -168,6 +168,7 @@ private:
 struct WallLooks {
     static constexpr int kMost = 64;  ///< as many as fit well into the first-level cache
 
+    const ProjectedWall* wall = nullptr;  ///< stays where it is while they are used
     int begin = 0, count = 0;
     double farthest = 0;          ///< no depth is larger [m]
     double depth[kMost];          ///< [m], >= 0, finite

@@ -102,11 +102,13 @@ WallPainter::ColumnTexels WallPainter::texels_at(const ColumnScene& scene, const
 }
 
 void WallPainter::paint(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const {
+    if (scene.dials && may_any_be_alike(scene, looks)) return paint_by_dials(scene, looks, tops, bottoms);
     int first = 0, end = looks.count;
     while (first < end && tops[first] >= bottoms[first]) ++first;
     while (first < end && tops[end - 1] >= bottoms[end - 1]) --end;
     if (first == end) return;
     Placed placed;
+    placed.texture = texture_;
     if (is_near(scene, looks.farthest))
         place(scene, looks.depth + first, looks.along + first, end - first, placed);
     else
@@ -118,7 +120,8 @@ void WallPainter::paint(const ColumnScene& scene, const WallLooks& looks, const 
         for (int i = first; i < end; ++i)
             add_fog(scene, scene.canvas.run(looks.begin + i, tops[i], std::max(tops[i], bottoms[i])), looks.depth[i]);
     if (scene.facts == nullptr) return;
-    for (int i = first; i < end; ++i) note_column(scene, looks.begin + i, tops[i], bottoms[i], looks.at(i));
+    for (int i = first; i < end; ++i)
+        note_column(scene, looks.begin + i, {tops[i], bottoms[i]}, looks.depth[i], texels_at(scene, looks.at(i)));
 }
 
 /// Whether no position on the picture is farther than kNearTiles, at depths up to `farthest`.
@@ -145,15 +148,19 @@ void WallPainter::place(const ColumnScene& scene, const double* depths, const do
 void WallPainter::place_one(const ColumnTexels& at, double depth, Placed& placed, int i) const {
     placed.v_per_row[i] = steps_of(at.v_per_row);
     placed.v_at_row_0[i] = steps_of(at.v_at_row_0);
-    placed.first_texels[i] = texel_of(place_on_tile(at.u), texture_->width) * texture_->height;
+    placed.first_texels[i] = texel_of(place_on_tile(at.u), placed.texture->width) * placed.texture->height;
     placed.shades[i] = dimming_.at(depth);
 }
 
 /// runs: of the columns from the i-th on.
 PlainWalls WallPainter::walls_at(const ColumnRuns& runs, const Placed& placed, int i) const {
-    return {
-        runs,        texture_, placed.first_texels + i, placed.v_at_row_0 + i, placed.v_per_row + i, placed.shades + i,
-        color_table_};
+    return {runs,
+            placed.texture,
+            placed.first_texels + i,
+            placed.v_at_row_0 + i,
+            placed.v_per_row + i,
+            placed.shades + i,
+            color_table_};
 }
 
 /// As placed; depths, along: of the columns.
@@ -195,9 +202,10 @@ void WallPainter::add_fog(const ColumnScene& scene, const Run& run, double depth
     scene.passes.add_fog(run, fog_.color, scene.scratch.fog_parts.data());
 }
 
-void WallPainter::note_column(const ColumnScene& scene, int x, int top, int bottom, const WallHit& hit) const {
-    const ColumnTexels at = texels_at(scene, hit);
-    for (int y = top; y < bottom; ++y) note(scene, x, y, id_, hit.depth, at.u, at.v_at_row_0 + y * at.v_per_row);
+/// at: as it is drawn.
+void WallPainter::note_column(const ColumnScene& scene, int x, OpenRows rows, double depth,
+                              const ColumnTexels& at) const {
+    for (int y = rows.top; y < rows.bottom; ++y) note(scene, x, y, id_, depth, at.u, at.v_at_row_0 + y * at.v_per_row);
 }
 
 void WallPainter::lay_over(const ColumnScene& scene, int x, int top, int bottom, const WallHit& hit) const {
@@ -219,6 +227,7 @@ void WallPainter::lay_rows(const ColumnScene& scene, int x, OpenRows rows, const
                            const WallHit& hit) const {
     if (rows.is_closed()) return;
     Placed placed;
+    placed.texture = texture_;
     place_one(at, hit.depth, placed, 0);
     std::vector<std::uint32_t>&texels = scene.scratch.texels, &colors = scene.scratch.colors;
     const ColumnRuns to_texels{texels.data(), 0, 1, &rows.top, &rows.bottom};

@@ -66,7 +66,7 @@ Seen painted(const Arrival& at, const Surface& surface, PixelSurface id, double 
     const Texel found = texel(at.scene.textures[surface.texture], place_on_tile(u), v_place);
     const SectorId sector = at.hit.sector;
     const Lighting lighting = lighting_in(at.scene.map, sector, light_at(at.scene.snapshot, sector), contrast);
-    seen.texel = {static_cast<float>(tile_u), static_cast<float>(tile_v)};
+    seen.texel = {tile_u, tile_v};
     seen.color = lit(at.scene, found, lighting, depth, lamplight);  // a pane still needs its alpha
     return seen;
 }
@@ -87,7 +87,7 @@ std::uint32_t sky_color(const Arrival& at, const Surface& surface, const SkyTexe
 Seen sky(const Arrival& at, const FlatNow& flat, PixelSurface id) {
     const SkyTexel base = sky_texel_of(at, flat.surface);
     Seen seen{id, std::numeric_limits<double>::infinity(), {}, 0, false};
-    seen.texel = {static_cast<float>(base.u), static_cast<float>(base.v)};
+    seen.texel = {base.u, base.v};
     seen.color = sky_color(at, flat.surface, base) | kAlpha;
     for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
         const Surface layer = layer_now(at.scene.map, at.scene.snapshot, flat, i);

@@ -81,7 +81,7 @@ Pane pane_of(const ReferenceScene& scene, const RoomRay& ray, const PanelHit& at
     Pane pane;
     pane.seen.id = panel_id(scene.map, at.panel);
     pane.seen.depth = depth;
-    pane.seen.texel = {static_cast<float>(fraction(u)), static_cast<float>(fraction(v))};
+    pane.seen.texel = {fraction(u), fraction(v)};
     pane.alpha = shown.color >> 24;
     const LightGrid* grid = scene.lights ? scene.lights->on_panel(scene.snapshot, at.panel) : nullptr;
     const double z = ray.hit.space.eye_z + ray.course.climb * at.depth;
@@ -200,7 +200,7 @@ Pane pane_of(const ReferenceScene& scene, const RoomRay& ray, const SpritePictur
     Pane pane;
     pane.seen.id = thing_id(scene.map, at.thing);
     pane.seen.depth = depth;
-    pane.seen.texel = {static_cast<float>(u), static_cast<float>(v)};
+    pane.seen.texel = {u, v};
     pane.alpha = shown.color >> 24;
     const LightGrid* grid = scene.lights ? scene.lights->on_thing(scene.snapshot, at.thing) : nullptr;
     pane.seen.color = in_fog(scene, lit(scene, shown, picture.lighting, depth, lamplight_on(grid, 0, 0)), depth);

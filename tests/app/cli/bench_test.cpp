@@ -155,8 +155,9 @@ TEST_F(Bench, WritesTheTableOfEffectPrices) {
 }
 
 TEST_F(Bench, RefusesWhatPricesHaveNoChoiceOf) {
-    const std::vector<std::vector<std::string>> wrong{
-        {"--renderer", "reference"}, {"--threads", "2"}, {"--samples", "2"}, {"--csv", "times.csv"}};
+    const std::vector<std::vector<std::string>> wrong{{"--renderer", "reference"}, {"--threads", "2"},
+                                                      {"--samples", "2"},          {"--accuracy", "fast"},
+                                                      {"--dial", "span=2"},        {"--csv", "times.csv"}};
     for (const auto& arguments : wrong) {
         std::vector<std::string> all{"--effects", "map.toml"};
         all.insert(all.end(), arguments.begin(), arguments.end());

@@ -243,6 +243,39 @@ TEST_F(Render, SmoothsEdgesWithSamples) {
     EXPECT_THAT(wide.err, HasSubstr("--samples: expected at most 4 for a picture of 4000x10"));
 }
 
+TEST_F(Render, DrawsByDialsAndLeavesSurfacesWhereTheyAre) {
+    render({"--out", "exact.png", "--ids", "exact_ids.png"});
+    for (const std::vector<std::string>& options : {std::vector<std::string>{"--accuracy", "16"},
+                                                    {"--dial", "span=32"},
+                                                    {"--dial", "number=fixed", "--dial", "light=bands"},
+                                                    {"--dial", "sampling=mip"}}) {
+        std::vector<std::string> all = options;
+        all.insert(all.end(), {"--out", "other.png", "--ids", "ids.png"});
+        EXPECT_EQ(render(all).exit_code, 0) << options[1];
+        EXPECT_TRUE(program_.text("other.png") != program_.text("exact.png")) << options[1];
+        EXPECT_EQ(program_.text("ids.png"), program_.text("exact_ids.png")) << options[1];
+    }
+}
+
+TEST_F(Render, RefusesDialsThatThereAreNot) {
+    const auto refused = [&](std::vector<std::string> options) {
+        options.insert(options.end(), {"--out", "a.png"});
+        const Ended ended = render(options);
+        EXPECT_EQ(ended.exit_code, 2);
+        EXPECT_FALSE(program_.exists("a.png"));
+        return ended.err;
+    };
+    EXPECT_THAT(refused({"--accuracy", "good"}),
+                HasSubstr("--accuracy: expected exact, fine, fast, or how many texels"));
+    EXPECT_THAT(refused({"--dial", "spam=2"}),
+                HasSubstr("--dial: expected NAME=VALUE, as in span=8; found 'spam=2'; did "
+                          "you mean 'span'?"));
+    EXPECT_THAT(refused({"--renderer", "reference", "--dial", "span=2"}),
+                HasSubstr("only the column renderer draws texels by span=2; the reference renderer has the dials"));
+    EXPECT_THAT(refused({"--accuracy", "fast", "--dial", "number=float"}),
+                HasSubstr("an accuracy is a promise that span and number would break"));
+}
+
 TEST_F(Render, RefusesAListWithoutViews) {
     program_.write("none.csv", "x,y,z,yaw,pitch\n");
     const Ended ended = render({"--views", "none.csv", "--out", "all"});

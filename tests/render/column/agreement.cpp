@@ -23,8 +23,8 @@ bool alike(std::uint32_t a, std::uint32_t b) {
 /// True where the texel position is so near a texel's edge that rounding may choose either side. The pictures are 64
 /// x 64.
 bool on_texel_edge(TexelPosition p) {
-    constexpr float kSide = 64, kNear = 1e-3f;  // [texels]; facts are floats, good to 64 * 2^-24 texels
-    const auto near_edge = [](float tiles) { return std::fabs(tiles * kSide - std::round(tiles * kSide)) < kNear; };
+    constexpr double kSide = 64, kNear = 1e-3;  // [texels]
+    const auto near_edge = [](double tiles) { return std::fabs(tiles * kSide - std::round(tiles * kSide)) < kNear; };
     return near_edge(p.u) || near_edge(p.v);
 }
 

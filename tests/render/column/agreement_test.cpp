@@ -124,7 +124,7 @@ TEST(ColumnRenderer, AgreesWithTheReferenceUnderASkyWithStraightRows) {
 }
 
 /// The least and the greatest v that row 0, all sky, shows from the middle of the yard, looking askew.
-std::pair<float, float> range_of_sky_in_row_0(SkyRows rows) {
+std::pair<double, double> range_of_sky_in_row_0(SkyRows rows) {
     MapFile file = palace();
     file.render.sky = rows;
     sector(file, "yard").ceiling.texture->tile_m = Vec2{1, 4};
@@ -140,7 +140,7 @@ std::pair<float, float> range_of_sky_in_row_0(SkyRows rows) {
     FrameFacts facts;
     reset(facts, 160, 100);
     ColumnRenderer(world.map, world.textures).render(frame, &facts, world.snapshot, view);
-    std::pair<float, float> range{1, 0};
+    std::pair<double, double> range{1, 0};
     for (std::size_t x = 0; x < 160; ++x) {
         EXPECT_EQ(facts.depths[x], std::numeric_limits<double>::infinity());
         range = {std::min(range.first, facts.texels[x].v), std::max(range.second, facts.texels[x].v)};

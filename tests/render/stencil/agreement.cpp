@@ -171,7 +171,7 @@ StencilPicture Sight::by_stencil(const View& view, PictureSize size) {
 
 StencilPicture Sight::by_column(const View& view, PictureSize size) const {
     StencilPicture picture = blank(size);
-    ColumnRenderer(map_, textures_, lights_).render(picture.frame, &picture.facts, snapshot_, view);
+    ColumnRenderer(map_, textures_, {lights_}).render(picture.frame, &picture.facts, snapshot_, view);
     return picture;
 }
 

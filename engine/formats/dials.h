@@ -1,0 +1,84 @@
+// How exactly pictures are drawn: one promise, and the single dials under it.
+//
+// What is drawn exactly is drawn as it is because nothing cheaper was as right. Whoever wants to see what that costs
+// turns a dial; `enfilade accuracy` measures the error and the price of each.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace enfilade {
+
+/// The numbers in which texel positions are worked out.
+enum class NumberKind : std::uint8_t {
+    real64,   ///< "double": the default
+    real32,   ///< "float"
+    fixed16,  ///< "fixed": whole numbers of 1/65536 texel and 1/65536 m, as engines had them in 1993
+};
+
+/// Which texel a pixel shows.
+enum class Sampling : std::uint8_t {
+    nearest,  ///< the one at its middle, of the picture as painted: the default
+    mip,      ///< the one at its middle, of the picture made smaller until its texels are about as large as pixels
+};
+
+/// How light falls off.
+enum class LightSteps : std::uint8_t {
+    as_map,  ///< "map": as the map says: the default
+    smooth,  ///< in 256 steps
+    bands,   ///< in Doom's 32
+};
+
+/// Most columns or rows between two exact positions.
+inline constexpr int kMostSpan = 64;
+
+/// Most rays along each side of a pixel: what sixty-four cannot smooth, more do not either.
+inline constexpr int kMostSamples = 8;
+
+/// Most links that a look may pass, whatever a map says.
+inline constexpr int kMostLinks = 1000;
+
+/// The default is exact. Dials of positions are about walls, steps, floors and ceilings; skies, things and other
+/// pictures with holes stay exact. What a pixel belongs to is exact with all of them.
+struct Dials {
+    /// The promise: no texel of a surface is off by more than this, along either side of its picture [texels], 0..64.
+    /// 0 is exact: nothing is spent. Where it allows, neighbouring columns show the same texels, which is drawn once.
+    double texel_error = 0;
+    /// Texel positions are exact in every span-th column of a wall and row of a floor, and between them on a straight
+    /// line. 1..kMostSpan; 1: exact in all.
+    int span = 1;
+    NumberKind number = NumberKind::real64;
+    Sampling sampling = Sampling::nearest;
+    /// The colour of a pixel is the mean, in linear light, of samples x samples rays spread evenly over it.
+    /// 1..kMostSamples; samples times a side of the picture is at most kMaxPictureSide.
+    int samples = 1;
+    LightSteps light = LightSteps::as_map;
+    int links = kMostLinks;  ///< links looked through in one chain, 0..kMostLinks; never more than the map says
+
+    bool operator==(const Dials&) const = default;
+};
+
+/// Whether texels are drawn where and as they are.
+constexpr bool are_texels_exact(const Dials& dials) {
+    return dials.texel_error == 0 && dials.span == 1 && dials.number == NumberKind::real64 &&
+           dials.sampling == Sampling::nearest;
+}
+
+/// Largest promise that means anything: most pictures are that wide [texels].
+inline constexpr double kMostTexelError = 64;
+
+/// A promise by name or number: "exact" is 0, "fine" is 0.25 and "fast" 1; else a number from 0 to kMostTexelError.
+/// An error without a place says what was expected.
+Result<double> parse_accuracy(std::string_view text);
+
+/// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light or links. An error, without a place, where
+/// there is no such dial, or it has no such value; dials then stay as they were.
+Status set_dial(Dials& dials, std::string_view text);
+
+/// What set_dial() would be given to get from the default to these, with blanks between: "span=8 number=float"; and
+/// before them "accuracy=0.25" where something is promised. "exact" for the default.
+std::string to_text(const Dials& dials);
+
+}  // namespace enfilade

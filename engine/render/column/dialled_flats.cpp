@@ -1,0 +1,157 @@
+// Floors and ceilings drawn by the dials of texels.
+#include <cmath>
+
+#include "render/column/painters.h"
+
+namespace enfilade::column {
+namespace {
+
+/// What a vector along a flat is in texels, along the longer side.
+double texels_of(Vec2 metres, Vec2 tile_m, const Texture& picture) {
+    return std::max(std::fabs(metres.x) / tile_m.x * picture.width, std::fabs(metres.y) / tile_m.y * picture.height);
+}
+
+}  // namespace
+
+void FlatPainter::start_dials(const ColumnScene& scene) {
+    is_dialled_ = scene.dials != nullptr && !(built_in::kSky && flat_.sky);
+    if (!is_dialled_) return;
+    const RayTables& screen = scene.screen;
+    const double slope_per_column =
+        screen.width > 1 ? (screen.slopes.back() - screen.slopes.front()) / (screen.width - 1) : 0;
+    texels_across_ = texels_of(pose_->right, picture_.tile_m, *picture_.texture) * slope_per_column;
+    texels_down_ = texels_of(pose_->forward, picture_.tile_m, *picture_.texture) /
+                   std::max(std::fabs(height_) * screen.focal_y, std::numeric_limits<double>::min());
+    texel_depths_.resize(row_depths_.size());
+    row_dials_.resize(row_depths_.size());
+}
+
+/// Whether exact texels are all that the dials leave to these rows, which are prepared: nearer ones are held longer.
+bool FlatPainter::is_exact_in(const ColumnScene& scene, int top, int bottom) const {
+    const int nearest = height_ < 0 ? bottom - 1 : top;
+    return is_only_promise(scene.dials->dials) && row_dials_[static_cast<std::size_t>(nearest)].held == 1;
+}
+
+/// How a row at this depth is drawn: alike are columns whose first and last are no farther from their mean than is
+/// promised.
+FlatPainter::RowDials FlatPainter::dials_at(const ColumnScene& scene, double depth) const {
+    RowDials row;
+    if (is_extended_) return row;
+    const double across = depth * texels_across_, most = 2 * scene.dials->dials.texel_error;
+    while (row.held < kMostHeld && across * (2 * row.held - 1) <= most && most > 0) row.held *= 2;
+    if (scene.dials->mips) row.level = mip_level(std::max(across, depth * depth * texels_down_));
+    return row;
+}
+
+/// Between the rows of a span; those at its ends are exact, or the first and last that see the flat.
+double FlatPainter::depth_in_span(const ColumnScene& scene, int row) const {
+    const RayTables& screen = scene.screen;
+    const int span = scene.dials->dials.span;
+    const bool is_floor = height_ < 0;
+    int first = row - row % span, last = std::min(first + span, screen.height - 1);
+    while (is_floor && first < row && !(screen.row_rises[static_cast<std::size_t>(first)] < 0)) ++first;
+    while (!is_floor && last > row && !(screen.row_rises[static_cast<std::size_t>(last)] > 0)) --last;
+    return on_line(level_depth(scene, first), level_depth(scene, last), first, last, row);
+}
+
+void FlatPainter::prepare_dials(const ColumnScene& scene, int top, int bottom) {
+    for (int row = top; row < bottom; ++row) {
+        const auto i = static_cast<std::size_t>(row);
+        texel_depths_[i] = scene.dials->dials.span == 1 || is_extended_ ? row_depths_[i] : depth_in_span(scene, row);
+        row_dials_[i] = dials_at(scene, row_depths_[i]);
+    }
+}
+
+/// The end of the rows from `row` on that are drawn as it is.
+int FlatPainter::end_of_alike_rows(int row, int end) const {
+    const RowDials dials = row_dials_[static_cast<std::size_t>(row)];
+    while (row < end && row_dials_[static_cast<std::size_t>(row)] == dials) ++row;
+    return row;
+}
+
+/// Of a column, or of the middle of those that it is drawn alike with [tiles/m].
+Vec2 FlatPainter::steps_at(const ColumnScene& scene, int x, int held) const {
+    const ColumnGroup columns = group_of(x, held, {0, scene.screen.width - 1});
+    const std::vector<double>& slopes = scene.screen.slopes;
+    const double slope =
+        (slopes[static_cast<std::size_t>(columns.first)] + slopes[static_cast<std::size_t>(columns.last)]) / 2;
+    const Vec2 ray = pose_->forward + pose_->right * slope;
+    return {ray.x / picture_.tile_m.x, ray.y / picture_.tile_m.y};
+}
+
+/// A flat in one light without lamps, fog and layers.
+void FlatPainter::paint_by_dials(const ColumnScene& scene, const WallLooks& looks, const int* tops,
+                                 const int* bottoms) const {
+    const int top = *std::min_element(tops, tops + looks.count),
+              end = *std::max_element(bottoms, bottoms + looks.count);
+    int some_tops[WallLooks::kMost], some_bottoms[WallLooks::kMost];
+    for (int row = std::max(top, prepared_top_); row < std::min(end, prepared_bottom_);) {
+        const int next = end_of_alike_rows(row, end);
+        for (int i = 0; i < looks.count; ++i) {
+            some_tops[i] = std::max(tops[i], row);
+            some_bottoms[i] = std::min(bottoms[i], next);
+        }
+        const ColumnRuns runs{scene.canvas.column(looks.begin), scene.canvas.pitch(), looks.count, some_tops,
+                              some_bottoms};
+        paint_alike(scene, looks, runs, row_dials_[static_cast<std::size_t>(row)]);
+        row = next;
+    }
+}
+
+/// Rows that have the same dials.
+void FlatPainter::paint_alike(const ColumnScene& scene, const WallLooks& looks, const ColumnRuns& runs,
+                              RowDials dials) const {
+    double step_u[WallLooks::kMost], step_v[WallLooks::kMost];
+    int like[WallLooks::kMost];
+    for (int i = 0; i < looks.count; ++i) {
+        const Vec2 step = steps_at(scene, looks.begin + i, dials.held);
+        step_u[i] = step.x;
+        step_v[i] = step.y;
+        like[i] = std::max(group_of(looks.begin + i, dials.held, {0, scene.screen.width}).first - looks.begin, 0);
+    }
+    const Texture* const picture =
+        dials.level == 0 ? picture_.texture : &scene.dials->mips->at(*picture_.texture, dials.level);
+    const NumberKind number = scene.dials->dials.number;
+    fill_alike(runs, like, [&](const ColumnRuns& some) {
+        const PlainFlats flats{some,   picture,     picture_.base_u,      picture_.base_v,      step_u,
+                               step_v, looks.depth, texel_depths_.data(), row_darkness_.data(), picture_.color_table};
+        number == NumberKind::real64 ? scene.kernels.fill_flats(flats) : fill_flats_in(number, flats);
+    });
+}
+
+/// One column of a flat that lamps, fog or layers have to do with: nothing is drawn alike.
+void FlatPainter::fill_by_dials(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
+                                const LevelTarget& to) const {
+    const double step_u = column.ray.x / picture.tile_m.x, step_v = column.ray.y / picture.tile_m.y;
+    const NumberKind number = scene.dials->dials.number;
+    const auto draw = column.farthest < picture.near_limit ? scene.kernels.fill_flats : fill_far_flats;
+    for (int row = column.rows.top; row < column.rows.bottom;) {
+        const int next = end_of_alike_rows(row, column.rows.bottom);
+        const int level = row_dials_[static_cast<std::size_t>(row)].level;
+        const Texture* const texture = level == 0 ? picture.texture : &scene.dials->mips->at(*picture.texture, level);
+        const PlainFlats flats{{to.row_0, 0, 1, &row, &next},
+                               texture,
+                               picture.base_u,
+                               picture.base_v,
+                               &step_u,
+                               &step_v,
+                               &column.farthest,
+                               texel_depths_.data(),
+                               to.darkness,
+                               picture.color_table};
+        number == NumberKind::real64 ? draw(flats) : fill_flats_in(number, flats);
+        row = next;
+    }
+}
+
+/// Where a row of a column is on the picture, as it is drawn: like its neighbours, where that is promised to do.
+TexelPosition FlatPainter::drawn_at(const ColumnScene& scene, const FlatColumn& column, int row, bool is_alike) const {
+    const auto i = static_cast<std::size_t>(row);
+    const Vec2 step = steps_at(scene, column.x, is_dialled_ && is_alike ? row_dials_[i].held : 1);
+    const double depth = std::min(is_dialled_ ? texel_depths_[i] : row_depths_[i], column.farthest);
+    const NumberKind number = is_dialled_ ? scene.dials->dials.number : NumberKind::real64;
+    return {flat_position(number, picture_.base_u, depth, step.x, picture_.texture->width),
+            flat_position(number, picture_.base_v, depth, step.y, picture_.texture->height)};
+}
+
+}  // namespace enfilade::column

@@ -1,0 +1,68 @@
+// Dials as texts.
+#include "formats/dials.h"
+
+#include <gmock/gmock.h>
+
+namespace enfilade {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(ParseAccuracy, KnowsNamesAndNumbers) {
+    EXPECT_EQ(parse_accuracy("exact").value(), 0);
+    EXPECT_EQ(parse_accuracy("fine").value(), 0.25);
+    EXPECT_EQ(parse_accuracy("fast").value(), 1);
+    EXPECT_EQ(parse_accuracy("1e-6").value(), 1e-6);
+    EXPECT_EQ(parse_accuracy("64").value(), 64);
+}
+
+TEST(ParseAccuracy, RefusesOtherTexts) {
+    for (const char* text : {"", "Fast", "-0.1", "64.5", "nan", "1 "}) {
+        const auto promised = parse_accuracy(text);
+        ASSERT_FALSE(promised.ok()) << text;
+        EXPECT_THAT(promised.error().what, HasSubstr("expected exact, fine, fast, or how many texels")) << text;
+    }
+}
+
+TEST(SetDial, SetsEachDialAndNoOther) {
+    Dials expected, dials;
+    const auto set = [&](const char* text) {
+        EXPECT_FALSE(set_dial(dials, text)) << text;
+        EXPECT_EQ(dials, expected) << text;
+    };
+    expected.span = 16;
+    set("span=16");
+    expected.number = NumberKind::fixed16;
+    set("number=fixed");
+    expected.sampling = Sampling::mip;
+    set("sampling=mip");
+    expected.samples = 3;
+    set("samples=3");
+    expected.light = LightSteps::bands;
+    set("light=bands");
+    expected.links = 0;
+    set("links=0");
+}
+
+TEST(SetDial, SaysWhatADialMayBe) {
+    Dials dials;
+    EXPECT_EQ(set_dial(dials, "span=65")->what, "expected span=a whole number from 1 to 64; found 'span=65'");
+    EXPECT_EQ(set_dial(dials, "span=1.5")->what, "expected span=a whole number from 1 to 64; found 'span=1.5'");
+    EXPECT_EQ(set_dial(dials, "number=half")->what, "expected number=double, float, fixed; found 'number=half'");
+    EXPECT_EQ(set_dial(dials, "smaples=2")->what,
+              "expected NAME=VALUE, as in span=8; found 'smaples=2'; did you mean 'samples'?");
+    EXPECT_THAT(set_dial(dials, "span")->what, HasSubstr("found 'span'"));
+    EXPECT_EQ(dials, Dials());
+}
+
+TEST(DialsText, SaysWhatIsNotExact) {
+    Dials dials;
+    EXPECT_EQ(to_text(dials), "exact");
+    dials.texel_error = 0.25;
+    dials.samples = 2;
+    dials.light = LightSteps::smooth;
+    EXPECT_EQ(to_text(dials), "accuracy=0.25 samples=2 light=smooth");
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,82 @@
+// Pictures made smaller.
+#include "render/mips.h"
+
+#include <gtest/gtest.h>
+
+namespace enfilade {
+namespace {
+
+Texture picture(std::uint32_t width, std::uint32_t height, std::vector<std::uint32_t> pixels) {
+    Texture texture;
+    texture.width = width;
+    texture.height = height;
+    texture.pixels = std::move(pixels);
+    return texture;
+}
+
+constexpr std::uint32_t kBlack = 0xFF000000u, kWhite = 0xFFFFFFFFu, kHalfLight = 0xFFBCBCBCu;
+
+TEST(MipChains, HalveBothSidesUntilOneTexelIsLeft) {
+    TextureSet set;
+    set.textures.push_back(picture(8, 2, std::vector<std::uint32_t>(16, kWhite)));
+    const MipChains mips(set);
+    const Texture& whole = set.textures[0];
+    EXPECT_EQ(&mips.at(whole, 0), &whole);
+    const std::pair<std::uint32_t, std::uint32_t> sizes[] = {{4, 1}, {2, 1}, {1, 1}, {1, 1}, {1, 1}};
+    for (int level = 1; level <= 5; ++level) {
+        const Texture& smaller = mips.at(whole, level);
+        EXPECT_EQ(std::pair(smaller.width, smaller.height), sizes[level - 1]) << level;
+        EXPECT_EQ(smaller.pixels, std::vector<std::uint32_t>(smaller.pixels.size(), kWhite));
+    }
+}
+
+TEST(MipChains, MixAsMuchLightAsThereWas) {
+    TextureSet set;
+    set.textures.push_back(picture(2, 2, {kBlack, kWhite, kWhite, kBlack}));
+    EXPECT_EQ(MipChains(set).at(set.textures[0], 1).pixels, std::vector{kHalfLight});
+}
+
+TEST(MipChains, CoverEveryTexelOfAnOddSideOnce) {
+    TextureSet set;
+    set.textures.push_back(picture(5, 1, {kWhite, kWhite, kBlack, kBlack, kBlack}));
+    const MipChains mips(set);
+    const Texture& half = mips.at(set.textures[0], 1);
+    ASSERT_EQ(half.width, 2u);
+    EXPECT_EQ(half.pixels[0], kWhite);
+    EXPECT_EQ(half.pixels[1], kBlack);
+}
+
+TEST(MipChains, LeaveWhatHasHoles) {
+    TextureSet set;
+    set.textures.push_back(picture(2, 1, {0, kWhite}));
+    set.textures[0].has_holes = true;
+    const MipChains mips(set);
+    EXPECT_EQ(&mips.at(set.textures[0], 3), &set.textures[0]);
+    EXPECT_EQ(&mips.at(set.placeholder, 3), &set.placeholder);
+}
+
+TEST(MipChains, TakeTheColorTablesNearestColors) {
+    std::vector<std::uint32_t> columns;  // three colours of one shade and 32 levels
+    for (const std::uint32_t color : {kBlack, 0xFFB0B0B0u, kWhite})
+        columns.insert(columns.end(), ColorTable::kLevels + 1, color);
+    TextureSet set;
+    set.color_table = ColorTable::read(picture(3, ColorTable::kLevels + 1, columns)).value();
+    set.textures.push_back(picture(2, 1, {kBlack, kWhite}));
+    set.textures[0].numbers = set.color_table.numbers_in(set.textures[0]);
+    const MipChains mips(set);
+    const Texture& half = mips.at(set.textures[0], 1);
+    EXPECT_EQ(half.pixels, std::vector{0xFFB0B0B0u});
+    EXPECT_EQ(half.numbers, std::vector<std::uint8_t>{1});
+}
+
+TEST(MipLevel, MakesTexelsAboutAsLargeAsPixels) {
+    EXPECT_EQ(mip_level(0), 0);
+    EXPECT_EQ(mip_level(1.4), 0);
+    EXPECT_EQ(mip_level(1.5), 1);
+    EXPECT_EQ(mip_level(2.8), 1);
+    EXPECT_EQ(mip_level(2.9), 2);
+    EXPECT_EQ(mip_level(1e300), 31);
+}
+
+}  // namespace
+}  // namespace enfilade
