@@ -130,6 +130,9 @@ Result<std::string> compare_with(const std::string& other, const ChildBench& ben
 /// The function whose instructions count_instructions() counts; see bench_command.cpp.
 inline constexpr const char* kMeasuredFunction = "*draw_measured*";
 
+/// Instructions that the renderer takes for a pixel of one subject; see below.
+Result<double> instructions_per_pixel(const std::string& subject, const ChildBench& bench);
+
 /// Instructions that the renderer takes for a pixel of each subject, counted by valgrind on one thread, as a table: the
 /// difference of two runs, one of which draws every frame once more. Takes about fifty times as long as drawing.
 /// An error where valgrind is not installed.

@@ -211,6 +211,8 @@ Result<Counted> count_rounds(const std::string& subject, const ChildBench& bench
     return Counted{instructions.value(), pass.value().size()};
 }
 
+}  // namespace
+
 Result<double> instructions_per_pixel(const std::string& subject, const ChildBench& bench) {
     const auto once = count_rounds(subject, bench, 1);
     if (!once.ok()) return once.error();
@@ -219,8 +221,6 @@ Result<double> instructions_per_pixel(const std::string& subject, const ChildBen
     return static_cast<double>(twice.value().instructions - once.value().instructions) /
            static_cast<double>(once.value().frames * bench.pixels);
 }
-
-}  // namespace
 
 Result<std::string> compare_with(const std::string& other, const ChildBench& bench) {
     const std::array<std::string, 2> programs{this_program(), other};

@@ -61,12 +61,20 @@ struct BenchRequest {
     bool effects = false, instructions = false;
 };
 
+struct AccuracyRequest {
+    std::vector<std::string> maps;  ///< empty: the shipped scenes
+    std::string out, verify;        ///< empty where not given
+    std::vector<std::string> texture_folders;
+    bool quick = false;
+};
+
 /// Each does its work, says on stderr what went wrong and returns an exit code (app/messages.h).
 int run_play(const PlayRequest& request);
 int run_render(const RenderRequest& request);
 int run_fly(const FlyRequest& request);
 int run_check(const CheckRequest& request);
 int run_bench(const BenchRequest& request);
+int run_accuracy(const AccuracyRequest& request);
 
 // The whole command line, as a function.
 
