@@ -102,14 +102,19 @@ TEST(House, NothingIsLeftUnfinished) { EXPECT_THAT(complaints(sources(), check_f
 
 TEST(House, ErrorsAreResults) { EXPECT_THAT(complaints(sources(), check_exceptions), IsEmpty()); }
 
+// hard cases D1, D2
 TEST(House, NoFlagChangesWhatTheCodeComputes) {
     const auto files =
         files_under({"engine", "wadconv", "tests", "maps", "CMakeLists.txt", "CMakePresets.json", "run", ".ci/run"});
     EXPECT_THAT(complaints(files, check_float_flags), IsEmpty());
 }
 
+// hard case D3
+TEST(House, NoInstructionApproximates) { EXPECT_THAT(complaints(sources(), check_approximations), IsEmpty()); }
+
 TEST(House, WordsReachTheTerminalByOneWay) { EXPECT_THAT(complaints(sources(), check_printing), IsEmpty()); }
 
+// hard case D4
 TEST(House, SimulationStateUsesOnlyOurOwnTrigonometry) { EXPECT_THAT(complaints(sources(), check_libm), IsEmpty()); }
 
 }  // namespace

@@ -168,6 +168,13 @@ Complaints check_float_flags(const SourceFile& file) {
     return lines_with(file, file.text, flags, "this flag changes what the code computes");
 }
 
+Complaints check_approximations(const SourceFile& file) {
+    if (file.path.starts_with("tests/")) return {};
+    static const std::regex calls(R"(\b(_mm\w*_(rcp|rsqrt)\w*|__builtin_ia32_(rcp|rsqrt)\w*|vr(ecp|sqrt)e\w*)\s*\()");
+    return lines_with(file, without_comments_and_strings(file.text), calls,
+                      "processors approximate reciprocals differently; divide");
+}
+
 Complaints check_libm(const SourceFile& file) {
     if (!is_in(file, "engine/space") && !is_in(file, "engine/world")) return {};
     static const std::regex calls(

@@ -35,6 +35,9 @@ Complaints check_forbidden_words(const SourceFile& file);
 /// No flag that lets a compiler change what floating-point code computes.
 Complaints check_float_flags(const SourceFile& file);
 
+/// No instruction that approximates a reciprocal or a square root: processors answer differently.
+Complaints check_approximations(const SourceFile& file);
+
 /// In space/ and world/, no function of the C mathematics library whose last bit differs between machines.
 Complaints check_libm(const SourceFile& file);
 

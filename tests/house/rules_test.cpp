@@ -109,6 +109,7 @@ TEST(ForbiddenWords, SeeUnfinishedWorkAndSharedOwnership) {
     EXPECT_THAT(check_forbidden_words({"engine/a.cpp", "// today, method, mastodon\n"}), IsEmpty());
 }
 
+// hard case D2
 TEST(FloatFlags, SeeEveryFlagThatChangesResults) {
     for (const char* flag : {"-f"
                              "fast-math",
@@ -121,6 +122,17 @@ TEST(FloatFlags, SeeEveryFlagThatChangesResults) {
         EXPECT_THAT(check_float_flags({"CMakeLists.txt", std::string("x\n") + flag + "\n"}),
                     ElementsAre(HasSubstr("CMakeLists.txt:2")));
     EXPECT_THAT(check_float_flags({"CMakeLists.txt", "-ffp-contract=off -O3\n"}), IsEmpty());
+}
+
+// hard case D3
+TEST(Approximations, AreSeenByTheirNames) {
+    for (const char* call :
+         {"_mm_rcp_ps(x)", "_mm256_rsqrt_ps(x)", "_mm512_rcp14_ps(x)", "vrecpeq_f32(x)", "__builtin_ia32_rcpps(x)"})
+        EXPECT_THAT(check_approximations({"engine/render/a.cpp", std::string("y = ") + call + ";\n"}),
+                    ElementsAre(HasSubstr("divide")))
+            << call;
+    EXPECT_THAT(check_approximations({"engine/render/a.cpp", "y = _mm_div_ps(a, b); // not _mm_rcp_ps(b)\n"}),
+                IsEmpty());
 }
 
 TEST(Libm, IsSeenInSimulationStateOnly) {

@@ -16,6 +16,7 @@ std::string probed() {
     return lines;
 }
 
+// hard cases D4, I13
 TEST(State, HasTheSameBitsInEveryBuild) {
     EXPECT_EQ(probed(),
               "angles 09363939F75D1421\n"
