@@ -72,6 +72,7 @@ protected:
     std::vector<ViewportShape> viewports_;
 };
 
+// hard case I13
 TEST_F(RendererInHall, DrawsTheSameWithAnyNumberOfThreads) {
     for (const RendererKind kind : {RendererKind::column, RendererKind::reference})
         EXPECT_EQ(picture(kind, 3).pixels, picture(kind, 1).pixels) << name_of(kind);

@@ -166,6 +166,7 @@ void PrintTo(const WallCase& bad, std::ostream* out) { *out << bad.wall; }
 class BadWall : public testing::TestWithParam<WallCase> {};
 
 // The wall stands in line 9, its first value in column 9 or later.
+// hard case T1
 TEST_P(BadWall, IsReportedAtItsPlace) {
     EXPECT_THAT(codes_and_places(read_map(room(GetParam().wall)).findings), ElementsAre(GetParam().complaint));
 }
@@ -196,6 +197,7 @@ void PrintTo(const TopCase& bad, std::ostream* out) { *out << bad.line; }
 
 class BadTop : public testing::TestWithParam<TopCase> {};
 
+// hard case T1
 TEST_P(BadTop, IsReportedAtItsPlace) {
     EXPECT_THAT(codes_and_places(read_map(room("{}", GetParam().line)).findings), ElementsAre(GetParam().complaint));
 }
@@ -238,13 +240,16 @@ TEST(ReadMap, ReadsAColourGivenAsANumber) {
     EXPECT_EQ(read_map(room("{}", "render = { recursion_color = 0x102030 }")).map.render.recursion_color, 0x102030u);
 }
 
+// hard case T16
 TEST(ReadMap, WantsSectors) { EXPECT_THAT(codes_and_places(read_map("").findings), ElementsAre("missing-key 1:1")); }
 
+// hard case T16
 TEST(ReadMap, WantsALoopInASector) {
     EXPECT_THAT(codes_and_places(read_map("[[sectors]]\nname = 'A'\nloops = []").findings),
                 ElementsAre("missing-key 3:9"));
 }
 
+// hard case T6
 TEST(ReadMap, WantsVerticesAndWallsInALoop) {
     EXPECT_THAT(codes_and_places(read_map("[[sectors]]\nname = 'A'\n[[sectors.loops]]").findings),
                 ElementsAre("missing-key 3:1", "missing-key 3:1"));
@@ -264,10 +269,12 @@ MapReading with_coordinate(const std::string& number) {
     return read_map("[[sectors]]\nname = 'A'\nloops = [{ v = [" + number + ", 0, 1, 0, 1, 1], walls = [{}, {}, {}] }]");
 }
 
+// hard case T4
 TEST(ReadMap, TakesWhatRoundsToTheEdgeOfTheWorld) {
     EXPECT_THAT(codes_and_places(with_coordinate("32768.0004").findings), IsEmpty());
 }
 
+// hard case T4
 TEST(ReadMap, RefusesWhatLiesBeyondTheEdgeOfTheWorld) {
     EXPECT_THAT(codes_and_places(with_coordinate("-32768.001").findings), ElementsAre("out-of-range 3:17"));
 }
@@ -276,6 +283,7 @@ TEST(ReadMap, BringsNumbersOutOfRangeIntoIt) {
     EXPECT_EQ(with_coordinate("1e300").map.sectors.at(0).loops.at(0).vertices.at(0).x, 32768 + 0x1p-11);
 }
 
+// hard case T6
 TEST(ReadMap, GivesEveryLoopAsManyWallsAsVertices) {
     const MapReading reading =
         read_map("[[sectors]]\nname = 'A'\nloops = [{ v = [0, 0, 1, 0, 1, 1, 5], walls = [{}] }]");

@@ -47,6 +47,7 @@ void PrintTo(const BadRow& bad, std::ostream* out) { *out << bad.row; }
 
 class BadView : public testing::TestWithParam<BadRow> {};
 
+// hard case G13
 TEST_P(BadView, IsReportedAtItsPlace) {
     EXPECT_THAT(complaints_of_row(GetParam().row), ElementsAre(GetParam().complaint));
 }

@@ -78,6 +78,7 @@ std::uint64_t hash_of_sheet(const FlightScene& scene, const ScriptFile& script) 
 
 class RecordedFlythrough : public testing::TestWithParam<fs::path> {};
 
+// hard case I13
 TEST_P(RecordedFlythrough, IsDrawnAsItWasRecorded) {
     const fs::path path = GetParam();
     const ScriptReading reading = read_script(text_of(path));

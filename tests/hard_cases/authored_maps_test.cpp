@@ -49,8 +49,10 @@ protected:
     LoadedMap loaded_;
 };
 
+// hard cases I1, I2
 TEST_P(AuthoredMap, LooksAsInTheReferenceFromAnywhere) { expect_agreement(PoseKind::random, 1e-4); }
 
+// hard case I1
 TEST_P(AuthoredMap, LooksAsInTheReferenceWhereThingsCoincide) { expect_agreement(PoseKind::lattice, 0.02); }
 
 std::string stem(const testing::TestParamInfo<std::string>& info) {

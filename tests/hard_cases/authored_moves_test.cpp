@@ -11,6 +11,7 @@
 #include "map/load.h"
 #include "math/vec.h"
 #include "space/trace.h"
+#include "support/trials.h"
 
 namespace enfilade {
 namespace {
@@ -88,9 +89,11 @@ protected:
     Map map_;
 };
 
+// hard cases C25, C26
 TEST_P(AuthoredMoves, EndInTheirSectorReverseAndSplitExactly) {
     Random random(2026);
     Place at = start(random);
+    test::count_trials(kMovesPerMap, "moves");
     for (int move = 0; move < kMovesPerMap; ++move) {
         if (random.below(4) == 0) at = start(random);
         const Vec2 half = half_move(at, random);

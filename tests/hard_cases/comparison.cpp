@@ -11,6 +11,7 @@
 #include "base/parallel.h"
 #include "render/column/column_renderer.h"
 #include "render/reference/reference_renderer.h"
+#include "support/trials.h"
 
 namespace enfilade::test {
 namespace {
@@ -132,6 +133,23 @@ void note_pixel(const Subject& subject, const BothPictures& both, std::size_t i,
                          hex(both.reference.pixels[i]);
 }
 
+Comparison compare_uncounted(const Subject& subject, const Snapshot& snapshot, const View& view, PictureSize size) {
+    BothPictures both;
+    both.column.resize(size.width, size.height);
+    both.reference.resize(size.width, size.height);
+    reset(both.column_facts, size.width, size.height);
+    LightGrids lights(subject.map);
+    ColumnRenderer renderer(subject.map, subject.textures, {lights});
+    renderer.render(both.column, &both.column_facts, snapshot, view);
+    render_reference(both.reference, &both.reference_facts, subject.map, subject.textures, snapshot, view,
+                     {.lights = &lights});
+    Comparison result;
+    result.pixels = both.column.pixels.size();
+    for (std::size_t i = 0; i < result.pixels; ++i) note_pixel(subject, both, i, result);
+    if (!result.first_fault.empty()) result.first_fault += "\n  " + command_line(subject.name, subject.map, view, size);
+    return result;
+}
+
 }  // namespace
 
 Comparison& Comparison::operator+=(const Comparison& other) {
@@ -170,19 +188,8 @@ std::string command_line(const std::string& map_name, const Map& map, const View
 }
 
 Comparison compare(const Subject& subject, const Snapshot& snapshot, const View& view, PictureSize size) {
-    BothPictures both;
-    both.column.resize(size.width, size.height);
-    both.reference.resize(size.width, size.height);
-    reset(both.column_facts, size.width, size.height);
-    LightGrids lights(subject.map);
-    ColumnRenderer renderer(subject.map, subject.textures, {lights});
-    renderer.render(both.column, &both.column_facts, snapshot, view);
-    render_reference(both.reference, &both.reference_facts, subject.map, subject.textures, snapshot, view,
-                     {.lights = &lights});
-    Comparison result;
-    result.pixels = both.column.pixels.size();
-    for (std::size_t i = 0; i < result.pixels; ++i) note_pixel(subject, both, i, result);
-    if (!result.first_fault.empty()) result.first_fault += "\n  " + command_line(subject.name, subject.map, view, size);
+    Comparison result = compare_uncounted(subject, snapshot, view, size);
+    count_trials(result.pixels, "pixels");
     return result;
 }
 
@@ -194,10 +201,12 @@ Comparison compare_poses(const Subject& subject, PoseKind kind, int count, Pictu
         views.push_back(kind == PoseKind::random ? random_pose(subject.map, random)
                                                  : lattice_pose(subject.map, size, random));
     std::vector<Comparison> results(views.size());
-    parallel_for(views.size(), kThreads,
-                 [&](std::size_t i, std::size_t) { results[i] = compare(subject, snapshot, views[i], size); });
+    parallel_for(views.size(), kThreads, [&](std::size_t i, std::size_t) {
+        results[i] = compare_uncounted(subject, snapshot, views[i], size);
+    });
     Comparison sum;
     for (const Comparison& result : results) sum += result;
+    count_trials(sum.pixels, "pixels");
     return sum;
 }
 

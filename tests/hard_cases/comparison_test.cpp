@@ -20,6 +20,7 @@ struct Case {
 
 class ColumnRendererInScenes : public testing::TestWithParam<Case> {};
 
+// hard cases R3, R23, R28, I1, I2
 TEST_P(ColumnRendererInScenes, ShowsWhatTheReferenceShows) {
     const auto& [scene, kind, size] = GetParam();
     const MapFile file = scene.file();

@@ -8,6 +8,7 @@
 #include "map/load.h"
 #include "render/column/column_renderer.h"
 #include "render/reference/reference_renderer.h"
+#include "support/trials.h"
 
 namespace enfilade::test {
 namespace {
@@ -74,6 +75,7 @@ protected:
             }
         }
         EXPECT_GT(linked, 0u);
+        count_trials(pixels, "pixels");
         const double share = 1e6 * static_cast<double>(other) / static_cast<double>(pixels);
         std::printf("  %s: %.2f per million of %llu pixels differ\n", by_columns ? "column" : "reference", share,
                     static_cast<unsigned long long>(pixels));
@@ -84,15 +86,18 @@ protected:
     TextureSet textures_;
 };
 
+// hard case I10
 TEST_P(Equivalence, IsExactForShifts) {
     for (const bool by_columns : {true, false}) EXPECT_EQ(differing(map_, Move::shift, by_columns), 0);
 }
 
+// hard case I10
 TEST_P(Equivalence, IsExactForQuarterTurns) {
     make_flats_plain(map_, textures_);
     for (const bool by_columns : {true, false}) EXPECT_EQ(differing(map_, Move::quarter_turns, by_columns), 0);
 }
 
+// hard cases R3, I10
 TEST_P(Equivalence, IsCloseForOtherAngles) {
     make_flats_plain(map_, textures_);
     const Map turnable = on_turnable_grid(map_);

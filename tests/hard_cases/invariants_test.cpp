@@ -1,11 +1,13 @@
-// What must hold for every map and every pose (NUMERICS I6 to I14; I1 and I2 are part of every comparison).
+// What must hold for every map and every pose.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "hard_cases/scenes.h"
 #include "hard_cases/world.h"
+#include "render/reference/reference_renderer.h"
 
 namespace enfilade::test {
 namespace {
@@ -28,7 +30,8 @@ MapFile moved(MapFile file, const Move& move) {
     return file;
 }
 
-TEST(MovingTheWorld, ByAPowerOfTwoChangesNoPixel) {  // I6
+// hard case I6
+TEST(MovingTheWorld, ByAPowerOfTwoChangesNoPixel) {
     const World here(stepped_rooms());
     const std::vector<View> views = random_poses(here.map, 6);
     for (double shift : {-16384.0, -1024.0, 16.0, 4096.0, 16384.0}) {
@@ -42,7 +45,8 @@ TEST(MovingTheWorld, ByAPowerOfTwoChangesNoPixel) {  // I6
     }
 }
 
-TEST(TurningTheWorld, ByAQuarterChangesNoSurfaceAndNoDepth) {  // I7
+// hard case I7
+TEST(TurningTheWorld, ByAQuarterChangesNoSurfaceAndNoDepth) {
     const World upright(crooked_rooms()), turned(moved(crooked_rooms(), right_of));
     for (View view : random_poses(upright.map, 7)) {
         const Drawn drawn = upright.draw(view, kSize);
@@ -54,7 +58,59 @@ TEST(TurningTheWorld, ByAQuarterChangesNoSurfaceAndNoDepth) {  // I7
     }
 }
 
-TEST(PartsOfAPicture, EqualThoseOfTheWhole) {  // I8
+MapFile mirrored(const MapFile& plain) {
+    MapFile file = moved(plain, [](Vec2 v) { return Vec2{-v.x, v.y}; });
+    for (SectorRecord& sector : file.sectors)
+        for (LoopRecord& loop : sector.loops) {
+            std::reverse(loop.vertices.begin(), loop.vertices.end());
+            std::reverse(loop.walls.begin(), loop.walls.end() - 1);  // wall i runs from vertex i to the next
+        }
+    return file;
+}
+
+std::vector<double> flipped(std::vector<double> rows) {
+    for (auto row = rows.begin(); row != rows.end(); row += kSize.width) std::reverse(row, row + kSize.width);
+    return rows;
+}
+
+// Signs and sides are swapped everywhere; what is compared on both sides of a tie is not, so nobody stands on one.
+// hard case I7
+TEST(MirroringTheWorld, MirrorsEveryDepthToTheBit) {
+    for (MapFile (*scene)() : {stepped_rooms, crooked_rooms, linked_rooms}) {
+        const World plain(scene()), other(mirrored(scene()));
+        for (View view : random_poses(plain.map, 17)) {
+            const Drawn drawn = plain.draw(view, kSize);
+            view.eye.x = -view.eye.x;
+            view.forward.x = -view.forward.x;
+            ASSERT_EQ(flipped(other.draw(view, kSize).facts.depths), drawn.facts.depths);
+        }
+    }
+}
+
+/// What the reference draws of the view.
+Drawn by_rays(const World& world, const View& view) {
+    Drawn drawn = world.draw(view, kSize);
+    reset(drawn.facts, kSize.width, kSize.height);
+    render_reference(drawn.frame, &drawn.facts, world.map, world.textures, world.snapshot, view);
+    return drawn;
+}
+
+// hard cases I6, I7
+TEST(MovingAndTurningTheWorld, ChangesNothingThatTheReferenceSees) {
+    const Vec2 by{4096, -16384};
+    const World here(crooked_rooms()), there(moved(crooked_rooms(), [&](Vec2 v) { return right_of(v) + by; }));
+    for (View view : random_poses(here.map, 18)) {
+        const Drawn drawn = by_rays(here, view);
+        view.eye = right_of(view.eye) + by;
+        view.forward = right_of(view.forward);
+        const Drawn other = by_rays(there, view);
+        ASSERT_EQ(other.facts.ids, drawn.facts.ids);
+        ASSERT_EQ(other.facts.depths, drawn.facts.depths);
+    }
+}
+
+// hard case I8
+TEST(PartsOfAPicture, EqualThoseOfTheWhole) {
     const World world(linked_rooms());
     ColumnRenderer renderer(world.map, world.textures);
     for (const View& view : random_poses(world.map, 8)) {
@@ -78,12 +134,14 @@ std::uint64_t differences_at_three_times_the_size(const World& world, const View
     return differences;
 }
 
-TEST(APictureThreeTimesAsLarge, ShowsTheSameSurfacesInTheSameDirections) {  // I9
+// hard case I9
+TEST(APictureThreeTimesAsLarge, ShowsTheSameSurfacesInTheSameDirections) {
     const World world(stepped_rooms());
     for (const View& view : random_poses(world.map, 9)) ASSERT_EQ(differences_at_three_times_the_size(world, view), 0u);
 }
 
-TEST(APictureThreeTimesAsLarge, ShowsTheSameSurfacesFromALatticeButForTies) {  // I9
+// hard case I9
+TEST(APictureThreeTimesAsLarge, ShowsTheSameSurfacesFromALatticeButForTies) {
     constexpr double kTiesPerPixel = 5e-6;  // 0.4 to 2.2 per million were measured on a prototype
     const World world(stepped_rooms());
     Random random(9);
@@ -110,13 +168,15 @@ MapFile rooms_with_walls_in(int parts) {
     return file;
 }
 
-TEST(CuttingWallsInTwo, ChangesNoPixel) {  // I12
+// hard case I12
+TEST(CuttingWallsInTwo, ChangesNoPixel) {
     const World whole(rooms_with_walls_in(1)), cut(rooms_with_walls_in(2));
     for (const View& view : random_poses(whole.map, 12))
         ASSERT_EQ(cut.draw(view, kSize).frame.pixels, whole.draw(view, kSize).frame.pixels);
 }
 
-TEST(CuttingARoomInFour, ChangesNoPixel) {  // I12, R20
+// hard cases R20, I12
+TEST(CuttingARoomInFour, ChangesNoPixel) {
     const Vec2 c{4 + 307 / 1024.0, 3 + 211 / 1024.0};
     MapFile four = map_of({room("a", {{0, 0}, {4, 0}, c, {0, 3}}), room("b", {{4, 0}, {8, 0}, {8, 3}, c}),
                            room("c", {c, {8, 3}, {8, 6}, {4, 6}}), room("d", {{0, 3}, c, {4, 6}, {0, 6}})});
@@ -135,7 +195,8 @@ bool is_number(float x) { return (std::bit_cast<std::uint32_t>(x) >> 23 & 0xFF) 
 
 class EveryScene : public testing::TestWithParam<NamedScene> {};
 
-TEST_P(EveryScene, YieldsFiniteNumbersOnly) {  // I14
+// hard case I14
+TEST_P(EveryScene, YieldsFiniteNumbersOnly) {
     const World world(GetParam().file());
     Random random(14);
     for (int i = 0; i < kPoses; ++i) {

@@ -53,6 +53,7 @@ Work work_of(LoadedMap& loaded, const Vista& vista, int max_depth) {
 
 class LinkCost : public testing::TestWithParam<Vista> {};
 
+// hard case R23
 TEST_P(LinkCost, StaysTheSameOnceNewLevelsFallBelowAPixel) {
     LoadedMap loaded = load_linked_map(GetParam().map);
     const Work enough = work_of(loaded, GetParam(), kEnough);
@@ -67,6 +68,7 @@ TEST_P(LinkCost, IsPaidInTheFirstFewLevels) {
     EXPECT_GE(few.pixels * 100, all.pixels * 98);
 }
 
+// hard case R23
 TEST_P(LinkCost, GrowsByTheSameForEachLevelAtMost) {
     LoadedMap loaded = load_linked_map(GetParam().map);
     const Work one = work_of(loaded, GetParam(), 1);

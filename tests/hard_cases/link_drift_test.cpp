@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 
 #include "base/hash.h"
 #include "space/trace.h"
 #include "support/map_builder.h"
+#include "support/trials.h"
 #include "world/step.h"
 
 namespace enfilade {
@@ -59,9 +59,12 @@ void expect_same_walk_as_unfolded(const Map& map) {
         passes += static_cast<int>(way.crossings.size());
         ASSERT_EQ(place.point, passage.apply(unfolded)) << passes;
     }
+    count_trials(kPasses, "passes");
 }
 
+// hard case C11
 TEST(LinkDrift, IsNoneThroughShifts) { expect_same_walk_as_unfolded(torus()); }
+// hard case C13
 TEST(LinkDrift, IsNoneThroughQuarterTurns) { expect_same_walk_as_unfolded(pinwheel()); }
 
 /// A point and a heading, carried with 64 bits of mantissa.
@@ -112,18 +115,23 @@ void expect_little_drift(const Map& map) {
         worst_m = std::max(worst_m, (double)std::hypot(precise.x - place.point.x, precise.y - place.point.y));
         worst_rad = std::max(worst_rad, std::fabs(apart(precise.turn, radians(turn))));
     }
-    std::printf("  after %d passes at most %.2g m and %.2g rad off\n", kPasses, worst_m, worst_rad);
+    count_trials(kPasses, "passes");
+    note_deviation(worst_m, "m");
+    note_deviation(worst_rad, "rad");
     EXPECT_LE(worst_m, 1e-6);
     EXPECT_LE(worst_rad, 1e-9);
 }
 
+// hard case C11
 TEST(LinkDrift, IsSmallThroughATurnByATriangleOfWholeNumbers) { expect_little_drift(slanted({2.5, 2.625}, 3.625)); }
 
+// hard case C11
 TEST(LinkDrift, IsSmallThroughATurnOfThirtySevenDegrees) {
     const Vec2 slant = snap_to_vertex_grid(direction(Angle::from_degrees(90 - 37)) * 4);
     expect_little_drift(slanted(slant, 4));
 }
 
+// hard case C10
 TEST(LinkDrift, IsNoneThereAndBackAtAnyAngle) {
     Random random(3);
     int passes = 0;
@@ -145,11 +153,13 @@ TEST(LinkDrift, IsNoneThereAndBackAtAnyAngle) {
         }
     }
     EXPECT_GT(passes, 5000);
+    count_trials(static_cast<std::uint64_t>(passes), "passes");
 }
 
 std::int8_t any_pace(Random& random) { return static_cast<std::int8_t>(static_cast<int>(random.below(255)) - 127); }
 
 /// The same keys in a corridor of many rooms and in one room that leads into itself.
+// hard case C11
 TEST(LinkDrift, IsNoneForAPlayerInACorridorThatRepeatsItself) {
     constexpr int kRooms = 801, kMiddle = 400;
     MapFile corridor, ring = map_of({box_room("r", 0, 0, 4, 3)});

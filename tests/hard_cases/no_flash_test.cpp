@@ -151,6 +151,7 @@ protected:
     std::vector<WallId> doors_;
 };
 
+// hard case R5
 TEST_P(LinkedMap, ShowsTheSameSurfacesJustBeforeADoorwayAndJustBehindIt) {
     int walks = 0;
     for (const WallId door : doors_) {
@@ -173,6 +174,7 @@ TEST_P(LinkedMap, ShowsTheSameSurfacesJustBeforeADoorwayAndJustBehindIt) {
     RecordProperty("walks", walks);
 }
 
+// hard cases R4, R24
 TEST_P(LinkedMap, ShowsWhatTheReferenceSeesBeforeOnAndBehindEveryDoorway) {
     Comparison sum;
     for (const WallId door : doors_)
@@ -188,6 +190,7 @@ TEST_P(LinkedMap, ShowsWhatTheReferenceSeesBeforeOnAndBehindEveryDoorway) {
 /// there from one step to the next, so only the reference tells what is to be seen. Who is on the line of a frame is
 /// beside it or in it, as the tie rule says, on the other side of a link that turns maybe not the same: some are
 /// stopped.
+// hard case R3
 TEST_P(LinkedMap, ShowsWhatTheReferenceSeesOnTheWayThroughTheVeryEndOfADoorway) {
     Comparison sum;
     int stood = 0, passed = 0;
@@ -211,6 +214,7 @@ TEST_P(LinkedMap, ShowsWhatTheReferenceSeesOnTheWayThroughTheVeryEndOfADoorway) 
 
 /// From well before the doorway to well behind it at once: the walk goes on in the room behind the link, at the place
 /// that the link's own transform says.
+// hard case C15
 TEST_P(LinkedMap, IsCrossedInOneGreatStride) {
     const Map& map = *loaded_.map;
     int strides = 0;

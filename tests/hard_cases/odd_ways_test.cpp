@@ -44,6 +44,7 @@ private:
 constexpr double kToTheNextRoom = 2 * 5.375;
 constexpr Vec2 kMiddle{-1, -1}, kEast{1, 0};
 
+// hard case C13
 TEST(ThreeCorners, BringHomeWhoTurnsRightThreeTimes) {
     const LoadedMap loaded = load_linked_map("three_corners");
     Wanderer wanderer(*loaded.map, "rose", kMiddle, kEast);
@@ -119,6 +120,7 @@ TEST(NoReturn, LeadsOnAlsoThroughTheDoorByWhichOneCame) {
     EXPECT_EQ(rooms, (std::vector<std::string>{"green", "red", "yellow", "blue"}));
 }
 
+// hard case C6
 TEST(Cells, BringHomeWhoWalksStraightOnPastSixOfThem) {
     const LoadedMap loaded = load_linked_map("cells");
     for (const Vec2 look : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {

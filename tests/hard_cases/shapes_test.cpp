@@ -1,4 +1,4 @@
-// Rooms of awkward shape, and a camera that creeps (NUMERICS R10, R21, R22, R31).
+// Rooms of awkward shape, and a camera that creeps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,14 +15,16 @@ void expect_agreement(const World& world, const View& view, PictureSize size) {
     ASSERT_TRUE(result.is_faultless()) << describe(result);
 }
 
-TEST(RoomLikeAU, ShowsTheNearerOfItsOwnWalls) {  // R21
+// hard case R21
+TEST(RoomLikeAU, ShowsTheNearerOfItsOwnWalls) {
     const World world(crooked_rooms());
     for (Vec2 eye : {Vec2{1, 7.5}, Vec2{7, 7}, Vec2{1.01, 1.02}, Vec2{4, 3}})
         for (double yaw = 0; yaw < 360; yaw += 9)
             expect_agreement(world, look_from(world.map, eye, 1.1, yaw), {96, 60});
 }
 
-TEST(RoomOfSeveralParts, IsSeenPartByPart) {  // R22
+// hard case R22
+TEST(RoomOfSeveralParts, IsSeenPartByPart) {
     // One sector: a square ring, inside its hole an island with a pillar, and a third part far away.
     MapFile file = map_of({box_room("ring", 0, 0, 20, 20)});
     SectorRecord& ring = file.sectors[0];
@@ -51,14 +53,16 @@ protected:
     const World world_{ledge()};
 };
 
-TEST_F(CreepingCamera, MovesEveryEdgeExactlyAsTheTruthMoves) {  // R31: 1/64 of a pixel a frame
+// hard case R31: 1/64 of a pixel a frame
+TEST_F(CreepingCamera, MovesEveryEdgeExactlyAsTheTruthMoves) {
     // The ledge's front is 6 m away: sideways by 6 m / focal length / 64, the focal length being 160 pixels.
     const double step = 6.0 / 160 / 64;
     for (int frame = 0; frame < kFrames; frame += 3)
         expect_agreement(world_, look_from(world_.map, {2, 3.3 + frame * step}, 1.7, 8), kSize);
 }
 
-TEST_F(CreepingCamera, LowersALedgeInEveryColumnWithoutEverTurningBack) {  // R10: "wiggle"
+// hard case R10: "wiggle"
+TEST_F(CreepingCamera, LowersALedgeInEveryColumnWithoutEverTurningBack) {
     // Walking towards a ledge below the eye moves its edge down the screen, never up.
     const PixelSurface step =
         wall_id(world_.map, wall_between(world_.map, SectorId(0u), {8, 0}, {8, 8}), WallPart::lower);
@@ -76,8 +80,9 @@ TEST_F(CreepingCamera, LowersALedgeInEveryColumnWithoutEverTurningBack) {  // R1
     }
 }
 
-TEST_F(CreepingCamera, DrawsALedgeWithinHalfAPixelOfWhereItIs) {  // R10
-    constexpr double kRounding = 1e-9;                            // of a product and a quotient [px]
+// hard case R10
+TEST_F(CreepingCamera, DrawsALedgeWithinHalfAPixelOfWhereItIs) {
+    constexpr double kRounding = 1e-9;  // of a product and a quotient [px]
     const PixelSurface step =
         wall_id(world_.map, wall_between(world_.map, SectorId(0u), {8, 0}, {8, 8}), WallPart::lower);
     for (int frame = 0; frame < 64; ++frame) {

@@ -1,4 +1,4 @@
-// Eyes, vertices and rays that coincide (NUMERICS R1 to R9, R26).
+// Eyes, vertices and rays that coincide.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,8 @@ double head_height(const World& world, Vec2 eye) {
     return sector ? world.map[sector].floor.z + 1.25 : 0;
 }
 
-TEST(VertexOfManyWalls, IsLeftToExactlyOneOfThemInEveryColumn) {  // R1
+// hard cases R1, I1
+TEST(VertexOfManyWalls, IsLeftToExactlyOneOfThemInEveryColumn) {
     std::vector<Vec2> circle;
     for (int i = 0; i < 1000; ++i) {
         const double angle = i * (2 * std::numbers::pi / 1000);
@@ -56,7 +57,8 @@ TEST(VertexOfManyWalls, IsLeftToExactlyOneOfThemInEveryColumn) {  // R1
     }
 }
 
-TEST(VertexOnAPixelsCentre, IsLeftToExactlyOneOfItsWalls) {  // R2: focal length 960, depth 1920, an odd number aside
+// hard case R2: focal length 960, depth 1920, an odd number aside
+TEST(VertexOnAPixelsCentre, IsLeftToExactlyOneOfItsWalls) {
     std::vector<Vec2> outline{{-8, 1920}, {-8, -1920}};
     for (int y = -1920; y <= 1920; ++y) outline.push_back({1920, static_cast<double>(y)});
     const World world(map_of({room("wall", outline)}));
@@ -67,7 +69,8 @@ TEST(VertexOnAPixelsCentre, IsLeftToExactlyOneOfItsWalls) {  // R2: focal length
     }
 }
 
-TEST(EyeOnAPortalsLine, SeesWhatTheReferenceSees) {  // R4
+// hard case R4
+TEST(EyeOnAPortalsLine, SeesWhatTheReferenceSees) {
     const World world(stepped_rooms());
     for (const Wall& wall : world.map.walls) {
         const Vec2 middle = (wall.a + wall.b) * 0.5;
@@ -75,7 +78,8 @@ TEST(EyeOnAPortalsLine, SeesWhatTheReferenceSees) {  // R4
     }
 }
 
-TEST(EyeBesideAPortalsLine, SeesWhatTheReferenceSees) {  // R5
+// hard case R5
+TEST(EyeBesideAPortalsLine, SeesWhatTheReferenceSees) {
     const World world(stepped_rooms());
     for (const Wall& wall : world.map.walls) {
         const Vec2 aside = right_of(wall.b - wall.a) * (0.01 / wall.length);
@@ -84,22 +88,26 @@ TEST(EyeBesideAPortalsLine, SeesWhatTheReferenceSees) {  // R5
     }
 }
 
-TEST(EyeOnAVertex, SeesWhatTheReferenceSees) {  // R6
+// hard case R6
+TEST(EyeOnAVertex, SeesWhatTheReferenceSees) {
     const World world(stepped_rooms());
     for (const Wall& wall : world.map.walls) expect_agreement_all_around(world, wall.a, head_height(world, wall.a));
 }
 
-TEST(EyeOnTheHubOfAWheel, SeesWhatTheReferenceSees) {  // R6
+// hard case R6
+TEST(EyeOnTheHubOfAWheel, SeesWhatTheReferenceSees) {
     const World world(wheel());
     expect_agreement_all_around(world, {0, 0}, 1.25);
 }
 
-TEST(EyeWherePillarsTouch, SeesWhatTheReferenceSees) {  // R6
+// hard case R6
+TEST(EyeWherePillarsTouch, SeesWhatTheReferenceSees) {
     const World world(pinched_room());
     for (const Wall& wall : world.map.walls) expect_agreement_all_around(world, wall.a, 1.25);
 }
 
-TEST(EyeAtTheHeightOfAFlat, SeesWhatTheReferenceSeesAlsoFromAPortalsLine) {  // R7
+// hard case R7
+TEST(EyeAtTheHeightOfAFlat, SeesWhatTheReferenceSeesAlsoFromAPortalsLine) {
     const World world(stepped_rooms());
     for (const Wall& wall : world.map.walls) {
         if (wall.kind != WallKind::portal) continue;
@@ -123,7 +131,8 @@ int columns_of(const Drawn& drawn, PixelSurface wall) {
     return columns;
 }
 
-TEST(WallSeenOnEdge, CoversNoColumn) {  // R8
+// hard case R8
+TEST(WallSeenOnEdge, CoversNoColumn) {
     // L-shaped rooms: of the wall from x = 4 to 8 at y = 2, an eye at (2, 2) sees the edge.
     const World above(map_of({room("L", {{0, 0}, {8, 0}, {8, 2}, {4, 2}, {4, 4}, {0, 4}})}));
     const World below(map_of({room("L", {{0, 0}, {4, 0}, {4, 2}, {8, 2}, {8, 4}, {0, 4}})}));
@@ -138,7 +147,8 @@ TEST(WallSeenOnEdge, CoversNoColumn) {  // R8
     }
 }
 
-TEST(WallSeenAlmostOnEdge, CoversOneColumnAtMostAndStaysWithinItself) {  // R9
+// hard case R9
+TEST(WallSeenAlmostOnEdge, CoversOneColumnAtMostAndStaysWithinItself) {
     // The eye is 2^-16 m off the line of a wall that runs from 1 m to 4097 m ahead.
     const World world(map_of({room("street", {{0, 0}, {1, 0}, {4097, 0}, {4097, 8}, {0, 8}})}));
     const PixelSurface wall =
@@ -154,7 +164,8 @@ TEST(WallSeenAlmostOnEdge, CoversOneColumnAtMostAndStaysWithinItself) {  // R9
     }
 }
 
-TEST(TwoDoorsThatShareAVertex, ShareNoColumnAndMissNone) {  // R26
+// hard case R26
+TEST(TwoDoorsThatShareAVertex, ShareNoColumnAndMissNone) {
     // The doors of "hub" meet in (29, 29) and (0, 29) and lead elsewhere, by different turns. From z = width / 64 away
     // a vertex that is aside by an odd number of 64ths is on a pixel's centre.
     const World world(linked_rooms());

@@ -3,6 +3,7 @@
 #include "hard_cases/comparison.h"
 #include "render/column/column_renderer.h"
 #include "support/map_builder.h"
+#include "support/trials.h"
 
 namespace enfilade::test {
 
@@ -24,6 +25,7 @@ struct World {
     Drawn draw(const View& view, PictureSize size) const {
         Drawn drawn;
         drawn.frame.resize(size.width, size.height);
+        count_trials(drawn.frame.pixels.size(), "pixels");
         reset(drawn.facts, size.width, size.height);
         ColumnRenderer(map, textures).render(drawn.frame, &drawn.facts, snapshot, view);
         return drawn;

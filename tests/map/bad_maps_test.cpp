@@ -52,6 +52,7 @@ std::string expectation_of(const std::string& path) {
 
 class BadMap : public testing::TestWithParam<std::string> {};
 
+// hard cases R18, T1
 TEST_P(BadMap, HasExactlyTheFindingItNames) {
     const LoadedMap loaded = load_map(GetParam(), {}, read_map_or_picture);
     std::vector<std::string> found;

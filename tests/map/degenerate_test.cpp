@@ -33,6 +33,7 @@ int sectors_around(const Map& map, Vec2 p) {
     return count;
 }
 
+// hard case T3
 TEST(Rounding, OfHalfAStepDoesNotDependOnTheOrderOfTheFile) {
     // Half a step and a whole one: 0.5 rounds to 0, 1.5 to 2, in whatever sector and wherever in the loop they come.
     const double half = kVertexGrid / 2;
@@ -47,12 +48,14 @@ TEST(Rounding, OfHalfAStepDoesNotDependOnTheOrderOfTheFile) {
     }
 }
 
+// hard case T2
 TEST(Rounding, JoinsVerticesThatDifferByRoundingErrors) {
     MapFile file = map_of({box_room("left", 0, 0, 0.1 + 0.2, 1), box_room("right", 0.3, 0, 1, 1)});
     wall(file, "left", {0.1 + 0.2, 0}, {0.1 + 0.2, 1}).next = "right";
     EXPECT_THAT(errors_of(file), IsEmpty());
 }
 
+// hard case T11
 TEST(Rounding, ComesBeforeTheChecks) {
     // As written, the spike misses the opposite wall by a ten-thousandth; on the grid it stands on it.
     EXPECT_THAT(errors_of(room("r", {{0, 0}, {8, 0}, {8, 4}, {4.0001, 0.0001}, {0, 4}})), ElementsAre("edges-touch"));
@@ -60,10 +63,12 @@ TEST(Rounding, ComesBeforeTheChecks) {
     EXPECT_THAT(errors_of(room("r", {{0, 0}, {8, 0}, {8, 4}, {4, 0.00049}, {0, 4}})), IsEmpty());
 }
 
+// hard case T5
 TEST(Duplicates, OfAVertexAreRefusedWhereTheyStand) {
     EXPECT_THAT(errors_of(room("r", {{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}})), ElementsAre("zero-length"));
 }
 
+// hard case T5
 TEST(Duplicates, OfAWallAreRefused) {
     SectorRecord twice = box_room("r", 0, 0, 4, 4);
     twice.loops.push_back(twice.loops[0]);
@@ -71,6 +76,7 @@ TEST(Duplicates, OfAWallAreRefused) {
     EXPECT_THAT(errors_of(twice), testing::SizeIs(4));
 }
 
+// hard cases T3, T6
 TEST(Gap, OfOneGridStepBetweenRoomsIsNamed) {
     MapFile file = map_of({box_room("left", 0, 0, 4, 4), box_room("right", 4 + kVertexGrid, 0, 8, 4)});
     wall(file, "left", {4, 0}, {4, 4}).next = "right";
@@ -79,6 +85,7 @@ TEST(Gap, OfOneGridStepBetweenRoomsIsNamed) {
                           "its nearest edge is (4.0009765625, 4)-(4.0009765625, 0)"));
 }
 
+// hard case T7
 TEST(Winding, IsDecidedByGeometryNotByNames) {
     SectorRecord r = box_room("r", 0, 0, 8, 8);
     cut_pillar(r, 2, 2, 4, 4);
@@ -88,6 +95,7 @@ TEST(Winding, IsDecidedByGeometryNotByNames) {
     EXPECT_THAT(errors_of(r), IsEmpty());
 }
 
+// hard case T7
 TEST(Winding, OfALoopInsideAHoleIsAnOutlinesAgain) {
     SectorRecord r = box_room("r", 0, 0, 8, 8);
     cut_pillar(r, 1, 1, 7, 7);
@@ -97,6 +105,7 @@ TEST(Winding, OfALoopInsideAHoleIsAnOutlinesAgain) {
     EXPECT_EQ(sectors_around(map, {1.5, 1.5}), 0);
 }
 
+// hard case T7
 TEST(Winding, OfEachWrongLoopIsReportedOnItsOwn) {
     SectorRecord r = room("r", {{0, 0}, {0, 8}, {8, 8}, {8, 0}});      // an outline the wrong way round,
     r.loops.push_back(loop_of({{2, 2}, {3, 2}, {3, 3}, {2, 3}}));      // a wrong hole in it,
@@ -111,6 +120,7 @@ TEST(Winding, OfAnOutlineIsTheOutlinesFaultWhenItsHoleIsWrongToo) {
     EXPECT_THAT(errors_of(r), ElementsAre("wrong-winding", "wrong-winding"));
 }
 
+// hard case T7
 TEST(BowTie, NamesTheCrossingAsAFraction) {
     const auto findings = findings_of(map_of({room("r", {{0, 0}, {4, 6}, {4, 0}, {0, 3}})}));
     EXPECT_THAT(text_of(findings), HasSubstr("edges (0, 0)-(4, 6) and (4, 0)-(0, 3) of sector 'r' cross at "
@@ -122,6 +132,7 @@ TEST(CrossingText, IsADecimalWhereItCan) {
     EXPECT_EQ(crossing_text({0, 0}, {4, -1}, {2, -4}, {2, 4}), "(2, -0.5)");
 }
 
+// hard case T10
 TEST(CrossingText, ReducesItsFractions) {
     EXPECT_EQ(crossing_text({0, 0}, {-3, -3}, {-3, 0}, {0, -1.5}), "(-1, -1)");
     EXPECT_EQ(crossing_text({0, 0}, {-6, -3}, {-3, 0}, {0, -3}), "(-2, -1)");
@@ -129,6 +140,7 @@ TEST(CrossingText, ReducesItsFractions) {
     EXPECT_EQ(crossing_text({0, 0}, {-1, -1}, {-1, 0}, {0.5, -0.75}), "(-1/3, -1/3), about (-0.333, -0.333)");
 }
 
+// hard case T10
 TEST(CrossingText, HoldsTheWholeWorld) {
     const double far = kWorldLimit, step = kVertexGrid;
     // Two diagonals, one a step off at one end: they cross nearly a quarter of a step off the middle.
@@ -136,6 +148,7 @@ TEST(CrossingText, HoldsTheWholeWorld) {
               "(-32768/134217727, -32768/134217727), about (0, 0)");
 }
 
+// hard case T8
 TEST(Pinch, OfTwoSectorsLeavesEveryPointInAtMostOne) {
     const Map map = built(map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 4, 8, 8)}));
     EXPECT_EQ(sectors_around(map, {4, 4}), 1);
@@ -143,6 +156,7 @@ TEST(Pinch, OfTwoSectorsLeavesEveryPointInAtMostOne) {
     EXPECT_EQ(sectors_around(map, {6, 2}), 0);
 }
 
+// hard case T8
 TEST(Pinch, OfOneSectorIsLegal) {
     SectorRecord r = box_room("r", 0, 0, 4, 4);
     r.loops.push_back(loop_of({{4, 4}, {8, 4}, {8, 8}, {4, 8}}));
@@ -152,12 +166,14 @@ TEST(Pinch, OfOneSectorIsLegal) {
     EXPECT_EQ(sectors_around(map, {1, 1}), 0);
 }
 
+// hard case T9
 TEST(Overlap, OfHalfAWallLeavesAPortalWithoutATwin) {
     MapFile file = map_of({box_room("left", 0, 0, 4, 4), box_room("right", 4, 2, 8, 6)});
     wall(file, "left", {4, 0}, {4, 4}).next = "right";
     EXPECT_THAT(errors_of(file), ElementsAre("missing-twin"));
 }
 
+// hard case T9
 TEST(Overlap, OfALongerWallWillDoInTheTutorialDialect) {
     MapFile file = map_of({box_room("left", 0, 1, 4, 3), box_room("right", 4, 0, 8, 4)});
     wall(file, "left", {4, 1}, {4, 3}).next = "right";
@@ -172,6 +188,7 @@ TEST(Overlap, OfSectorsIsLegal) {
                 IsEmpty());
 }
 
+// hard case T14
 TEST(Circle, OfSixteenRoundedVerticesClosesAndJoins) {
     // As an editor writes it: 16 decimals of cos and sin, once from above and once from below.
     std::vector<Vec2> around;
@@ -186,8 +203,10 @@ TEST(Circle, OfSixteenRoundedVerticesClosesAndJoins) {
     EXPECT_THAT(errors_of(file), IsEmpty());
 }
 
+// hard case T16
 TEST(EmptyMap, IsRefused) { EXPECT_THAT(errors_of(map_of({})), ElementsAre("no-sectors")); }
 
+// hard case T16
 TEST(EmptyLoop, AndTheLoopOfTwoAreRefused) {
     EXPECT_THAT(errors_of(room("r", {})), ElementsAre("too-few-vertices"));
     EXPECT_THAT(errors_of(room("r", {{0, 0}, {4, 0}})), ElementsAre("too-few-vertices"));
@@ -200,10 +219,12 @@ TEST(EmptyLoop, DoesNotHideOtherFindings) {
                 ElementsAre("too-few-vertices", "ceiling-below-floor", "wrong-winding"));
 }
 
+// hard case R17
 TEST(Sliver, NarrowerThanTheGridIsRefused) {
     EXPECT_THAT(errors_of(box_room("r", 0, 0, 1e-6, 4)), testing::Contains(std::string("zero-length")));
 }
 
+// hard case R17
 TEST(Sliver, OfOneGridStepIsARoomLikeAnyOther) {
     MapFile file = map_of({box_room("left", 0, 0, 4, 4), box_room("sliver", 4, 0, 4 + kVertexGrid, 4),
                            box_room("right", 4 + kVertexGrid, 0, 8, 4)});

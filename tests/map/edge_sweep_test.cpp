@@ -54,6 +54,7 @@ TEST(MeetingOf, KnowsEdgesOnOneLine) {
     EXPECT_EQ(meeting_of(edge({0, 0}, {0, 4}), edge({0, 4}, {0, 0})), Meeting::back_to_back);
 }
 
+// hard case T10
 TEST(MeetingOf, MissesByOneGridStepOverTheWholeWorld) {
     // The far end of the second edge is one step beside the first, 65536 m long: no double is in doubt.
     const Wall across = edge({-32768, -32768}, {32768, 32767});
@@ -108,6 +109,7 @@ TEST(SweepEdges, FindsWalledUpOutlines) {
     EXPECT_THAT(found.wrong_sided, SizeIs(4));
 }
 
+// hard case T7
 TEST(SweepEdges, FindsEveryBowTieOfMany) {
     std::vector<Wall> edges;
     for (int i = 0; i < 100; ++i) {
@@ -176,6 +178,7 @@ std::vector<Wall> random_loops(Random& random) {
     return edges;
 }
 
+// hard case T10
 TEST(SweepEdges, AgreesWithEveryPairOnTenThousandTangles) {
     Random random(7);
     int sound = 0;

@@ -31,6 +31,7 @@ TEST(Player, InTheWrongRoomIsToldTheRightOne) {
                                                       "(6, 1) is in 'right' [player-outside]"));
 }
 
+// hard case C22
 TEST(Player, OutsideOfAllRoomsIsToldToMove) {
     MapFile file = two_rooms();
     place_player(file, "left", {60, 1});
@@ -61,6 +62,7 @@ TEST(Player, OfATutorialMapOutsideEveryRoomDoesNotStart) {
     EXPECT_FALSE(built(file).player);
 }
 
+// hard case C22
 TEST(Player, MayStandOnTheLineBetweenRoomsInExactlyOne) {
     for (const char* name : {"left", "right"}) {
         MapFile file = two_rooms();

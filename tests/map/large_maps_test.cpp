@@ -63,6 +63,7 @@ TEST(LargeMaps, OfFiftyThousandSectorsAreLoadedFromText) {
     EXPECT_EQ(loaded.map->sectors.size(), 50'000u);
 }
 
+// hard case T15
 TEST(LargeMaps, MayHaveAHundredThousandSectorsAroundOneVertex) {
     const Map map = built_in_time(fan_of_sectors(100'000), "building a fan of 100 000 sectors");
     EXPECT_EQ(portals_in(map), 200'000u);

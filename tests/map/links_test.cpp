@@ -66,6 +66,7 @@ TEST(Link, CarriesWhatLiesBehindItIntoTheRoomBehind) {
     }
 }
 
+// hard case T13
 TEST(Link, BackIsTheInverseOfTheLinkThere) {
     const Linked l = linked_to(turned_square(1, {9, 9}));
     const Map map = l.built();
@@ -84,6 +85,7 @@ TEST(Link, TurnsByTheAngleBetweenTheWalls) {
     EXPECT_EQ(m.apply({4, 2.5}), (Vec2{21.5, 2}));
 }
 
+// hard case C10
 TEST(Link, OfAnyAngleComesBackAsItsInverse) {
     // Far from the origin the shift rounds, and differently each way: derived again from the walls, the way back
     // would miss by an ulp.
@@ -97,6 +99,7 @@ TEST(Link, OfAnyAngleComesBackAsItsInverse) {
     }
 }
 
+// hard case T13
 TEST(Link, MayLeadOneWay) {
     Linked l = linked_to(turned_square(0, {50, 0}));
     WallRecord& other = wall(l.file, "far", l.far_a, l.far_b);
@@ -107,6 +110,7 @@ TEST(Link, MayLeadOneWay) {
     EXPECT_EQ(map[Linked::at(map, l.far_a, l.far_b)].kind, WallKind::solid);
 }
 
+// hard case T13
 TEST(Link, MayHaveSeveralWaysInAndOneBack) {
     Linked l = linked_to(turned_square(0, {50, 0}));
     WallRecord& second = wall(l.file, "hall", {4, 4}, {0, 4});
@@ -115,6 +119,31 @@ TEST(Link, MayHaveSeveralWaysInAndOneBack) {
     const Map map = l.built();
     EXPECT_EQ(map.links.size(), 3u);
     EXPECT_EQ(l.back(map), inverse(l.there(map)));
+}
+
+// Three rooms lead into one wall, by different turns; back leads the way of the one that the wall names.
+// hard case T13
+TEST(Link, OfThreeWaysIntoOneWallIsEachWithoutLossThereAndBack) {
+    MapFile file = map_of({room("far", turned_square(1, {50, 7}))});
+    for (int i = 0; i < 3; ++i)
+        file.sectors.push_back(room(std::to_string(i), turned_square(i, {-100.0 * i, 30.0 * i})));
+    const Vec2 far_a = file.sectors[0].loops[0].vertices[0], far_b = file.sectors[0].loops[0].vertices[1];
+    for (int i = 2; i >= 0; --i) {
+        const LoopRecord& loop = file.sectors[static_cast<std::size_t>(i + 1)].loops[0];
+        link(file, std::to_string(i), loop.vertices[0], loop.vertices[1], "far", far_a, far_b);
+    }
+    const Map map = test::built(file);
+    const Wall& exit = map[Linked::at(map, far_a, far_b)];
+    ASSERT_EQ(map[exit.behind].name, "0");
+    for (int i = 0; i < 3; ++i) {
+        const std::vector<Vec2>& outline = file.sectors[static_cast<std::size_t>(i + 1)].loops[0].vertices;
+        const Wall& wall = map[Linked::at(map, outline[0], outline[1])];
+        const Rigid there = map.passage(wall);
+        EXPECT_EQ(there.apply(wall.a), far_b) << i;
+        EXPECT_EQ(there.apply(wall.b), far_a) << i;
+        EXPECT_TRUE(then(there, inverse(there)).is_identity()) << i;
+        EXPECT_EQ(inverse(there) == map.passage(exit), i == 0) << i;
+    }
 }
 
 TEST(Link, MarksAWallThatItComesOutOfAndThatDoesNotLeadBack) {
@@ -140,6 +169,7 @@ TEST(Link, MarksAnExitWithAWayBackThatOthersComeOutOfToo) {
     EXPECT_TRUE(map[Linked::at(map, l.far_a, l.far_b)].one_way_exit);
 }
 
+// hard case T13
 TEST(Link, ToItselfIsAHalfTurnAboutItsMiddle) {
     MapFile file = map_of({box_room("hall", 0, 0, 4, 4)});
     link(file, "hall", {4, 0}, {4, 4}, "hall", {4, 0}, {4, 4});
@@ -180,16 +210,19 @@ std::string codes_for_length(double length) {
     return codes;
 }
 
+// hard case T12
 TEST(Link, ForgivesOneStepOfTheGridInItsLength) {
     EXPECT_EQ(codes_for_length(4 + kVertexGrid), "");
     EXPECT_EQ(codes_for_length(4 - kVertexGrid), "");
 }
 
+// hard case T12
 TEST(Link, RefusesLengthsThatDifferByTwoSteps) {
     EXPECT_EQ(codes_for_length(4 + 2 * kVertexGrid), "link-lengths link-lengths ");
     EXPECT_EQ(codes_for_length(5), "link-lengths link-lengths ");
 }
 
+// hard case T12
 TEST(Link, ComparesSlantedLengthsExactly) {
     // 3-4-5 against 5; and a wall whose length is sqrt(25 m^2 + one squared step), which is not one step longer.
     for (const Vec2 end : {Vec2{3, 4}, Vec2{5, kVertexGrid}}) {
@@ -199,6 +232,7 @@ TEST(Link, ComparesSlantedLengthsExactly) {
     }
 }
 
+// hard case T12
 TEST(Link, DrawsTheLineBetweenOneStepAndMoreExactly) {
     // (5 m, y) is longer than 5 m by y^2 / 10 m, nearly: 0.996 steps of the grid for y = 101 steps, 1.016 for 102.
     for (const int steps : {101, 102}) {
@@ -209,6 +243,7 @@ TEST(Link, DrawsTheLineBetweenOneStepAndMoreExactly) {
     }
 }
 
+// hard case T12
 TEST(Link, BetweenSlightlyDifferentLengthsKeepsDirectionsAtTheirLength) {
     const Linked l = linked_to({{50, 0}, {53, -2.6455078125}, {60, 3}});  // (3, -2.6455) is 3.99981 m long
     const Map map = l.built();

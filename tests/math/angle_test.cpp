@@ -75,6 +75,7 @@ TEST(Direction, IsWithinTwoUnitsInTheLastPlaceEvenNextToZero) {
     });
 }
 
+// hard case C28
 TEST(Direction, IsExactAtQuarterTurns) {
     EXPECT_EQ(direction({0}), (Vec2{1, 0}));
     EXPECT_EQ(direction({kQuarter}), (Vec2{0, 1}));
@@ -107,6 +108,7 @@ TEST(Direction, IsMirroredExactlyInBothAxes) {
 }
 
 // A change of the last bit of any sine changes pictures and replays, so it has to be seen here first.
+// hard case D4
 TEST(Direction, HasKnownBits) {
     EXPECT_EQ(direction(Angle::from_degrees(30)), (Vec2{0x1.bb67ae879cf4fp-1, 0x1.fffffff8beab5p-2}));
     EXPECT_EQ(direction({123456789}), (Vec2{0x1.f7ac16cc628a3p-1, 0x1.6fe03a5403383p-3}));
@@ -164,11 +166,13 @@ TEST(TurnOf, IsExactAlongTheAxes) {
 
 TEST(TurnOf, NeverReachesAFullTurn) { EXPECT_LT(turn_of({1, -1e-300}), 1); }
 
+// hard case C29
 TEST(Angle, WrapsByItself) {
     EXPECT_EQ(Angle::from_degrees(350) + Angle::from_degrees(20), Angle::from_degrees(10));
     EXPECT_EQ(Angle::from_degrees(10) - Angle::from_degrees(20), Angle::from_degrees(-10));
 }
 
+// hard case C28
 TEST(Angle, IsExactAtWholeQuartersHoweverManyTurnsAway) {
     for (double turns : {0.0, 1.0, -1.0, 1e9, -1e9, 0x1p40}) {
         EXPECT_EQ(Angle::from_degrees(turns * 360).steps, 0u) << turns;
@@ -177,6 +181,7 @@ TEST(Angle, IsExactAtWholeQuartersHoweverManyTurnsAway) {
     }
 }
 
+// hard case C29
 TEST(Angle, IsTheNearestStepAfterABillionTurns) {
     for (double degrees : {1.0, 7.25, 123.5, 359.0})
         EXPECT_EQ(Angle::from_degrees(360e9 + degrees), Angle::from_degrees(degrees)) << degrees;
@@ -232,6 +237,7 @@ TEST(AngleOf, IsOppositeInTheMirror) {
     }
 }
 
+// hard case C29
 TEST(AngleOf, WrapsToZeroJustBelowAFullTurn) { EXPECT_EQ(angle_of({1, -1e-300}), Angle{}); }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "base/hash.h"
 #include "math/angle.h"
+#include "support/trials.h"
 
 namespace enfilade {
 namespace {
@@ -17,8 +18,10 @@ Vec2 any_point(Random& random, double reach) {
     return snap_to_point_grid({random.uniform(-reach, reach), random.uniform(-reach, reach)});
 }
 
+// hard case C10
 TEST(GridMap, AndItsInverseReturnEveryPoint) {
     Random random(1);
+    test::count_trials(1'000'000, "points");
     for (int i = 0; i < 1'000'000; ++i) {
         const Rigid m = turn(direction(Angle{static_cast<std::uint32_t>(random.bits())}));
         const Vec2 from = any_point(random, kWorldLimit), onto = any_point(random, kWorldLimit);
@@ -27,8 +30,10 @@ TEST(GridMap, AndItsInverseReturnEveryPoint) {
     }
 }
 
+// hard case C10
 TEST(GridMap, AndItsInverseReturnEveryPointAtOddEighths) {
     Random random(2);
+    test::count_trials(100'000, "points");
     for (int i = 0; i < 100'000; ++i) {
         const Rigid m = turn(direction(Angle{static_cast<std::uint32_t>(random.below(8)) << 29}));
         const Vec2 from = any_point(random, 10), onto = any_point(random, 10), p = any_point(random, 10);
@@ -46,6 +51,7 @@ TEST(GridMap, StaysWithinOneAndAHalfStepsOfTheTurn) {
     }
 }
 
+// hard case C28
 TEST(GridMap, TurnsByQuartersExactly) {
     const Vec2 from{1, 2}, onto{-3, 0.5}, p{1.25, 2.5};
     EXPECT_EQ(GridMap(turn({1, 0}), from, onto).apply(p), (Vec2{-2.75, 1}));

@@ -22,6 +22,7 @@ TEST(SnapToGrid, RoundsAsTheCLibraryDoes) {
     }
 }
 
+// hard case T3
 TEST(SnapToGrid, RoundsHalvesToEven) {
     for (int steps = -9; steps <= 9; ++steps) {
         const int even = (steps % 2 != 0) ? steps + 1 : steps;  // of steps and steps + 1
@@ -30,6 +31,7 @@ TEST(SnapToGrid, RoundsHalvesToEven) {
     }
 }
 
+// hard case T1
 TEST(SnapToGrid, LeavesNoNegativeZero) {
     for (double x : {-0.0, -kVertexGrid / 2, -1e-300, 0.0}) {
         EXPECT_FALSE(std::signbit(snap_to_vertex_grid(x))) << x;

@@ -6,6 +6,7 @@
 #include "math/points.h"
 #include "math/predicates.h"
 #include "support/exact.h"
+#include "support/trials.h"
 
 namespace enfilade {
 namespace {
@@ -62,8 +63,10 @@ TEST(FractionAlongPath, IsExact) {
     }
 }
 
+// hard case C6
 TEST(FractionAlongPath, IsOrderedAsExactRationalsAre) {
     Random random(22);
+    test::count_trials(kTrials, "paths");
     for (int i = 0; i < kTrials; ++i) {
         const Path path = random_path(random, kWorldLimit);
         const Line s = line_across(random, path), t = line_across(random, path);
@@ -100,6 +103,7 @@ TEST(FractionAlongPath, IsEqualOnlyForOneLine) {
     EXPECT_EQ(at({0.5, -1}, {0.5, 1}).value(), 0.75);
 }
 
+// hard case C25
 TEST(FractionAlongPath, RunsBackwardsOnTheWayBack) {
     Random random(24);
     for (int i = 0; i < kTrials; ++i) {
@@ -123,9 +127,11 @@ bool exactly_leaves_through(const Path& path, const Line& wall) {
     return side(a, b, p) > 0 && side(a, b, q) < 0 && side(p, q, a) != side(p, q, b);
 }
 
+// hard case C1
 TEST(PathLeavesThrough, IsExact) {
     Random random(25);
     int left = 0;
+    test::count_trials(kTrials, "paths");
     for (int i = 0; i < kTrials; ++i) {
         const Path path = random_path(random, 10);
         Line wall{random_point(random, kVertexGrid, 10), random_point(random, kVertexGrid, 10)};
@@ -140,6 +146,7 @@ TEST(PathLeavesThrough, IsExact) {
     EXPECT_GT(left, kTrials / 20);
 }
 
+// hard case C4
 TEST(PathLeavesThrough, IsNeverTrueForAPathOfNoLength) {
     EXPECT_FALSE(path_leaves_through({3, 0}, {3, 0}, {0, 0}, {9, 0}));
 }
@@ -147,9 +154,11 @@ TEST(PathLeavesThrough, IsNeverTrueForAPathOfNoLength) {
 /// A convex room around the origin, clockwise on the drawing, all of it on the vertex grid.
 std::vector<Vec2> room() { return {{-4, -3}, {0, -5}, {4, -3}, {6, 1}, {3, 5}, {-2, 4}, {-5, 1}}; }
 
+// hard case C1
 TEST(PathLeavesThrough, LeavesAConvexRoomThroughExactlyOneWallEvenThroughAVertex) {
     const auto v = room();
     Random random(26);
+    test::count_trials(kTrials, "paths");
     for (int i = 0; i < kTrials; ++i) {
         const Vec2 inside = random_point(random, 0.25, 2);
         const Vec2 vertex = v[random.below(v.size())];

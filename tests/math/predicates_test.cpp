@@ -8,6 +8,7 @@
 
 #include "math/points.h"
 #include "support/exact.h"
+#include "support/trials.h"
 
 namespace enfilade {
 namespace {
@@ -40,8 +41,10 @@ Triple hard_triple(Random& random, int trial, double grid) {
     }
 }
 
+// hard cases T7, T10
 TEST(Corner, IsExactForMapVertices) {
     Random random(11);
+    test::count_trials(kTrials, "triples");
     for (int i = 0; i < kTrials; ++i) {
         const Triple t = hard_triple(random, i, kVertexGrid);
         ASSERT_EQ(corner(t.a, t.b, t.c), exact_corner(t)) << "trial " << i;
@@ -65,9 +68,11 @@ TEST(Corner, IsTheSameFromEveryVertexAndOppositeInTheOtherDirection) {
     }
 }
 
+// hard cases C2, C3
 TEST(SideOfLine, IsExactOnBothGrids) {
     for (double grid : kBothGrids) {
         Random random(13);
+        test::count_trials(kTrials, "triples");
         for (int i = 0; i < kTrials; ++i) {
             const Triple t = hard_triple(random, i, grid);
             ASSERT_EQ(side_of_line(t.a, t.b, t.c), exact_side_of_line(t.a, t.b, t.c)) << "trial " << i;
@@ -80,6 +85,7 @@ TEST(SideOfLine, IsRightWhereTheSectorIs) {
     EXPECT_EQ(side_of_line({0, 0}, {1, 0}, {0.5, -1}), -1);
 }
 
+// hard cases C2, C3, C5
 TEST(SideOfLine, DecidesEveryTieByTheTieRule) {
     const Vec2 here{3, 4};
     EXPECT_EQ(side_of_line({0, 4}, {9, 4}, here), 1) << "the point counts as moved down by e^2";
@@ -102,9 +108,11 @@ TEST(SideOfLine, IsOppositeForTheOppositeLine) {
     }
 }
 
+// hard cases C1, C7
 TEST(SideOfPath, IsExactOnBothGrids) {
     for (double grid : kBothGrids) {
         Random random(15);
+        test::count_trials(kTrials, "triples");
         for (int i = 0; i < kTrials; ++i) {
             const Triple t = hard_triple(random, i, grid);
             ASSERT_EQ(side_of_path(t.a, t.b, t.c), exact_side_of_path(t.a, t.b, t.c)) << "trial " << i;
@@ -122,11 +130,13 @@ TEST(SideOfPath, IsOppositeForThePathBack) {
     }
 }
 
+// hard cases C1, C7
 TEST(SideOfPath, DecidesEveryTieByMovingThePath) {
     EXPECT_EQ(side_of_path({0, 0}, {9, 0}, {4, 0}), -1) << "the path counts as moved down, the point is above it";
     EXPECT_EQ(side_of_path({0, 0}, {0, 9}, {0, 4}), 1) << "the path counts as moved to +x; facing down, right is -x";
 }
 
+// hard case T4
 TEST(SideTests, HoldAtTheCornersOfTheWorld) {
     const std::array corners{Vec2{-kWorldLimit, -kWorldLimit}, Vec2{kWorldLimit, -kWorldLimit},
                              Vec2{kWorldLimit, kWorldLimit}, Vec2{-kWorldLimit, kWorldLimit}};
@@ -162,8 +172,10 @@ bool exact_is_nearer(Vec2 a, Vec2 b, Vec2 p, double radius) {
     return area * area < r * r * length_squared;
 }
 
+// hard case C16
 TEST(SegmentIsNearer, AgreesWithExactArithmeticAroundTheTouchingRadius) {
     Random random(31);
+    test::count_trials(kTrials, "points");
     for (int i = 0; i < kTrials; ++i) {
         const Triple t = hard_triple(random, i, kPointGrid);
         const double distance = std::fabs(exact_cross(t.a, t.b, t.c)) / std::hypot(t.b.x - t.a.x, t.b.y - t.a.y);

@@ -51,6 +51,7 @@ TEST(Rigid, MirrorsBeforeItTurns) {
     EXPECT_EQ(quarter_of_mirror.apply({3, 4}), (Vec2{4, 3})) << "mirrored to (3, -4), then turned right";
 }
 
+// hard case R28
 TEST(Rigid, KeepsOrSwapsLeftAndRightAsFlipSays) {
     Random random(51);
     for (int i = 0; i < kTrials; ++i) {
@@ -117,6 +118,7 @@ TEST(Then, DoesOneAfterTheOtherForAnyTurnToWithinRounding) {
     }
 }
 
+// hard cases R25, C13
 TEST(Then, ComesHomeExactlyAfterFourQuarterTurns) {
     const Rigid corner{0, 1, 1, {12.5, -3}, 0.25};
     Rigid round;
@@ -127,6 +129,7 @@ TEST(Then, ComesHomeExactlyAfterFourQuarterTurns) {
     EXPECT_EQ(round.rise, 1);
 }
 
+// hard case R28
 TEST(Then, OfTwoMirrorsIsATurn) {
     const Rigid floor_mirror{1, 0, -1, {}, 0}, diagonal_mirror{0, 1, -1, {}, 0};
     const Rigid both = then(floor_mirror, diagonal_mirror);

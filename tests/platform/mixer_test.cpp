@@ -192,6 +192,7 @@ TEST(MixedWorld, ComesRoundACornerFromTheCorner) {
     EXPECT_NEAR(levels.right, level * std::sqrt((1 + side) / 2), kFloats);
 }
 
+// hard case I10
 TEST(MixedWorld, ComesThroughALink) {
     MapFile file = map_of({box_room("hall", 0, 0, 8, 4), box_room("far", 100, 100, 104, 108)});
     link(file, "hall", {8, 0}, {8, 4}, "far", {100, 100}, {104, 100});

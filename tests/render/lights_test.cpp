@@ -172,6 +172,7 @@ TEST(PointLight, IsHeldBackByAHighStep) {
 }
 
 /// A link that turns by a quarter and raises by 3 m, and two rooms side by side that are the same.
+// hard case I10
 TEST(PointLight, GoesThroughALinkAsThroughADoorway) {
     MapFile plain = map_of({box_room("west", 0, 0, 4, 4), box_room("east", 4, 0, 8, 4)});
     MapFile linked = map_of({box_room("west", 0, 0, 4, 4), box_room("far", 100, 100, 104, 104, 3, 5)});

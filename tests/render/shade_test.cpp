@@ -22,18 +22,21 @@ protected:
     }
 };
 
+// hard case R30
 TEST_P(ShadeAt, NeverGrowsWithDepth) {
     for (double light : {0.0, 0.2, 0.5, 0.9, 1.0})
         for (double depth = 0; depth < 200; depth += 0.25)
             ASSERT_GE(shade(light, depth), shade(light, depth + 0.25)) << depth;
 }
 
+// hard case R30
 TEST_P(ShadeAt, NeverShrinksWithLight) {
     for (double depth : {0.0, 0.3, 2.0, 17.0, 400.0})
         for (int light = 0; light < 256; ++light)
             ASSERT_LE(shade(light / 255.0, depth), shade((light + 1) / 255.0, depth)) << light;
 }
 
+// hard case R30
 TEST_P(ShadeAt, ClampsLightToItsRange) {
     for (double depth : {0.0, 3.0, 1e30, kInfinity})
         for (double contrast : {0.8, 1.0}) {
@@ -168,6 +171,7 @@ TEST(PlaceOnPicture, EndsWithTheLastStep) {
     EXPECT_EQ(place_on_picture(-1e-12), 0u);
 }
 
+// hard case R29
 TEST(TexelOf, IsInTheTextureForAnySizeAndPlace) {
     for (std::uint32_t size : {1u, 3u, 5u, 128u, 65535u})
         for (TilePlace place : {0u, 1u, 0x80000000u, 0xFFFFFFFFu}) EXPECT_LT(texel_of(place, size), size) << place;

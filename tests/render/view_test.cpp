@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -70,6 +71,7 @@ TEST(Projection, HasNoLevelRowInAnEvenHeight) {
     EXPECT_EQ(p.climb(99), -p.climb(100));
 }
 
+// hard case I9
 TEST(Projection, KeepsColumnsBitEqualInAPictureThreeTimesAsWide) {
     for (double fov : {1.0, 53.0, 90.0, 179.0})
         for (int width : {1, 2, 117, 320}) {
@@ -90,6 +92,7 @@ TEST(Projection, ClimbsByTheRowsAboveTheHorizonOverTheFocalLength) {
     for (int y : {0, 99, 199}) EXPECT_EQ(p.climb(y), p.row_from_horizon(y) / p.focal_y()) << y;
 }
 
+// hard cases R12, I14
 TEST(Projection, StaysFiniteAtTheLargestPictureAndTheWidestAndNarrowestField) {
     for (double fov : {kMinFov, kMaxFov})
         for (double pitch : {-20.0, 20.0}) {
@@ -98,9 +101,11 @@ TEST(Projection, StaysFiniteAtTheLargestPictureAndTheWidestAndNarrowestField) {
         }
 }
 
+// hard case G13
 TEST(ProjectionDeathTest, RefusesAFieldOfViewOutOfRange) {
     EXPECT_DEATH(projection(320, 200, 180), "broken contract");
     EXPECT_DEATH(projection(320, 200, 0), "broken contract");
+    EXPECT_DEATH(projection(320, 200, std::numeric_limits<double>::quiet_NaN()), "broken contract");
 }
 
 TEST(ProjectionDeathTest, RefusesAPictureWithoutPixels) {

@@ -158,6 +158,7 @@ MapFile door_to_elsewhere() {
     return file;
 }
 
+// hard case I10
 TEST(Hearing, ThroughALinkIsAsInTheUnfoldedWorld) {
     const Map flat = built(door_between_rooms()), linked = built(door_to_elsewhere());
     // (9 + x, y) of the flat world is (106 - y, 200 + x) of the linked one.
@@ -177,6 +178,7 @@ TEST(Hearing, GoesThroughALinkAndBackAsFar) {
     EXPECT_NEAR(heard(map, here, there).length_m, heard(map, there, here).length_m, kRounding);
 }
 
+// hard case R24
 TEST(Hearing, EndsInARoomThatOpensIntoItself) {
     MapFile file = map_of({box_room("loop", 0, 0, 1, 1)});
     link(file, "loop", {1, 0}, {1, 1}, "loop", {0, 1}, {0, 0});

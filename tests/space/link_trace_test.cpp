@@ -8,7 +8,9 @@
 #include "math/predicates.h"
 #include "math/vec.h"
 #include "space/trace.h"
+#include "support/exact.h"
 #include "support/map_builder.h"
+#include "support/trials.h"
 
 namespace enfilade {
 namespace {
@@ -53,6 +55,7 @@ TEST(TraceThroughLinks, ReturnsExactlyThroughShiftsAndQuarterTurns) {
     }
 }
 
+// hard case C13
 TEST(TraceThroughLinks, ComposesTheWayBackToTheIdentity) {
     const Map map = quarter_turned_rooms();
     const Trace there = trace(map, {kFirst, {1, 1}}, {7, 1});
@@ -83,6 +86,7 @@ TEST(TraceThroughLinks, AsksMayPassWithTheHeightsOfTheRoomsOnTheWay) {
     EXPECT_EQ(rises, (std::vector<double>{0, 7, 0}));
 }
 
+// hard case C2
 TEST(TraceThroughLinks, EndsBehindTheLinkWhenThePathEndsOnItsLine) {
     // The tie rule counts x = 4 as crossed, but x = 104, seen from within the other room, as outside.
     for (const Map& map : {shifted_rooms(), quarter_turned_rooms(), linked_rooms({104, 50}, {104, 54})})
@@ -124,6 +128,84 @@ TEST(TraceThroughLinks, IsStoppedByAPanelOnTheLineItComesOutOf) {
     }
 }
 
+/// How many lines x = 0, width, 2 width, … lie between two places of halves, the tie rule's (e, e^2) added to both.
+int lines_between(int from, int to, int width) {
+    const auto cell = [&](int x) { return (x >= 0 ? x : x - width + 1) / width; };
+    return std::abs(cell(to) - cell(from));
+}
+
+// A room of 4 m x 3 m that goes on in itself on all sides, its links sharing all vertices. In the plane without links
+// whole numbers tell the links on a way and where it ends: paths start, pass and end on links and on their ends.
+// hard cases C2, C8, C9
+TEST(TraceThroughLinks, CrossesThoseThatShareVerticesAsTheUnfoldedPlaneSays) {
+    MapFile file = map_of({box_room("torus", 0, 0, 4, 3)});
+    link(file, "torus", {4, 0}, {4, 3}, "torus", {0, 3}, {0, 0});
+    link(file, "torus", {0, 0}, {4, 0}, "torus", {4, 3}, {0, 3});
+    const Map map = built(file);
+    Random random(8);
+    std::uint64_t ends_on_links = 0;
+    constexpr int kPaths = 100'000;
+    for (int i = 0; i < kPaths; ++i) {
+        const auto x = static_cast<int>(random.below(8)), y = static_cast<int>(random.below(6));
+        const auto to_x = static_cast<int>(random.below(97)) - 48,
+                   to_y = static_cast<int>(random.below(73)) - 36;  // [m/2]
+        const Trace path = trace(map, {kFirst, {x / 2.0, y / 2.0}}, {to_x / 2.0, to_y / 2.0});
+        ASSERT_FALSE(path.is_stopped());
+        ASSERT_EQ(static_cast<int>(path.crossings.size()), lines_between(x, to_x, 8) + lines_between(y, to_y, 6)) << i;
+        const Vec2 end{((to_x % 8 + 8) % 8) / 2.0, ((to_y % 6 + 6) % 6) / 2.0};
+        ASSERT_EQ(path.end.point, end) << i;
+        ASSERT_TRUE(trace(map, path.end, path.end.point).crossings.empty()) << i;
+        ends_on_links += end.x == 0 || end.y == 0;
+    }
+    count_trials(kPaths, "paths");
+    EXPECT_GT(ends_on_links, 20'000u);
+}
+
+/// A room of 12 m x 12 m turned by quarters, the middle third of a side being the other end of a link.
+std::vector<Vec2> far_room(int quarters, Vec2 corner) {
+    std::vector<Vec2> outline{{0, 8}, {0, 4}, {0, 0}, {12, 0}, {12, 12}, {0, 12}};
+    for (Vec2& v : outline) {
+        for (int i = 0; i < quarters; ++i) v = right_of(v);
+        v = v + corner;
+    }
+    return outline;
+}
+
+// The four sides of a room are links that share its vertices and lead to different rooms by different turns. A path
+// exactly through a vertex takes the one that the tie rule selects, as whole numbers of any size carry it out.
+// hard case C8
+TEST(TraceThroughLinks, TakesOfTwoThatShareAVertexTheOneThatExactArithmeticTells) {
+    const std::vector<Vec2> corners{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+    MapFile file = map_of({box_room("hub", 0, 0, 4, 4)});
+    for (std::size_t side = 0; side < 4; ++side) {
+        const std::string name = std::to_string(side);
+        const std::vector<Vec2> outline = far_room(static_cast<int>(2 * side) % 3, {100.0 * double(side + 1), -50});
+        file.sectors.push_back(room(name, outline));
+        link(file, "hub", corners[side], corners[(side + 1) % 4], name, outline[0], outline[1]);
+    }
+    const Map map = built(file);
+    Random random(9);
+    const auto quarters = [&](int least, std::uint64_t count) { return (least + double(random.below(count))) / 4; };
+    constexpr int kPaths = 20'000;
+    int ends_at_vertex = 0;
+    for (int i = 0; i < kPaths; ++i) {
+        const std::size_t number = random.below(4);
+        const Vec2 vertex = corners[number], from{quarters(1, 15), quarters(1, 15)};
+        const Vec2 to = vertex + (vertex - from) * quarters(1, 4);
+        const testing::ExactPoint start = testing::exact_moved(from), end = testing::exact_moved(to);
+        const bool is_left = testing::cross(end - start, testing::exact(vertex) - start).sign() > 0;
+        const Trace path = trace(map, {kFirst, from}, to);
+        ASSERT_EQ(path.crossings.size(), 1u) << from.x << ' ' << from.y;
+        ASSERT_EQ(map[map[path.crossings[0].portal].behind].name, std::to_string(is_left ? (number + 3) % 4 : number));
+        ASSERT_TRUE(contains(map, path.end.sector, path.end.point));
+        ends_at_vertex += is_left;
+    }
+    count_trials(kPaths, "paths");
+    EXPECT_GT(ends_at_vertex, kPaths / 4);
+    EXPECT_LT(ends_at_vertex, kPaths * 3 / 4);
+}
+
+// hard case C9
 TEST(TraceThroughLinks, StopsAfterManyRoundsThroughARoomLinkedToItself) {
     MapFile file = map_of({box_room("loop", 0, 0, 4, 4)});
     link(file, "loop", {4, 0}, {4, 4}, "loop", {0, 4}, {0, 0});
@@ -189,9 +271,11 @@ private:
     Random random_;
 };
 
+// hard case I11
 TEST(TraceThroughLinks, AlwaysEndsInsideInAUniverseOfLinks) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         Universe universe(seed);
+        count_trials(20000, "paths");
         for (int i = 0; i < 20000; ++i) {
             const Place from = universe.place();
             const Trace path = trace(universe.map, from, universe.target(static_cast<int>(from.sector.index)));
@@ -223,9 +307,11 @@ TEST(TraceThroughLinks, NeverCrossesAPanelInAUniverseOfLinks) {
     }
 }
 
+// hard case C6
 TEST(TraceThroughLinks, WalksAHundredThousandMovesInARowWithoutLeavingTheWorld) {
     Universe universe(42);
     Place at = universe.place();
+    count_trials(100000, "paths");
     for (int i = 0; i < 100000; ++i) {
         const Vec2 to = universe.target(static_cast<int>(at.sector.index));
         at = trace(universe.map, at, to).end;

@@ -26,6 +26,7 @@ TEST(Contains, AgreesWithTheCellsAtRandomPoints) {
     }
 }
 
+// hard cases C1, C22
 TEST(Contains, AgreesWithTheCellsOnEveryCornerAndLine) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const Mosaic mosaic = lay_mosaic({.solid = 0.2}, seed);
@@ -39,6 +40,7 @@ TEST(Contains, AgreesWithTheCellsOnEveryCornerAndLine) {
     }
 }
 
+// hard case C1
 TEST(Contains, PutsACornerWhereFourSectorsMeetIntoExactlyOne) {
     const Mosaic mosaic = lay_mosaic({.columns = 12, .rows = 12, .jitter = 0.9, .labels = 30}, 5);
     for (int column = 1; column < 12; ++column)
@@ -56,6 +58,7 @@ TEST(Locate, FindsNoSectorInRockAndOutside) {
         for (double y = -1; y < 34; y += 1.5) EXPECT_EQ(locate(mosaic.map, {x, y}), mosaic.sector_at({x, y}));
 }
 
+// hard case T4
 TEST(Locate, IsExactAtTheEdgeOfTheWorld) {
     const Mosaic mosaic = lay_mosaic({.columns = 2, .rows = 2, .origin = {32760, -32768}, .labels = 9}, 3);
     const double step = kPointGrid;

@@ -8,6 +8,7 @@
 #include "math/vec.h"
 #include "space/mosaic.h"
 #include "space/trace.h"
+#include "support/trials.h"
 
 namespace enfilade {
 namespace {
@@ -92,6 +93,7 @@ void try_mosaics(double solid, Check check) {
         for (int i = 0; i < kMapsPerPlan; ++i) {
             const Mosaic mosaic = lay_mosaic(plan, ++seed);
             NastyPoints points(mosaic, seed);
+            test::count_trials(kPathsPerMap, "paths");
             for (int k = 0; k < kPathsPerMap && !testing::Test::HasFatalFailure(); ++k) {
                 SCOPED_TRACE(testing::Message() << "mosaic " << seed << ", path " << k);
                 check(mosaic, points);
@@ -99,6 +101,7 @@ void try_mosaics(double solid, Check check) {
         }
 }
 
+// hard case C1
 TEST(TraceOverMosaics, EndsInTheSectorOfTheCellTheEndIsIn) {
     try_mosaics(0, [](const Mosaic& mosaic, NastyPoints& points) {
         const Place from = points.next_place();
@@ -119,6 +122,7 @@ TEST(TraceOverMosaics, EndsInsideItsSectorWhateverStopsIt) {
     });
 }
 
+// hard case C25
 TEST(TraceOverMosaics, CrossesTheSamePortalsBackward) {
     try_mosaics(0.2, [](const Mosaic& mosaic, NastyPoints& points) {
         const Place from = points.next_place();
@@ -130,6 +134,7 @@ TEST(TraceOverMosaics, CrossesTheSamePortalsBackward) {
     });
 }
 
+// hard case C26
 TEST(TraceOverMosaics, IsTheSumOfItsParts) {
     try_mosaics(0.2, [](const Mosaic& mosaic, NastyPoints& points) {
         // Seven equal parts that lie on the point grid: the whole is seven times a part.
@@ -149,6 +154,7 @@ TEST(TraceOverMosaics, IsTheSumOfItsParts) {
     });
 }
 
+// hard case C3
 TEST(TraceOverMosaics, ReturnsFromManyMovesInARow) {
     try_mosaics(0, [](const Mosaic& mosaic, NastyPoints& points) {
         const Place from = points.next_place();
@@ -232,6 +238,7 @@ TEST(TraceOverMosaics, IsStoppedByPanelsAsByThePortalsTheyStandIn) {
     EXPECT_GT(stops, 3000u);
 }
 
+// hard case C25
 TEST(TraceOverMosaics, CrossesTheSamePanelsBackward) {
     try_fenced_mosaics(0, [](const Fenced& fenced, NastyPoints& points) {
         const auto pass = [](const MetPanel&) { return true; };

@@ -346,6 +346,7 @@ Cost cost_near_the_middle(const Map& map, double radius, double spread) {
 
 // Portals of parts that a look does not lead to are passed, too, so each part may be entered from many others. All the
 // way round one gets back into the part that one stands in.
+// hard case T15
 TEST(ReachCost, InAFanOfScatteredSectorsGrowsWithItsParts) {
     for (const std::size_t sectors : {2u, 4u, 5u, 8u})
         for (const std::size_t parts : {40u, 80u, 120u}) {

@@ -22,6 +22,7 @@ Map row_of_rooms(int count) {
     return built(file);
 }
 
+// hard case C6
 TEST(Trace, CrossesEveryPortalOnALongWay) {
     const Map map = row_of_rooms(9);
     const Trace path = trace(map, {kFirst, {1, 2}}, {34, 2});
@@ -29,11 +30,13 @@ TEST(Trace, CrossesEveryPortalOnALongWay) {
     EXPECT_EQ(path.end, (Place{SectorId(8u), {34, 2}}));
 }
 
+// hard case C14
 TEST(Trace, CrossesAsManyPortalsGoingTheOtherWay) {
     const Map map = row_of_rooms(9);
     EXPECT_EQ(trace(map, {SectorId(8u), {34, 2}}, {1, 2}).end.sector, kFirst);
 }
 
+// hard case C15
 TEST(Trace, ReportsTheWallBehindTenThousandMetres) {
     const Map map = row_of_rooms(3);
     const Trace path = trace(map, {kFirst, {1, 2}}, {10001, 2});
@@ -41,6 +44,7 @@ TEST(Trace, ReportsTheWallBehindTenThousandMetres) {
     EXPECT_EQ(map[path.stopped].a, (Vec2{12, 0}));
 }
 
+// hard case C4
 TEST(Trace, GoesNowhereOnAPathOfNoLength) {
     const Map map = row_of_rooms(2);
     const Place on_the_line{kSecond, {4, 2}};
@@ -49,6 +53,7 @@ TEST(Trace, GoesNowhereOnAPathOfNoLength) {
     EXPECT_TRUE(path.crossings.empty());
 }
 
+// hard case C2
 TEST(Trace, CrossesOnceWhenAMoveEndsOnTheLineAndTheNextGoesOn) {
     const Map map = row_of_rooms(2);
     const Trace onto = trace(map, {kFirst, {3, 2}}, {4, 2});
@@ -57,6 +62,7 @@ TEST(Trace, CrossesOnceWhenAMoveEndsOnTheLineAndTheNextGoesOn) {
     EXPECT_EQ(beyond.end.sector, kSecond);
 }
 
+// hard case C3
 TEST(Trace, CrossesTwiceOrNeverWhenAMoveEndsOnTheLineAndTurnsBack) {
     const Map map = row_of_rooms(2);
     const Trace onto = trace(map, {kFirst, {3, 2}}, {4, 2});
@@ -65,6 +71,7 @@ TEST(Trace, CrossesTwiceOrNeverWhenAMoveEndsOnTheLineAndTurnsBack) {
     EXPECT_EQ(back.end.sector, kFirst);
 }
 
+// hard case C5
 TEST(Trace, KeepsToOneSideWhenItRunsAlongAPortal) {
     const Map map = row_of_rooms(2);
     const SectorId side = locate(map, {4, 1});
@@ -73,6 +80,7 @@ TEST(Trace, KeepsToOneSideWhenItRunsAlongAPortal) {
     EXPECT_EQ(along.end, (Place{side, {4, 3}}));
 }
 
+// hard case C5
 TEST(Trace, StopsInsideWhenItRunsAlongAPortalAndPastItsEnd) {
     const Map map = row_of_rooms(2);
     const SectorId side = locate(map, {4, 1});
@@ -81,6 +89,7 @@ TEST(Trace, StopsInsideWhenItRunsAlongAPortalAndPastItsEnd) {
     EXPECT_TRUE(contains(map, along.end.sector, along.end.point));
 }
 
+// hard case C7
 TEST(Trace, StaysInTheWorldWhenItIsAimedAtADoorPost) {
     const Map map = row_of_rooms(2);
     for (Vec2 post : {Vec2{4, 0}, Vec2{4, 4}})
@@ -141,6 +150,7 @@ TEST(Trace, LeavesAndReentersANonConvexRoom) {
     EXPECT_EQ(path.end, (Place{kFirst, {5, 3}}));
 }
 
+// hard case T8
 TEST(Trace, WalksAroundAHoleWithTwoPillarsTouching) {
     SectorRecord hall = box_room("hall", 0, 0, 8, 8);
     cut_pillar(hall, 2, 2, 4, 4);
@@ -218,6 +228,7 @@ TEST(TraceThroughPanels, PassesAnEndOnTheSideOfTheTieRule) {
     EXPECT_FALSE(walk_straight(map, {7, 6}, {1, 6}).is_stopped());
 }
 
+// hard case C5
 TEST(TraceThroughPanels, RunsAlongOneOnOneSide) {
     const Map map = room_with_panels();
     const Trace along = walk_straight(map, {4, 1}, {4, 7});
@@ -226,6 +237,7 @@ TEST(TraceThroughPanels, RunsAlongOneOnOneSide) {
     EXPECT_FALSE(walk_straight(map, {4, 4}, {5, 4}).is_stopped());
 }
 
+// hard case C2
 TEST(TraceThroughPanels, CrossesOnceWhenAMoveEndsOnTheLine) {
     const Map map = room_with_panels({{{2, 0}, {2, 8}}});
     const Trace onto = walk_straight(map, {1, 4}, {2, 4}), beyond = walk_straight(map, onto.end.point, {3, 4});

@@ -102,6 +102,7 @@ private:
     std::map<std::pair<Place, Place>, int> walls_between_;
 };
 
+// hard case R17
 TEST(TriangulateSplinters, CoversEverySectorOnce) {
     std::size_t sectors = 0;
     for (std::uint64_t seed = 0; sectors < kSectors; ++seed) {
@@ -113,6 +114,7 @@ TEST(TriangulateSplinters, CoversEverySectorOnce) {
     }
 }
 
+// hard case T8
 TEST(TriangulateSplinters, FormTilings) {
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
         const Map map = lay_splinters(plan_of(seed), seed).map;

@@ -51,6 +51,7 @@ TEST(Triangulate, LeavesHolesOut) {
     expect_sound(built(file));
 }
 
+// hard case T8
 TEST(Triangulate, TakesHolesThatTouchInVertices) {
     MapFile file = map_of({box_room("hall", 0, 0, 12, 8)});
     for (const std::vector<Vec2>& hole : {std::vector<Vec2>{{6, 4}, {4, 3}, {4, 5}},
@@ -76,6 +77,7 @@ Map sector_of(const std::vector<std::vector<Vec2>>& loops) {
     return built(file);
 }
 
+// hard case T8
 TEST(Triangulate, TakesHolesThatTouchTheOutlineInAnyOfTheirCorners) {
     expect_sound(sector_of({{{15, 0}, {6, 4}, {3, 4}, {0, 1}}, {{15, 0}, {4, 3}, {12, 1}}}));
     expect_sound(sector_of({{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{8, 0}, {6, 4}, {5, 7}}}));
@@ -89,11 +91,13 @@ TEST(Triangulate, TakesHolesThatTouchTheOutlineInAnyOfTheirCorners) {
         sector_of({grid({{0, 1806}, {1093, 0}, {2078, 2136}}), grid({{2078, 2136}, {646, 1861}, {1363, 1999}})}));
 }
 
+// hard case T8
 TEST(Triangulate, TakesHolesThatTouchTheOutlineInAllTheirCorners) {
     expect_sound(sector_of(
         {{{0, 0}, {4, 0}, {8, 0}, {8, 4}, {8, 8}, {4, 8}, {0, 8}, {0, 4}}, {{4, 0}, {0, 4}, {4, 8}, {8, 4}}}));
 }
 
+// hard case T8
 TEST(Triangulate, TakesChainsOfHolesFromWallToWall) {
     expect_sound(sector_of({{{0, 0}, {8, 0}, {8, 4}, {8, 8}, {0, 8}, {0, 4}},
                             {{0, 4}, {1, 6}, {2, 4}},
@@ -102,6 +106,7 @@ TEST(Triangulate, TakesChainsOfHolesFromWallToWall) {
                             {{6, 4}, {7, 5}, {8, 4}}}));
 }
 
+// hard case T8
 TEST(Triangulate, TakesLoopsThatPassThroughThemselves) {
     expect_sound(sector_of({{{0, 0}, {8, 0}, {4, 4}, {8, 8}, {0, 8}, {4, 4}}}));
     expect_sound(sector_of({{{0, 0}, {4, 0}, {2, 4}, {6, 4}, {4, 0}, {8, 0}, {8, 8}, {0, 8}}}));
@@ -137,6 +142,7 @@ TEST(Triangulate, TakesAHundredHolesAroundAVertex) {
     expect_sound(sector_of(loops));
 }
 
+// hard case R22
 TEST(Triangulate, TakesSeveralOutlines) {
     MapFile file = map_of({box_room("ring", 0, 0, 8, 8)});
     cut_pillar(file.sectors[0], 1, 1, 7, 7);

@@ -86,6 +86,7 @@ TEST(ConvertTriggers, AreUsedWhereDoomShoots) {
     EXPECT_THAT(Converted(line.level).noted(Kind::shot_trigger), ElementsAre(2u));
 }
 
+// hard case W13
 TEST(ConvertTriggers, NeedATagThatASectorHas) {
     const Line line(88, 8), untagged(88, 0);
     EXPECT_THAT(line.triggers(), IsEmpty());

@@ -23,6 +23,7 @@ TEST(ConvertMap, PassesTheCheckWithoutAWord) {
     for (const Finding& finding : findings) ADD_FAILURE() << finding.sentence;
 }
 
+// hard case W15
 TEST(ConvertMap, KeepsEveryVertexExactlyThroughTheText) {
     Level level;
     level.sector();
@@ -143,6 +144,7 @@ TEST(ConvertSectors, NoteFlatsThatAreNotThere) {
     EXPECT_THAT(Converted(level).noted(Kind::unknown_flat), ElementsAre(0u));
 }
 
+// hard case W6
 TEST(ConvertSectors, GiveEveryPartItsTagNatureAndGroup) {
     Level level;
     level.sector();
@@ -162,6 +164,7 @@ TEST(ConvertSectors, GiveEveryPartItsTagNatureAndGroup) {
     EXPECT_EQ(c.report.sector_specials.at(9), 1u);
 }
 
+// hard case W8
 TEST(ConvertSectors, RaiseCeilingsThatAreBelowTheFloor) {
     const Converted c(Doorway(32, 16).level);
     EXPECT_EQ(c.file.sectors[1].floor.z, 1);
@@ -216,6 +219,7 @@ TEST(ConvertWalls, JoinBothSidesOfALine) {
     EXPECT_EQ(c.report.portals, 2u);
 }
 
+// hard case W3
 TEST(ConvertWalls, OpenStepsWithoutTexture) {
     Doorway d;
     d.right().upper = d.right().lower = "-";
@@ -232,6 +236,7 @@ TEST(ConvertWalls, NoteNoMissingTextureWhereThereIsNoStep) {
     EXPECT_THAT(c.noted(Kind::missing_lower), IsEmpty());
 }
 
+// hard case W4
 TEST(ConvertWalls, OpenStepsBetweenTwoSkies) {
     const Converted c(Doorway(16, 96, "F_SKY1").level);
     EXPECT_EQ(front(c).upper->name, "-");

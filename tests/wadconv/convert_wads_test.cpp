@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/cli/program.h"
+#include "base/hash.h"
 #include "map/load.h"
 #include "support/temp_dir.h"
 #include "wadconv/wad_builder.h"
@@ -72,6 +73,7 @@ TEST(ConvertWads, WritesMapsThatLoadWithoutAWord) {
     EXPECT_TRUE(bench.wrote("sounds/doropn.wav"));
 }
 
+// hard case W15
 TEST(ConvertWads, GivesTheSameBytesWithAnyNumberOfJobs) {
     Bench one, four;
     for (Bench* bench : {&one, &four})
@@ -87,6 +89,34 @@ TEST(ConvertWads, GivesTheSameBytesWithAnyNumberOfJobs) {
             << compared.back();
     }
     EXPECT_GT(compared.size(), 10u);
+}
+
+/// All that the run wrote about the map.
+std::string map_text(const Bench& bench) {
+    const auto bytes = read_file(bench.dir.path("out/map01.toml"));
+    return bytes.ok() ? std::string(as_text(bytes.value())) : "";
+}
+
+// What node builders made of the level is not looked at, whether it is right, rounded, damaged or not there.
+// hard cases W1, W10
+TEST(ConvertWads, DoesNotLookAtSegmentsNodesAndBlocks) {
+    Bench without;
+    without.add(wad_with({{"MAP01", small_level()}}));
+    ASSERT_TRUE(without.run().ok());
+    ASSERT_THAT(map_text(without), HasSubstr("[[sectors]]"));
+    Random random(1);
+    for (const std::size_t size : {0u, 1u, 12u, 4096u}) {
+        WadBuilder wad = wad_with({{"MAP01", small_level()}});
+        for (const char* lump : {"SEGS", "SSECTORS", "NODES", "REJECT", "BLOCKMAP"}) {
+            Bytes noise(size);
+            for (std::byte& b : noise) b = static_cast<std::byte>(random.bits());
+            wad.add(lump, noise);
+        }
+        Bench with;
+        with.add(wad);
+        ASSERT_TRUE(with.run().ok());
+        EXPECT_EQ(map_text(with), map_text(without)) << size;
+    }
 }
 
 TEST(ConvertWads, ConvertsOnlyTheMapsAskedFor) {

@@ -74,6 +74,7 @@ TEST(CollectEdges, CountsEverySideOnce) {
     EXPECT_TRUE(c.report.sides.is_complete());
 }
 
+// hard case W7
 TEST(CollectEdges, LeavesOutLinesWithoutLength) {
     Level level = two_rooms();
     level.line({5, 5}, {5, 5}, 0, 1);
@@ -91,6 +92,7 @@ TEST(CollectEdges, LeavesOutLinesWithVerticesThatAreNotThere) {
     EXPECT_THAT(c.noted(Kind::bad_vertex), ElementsAre(0u));
 }
 
+// hard case W5
 TEST(CollectEdges, CountsSidesThatAreNotThereAsNone) {
     Level level = two_rooms();
     level.map.lines[2].left = 60000;
@@ -101,6 +103,7 @@ TEST(CollectEdges, CountsSidesThatAreNotThereAsNone) {
     EXPECT_EQ(c.report.sides.dropped, 1u);
 }
 
+// hard case W5
 TEST(CollectEdges, CountsSidesOfSectorsThatAreNotThereAsNone) {
     Level level = two_rooms();
     level.map.sides[0].sector = 2;
@@ -109,6 +112,7 @@ TEST(CollectEdges, CountsSidesOfSectorsThatAreNotThereAsNone) {
     EXPECT_THAT(c.noted(Kind::bad_sector), ElementsAre(0u));
 }
 
+// hard case W5
 TEST(CollectEdges, KeepsALineWithALeftSideOnly) {
     Level level;
     level.sector();
@@ -127,6 +131,7 @@ TEST(CollectEdges, MakesTwoSidesSolidThatAreNotMarked) {
     EXPECT_THAT(c.noted(Kind::two_sides_unmarked), ElementsAre(2u));
 }
 
+// hard case W7
 TEST(CollectEdges, KeepsTheFirstOfLinesDrawnTwice) {
     Level level = two_rooms();
     level.line({64, 64}, {64, 0}, 0, 1);
@@ -136,6 +141,7 @@ TEST(CollectEdges, KeepsTheFirstOfLinesDrawnTwice) {
     EXPECT_EQ(c.report.sides.doubled, 2u);
 }
 
+// hard case W7
 TEST(CollectEdges, KeepsTheFirstOfLinesDrawnBackToFront) {
     Level level = two_rooms();
     level.line({64, 0}, {64, 64}, 1, 0);
@@ -156,6 +162,7 @@ TEST(CollectEdges, JoinsTheOuterSidesOfASliver) {
     EXPECT_TRUE(c.edges[0].is_open);
 }
 
+// hard case W7
 TEST(CollectEdges, NeverHasTwoEdgesFromOnePointToAnother) {
     Level level;
     for (int i = 0; i < 3; ++i) level.sector();
@@ -163,6 +170,7 @@ TEST(CollectEdges, NeverHasTwoEdgesFromOnePointToAnother) {
     EXPECT_EQ(Collected(level.map).edges.size(), 2u);
 }
 
+// hard case W5
 TEST(CollectEdges, NotesSidesThatSeveralLinesShare) {
     Level level = two_rooms();
     level.map.lines[1].right = level.map.lines[0].right;

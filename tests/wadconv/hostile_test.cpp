@@ -149,6 +149,7 @@ TEST(HostileWad, SurvivesWrongBytesAnywhere) {
     }
 }
 
+// hard cases W5, W8
 TEST(HostileWad, SurvivesExtremeNumbersInEveryFieldOfAMap) {
     const WadBuilder wad = whole_wad();
     const Bytes whole = wad.finish_directory_first();

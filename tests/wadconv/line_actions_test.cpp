@@ -10,6 +10,7 @@
 namespace enfilade::wadconv {
 namespace {
 
+// hard case W13
 TEST(LineActions, HoldEveryTypeOfDoomThatIsAnAction) {
     // The others of 1 to 141: 48 scrolls, 125 and 126 are for monsters, 78 and 85 are Boom's.
     const std::set<int> none{48, 78, 85, 125, 126};

@@ -123,6 +123,7 @@ TEST(TraceLoops, PartsARoomAlongALineAcrossIt) {
     EXPECT_THAT(t.tracing.lone, IsEmpty());
 }
 
+// hard case W2
 TEST(TraceLoops, GivesARingOfLinesWithOneSectorAnInsideAndAnOutside) {
     Level level = empty_level();
     level.box(0, 0, 64, 64, 0);

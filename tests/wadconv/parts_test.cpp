@@ -53,6 +53,7 @@ TEST(PartName, CountsFurtherPartsByLetters) {
     EXPECT_THAT(names, ElementsAre("s12", "s12b", "s12z", "s12aa", "s12ab", "s12zz", "s12aaa"));
 }
 
+// hard case W6
 TEST(MakeParts, GivesHolesToTheOutlineAroundThem) {
     Level level = level_with(1);
     level.box(0, 0, 64, 64, 0);
@@ -80,6 +81,7 @@ TEST(MakeParts, PartsTheInsideOfARingOfOneSector) {
 }
 
 // Deep water: the ring around the pool has the pool's own sector on both sides, so that nothing is drawn there.
+// hard case W2
 TEST(MakeParts, GivesTheOutsideOfADeepWaterRingToTheSectorAround) {
     Level level = level_with(2);
     level.box(0, 0, 64, 64, 0);
@@ -91,6 +93,7 @@ TEST(MakeParts, GivesTheOutsideOfADeepWaterRingToTheSectorAround) {
     EXPECT_EQ(made.report.found.at(Kind::deep_water).size(), 4u);
 }
 
+// hard case W2
 TEST(MakeParts, FindsTheInnermostSectorAroundDeepWater) {
     Level level = level_with(3);
     level.box(0, 0, 100, 100, 0);
@@ -99,6 +102,7 @@ TEST(MakeParts, FindsTheInnermostSectorAroundDeepWater) {
     EXPECT_THAT(Made(level).texts(), ElementsAre("s0: 3600, 2", "s1: 6300, 2", "s2: 100, 1"));
 }
 
+// hard case W2
 TEST(MakeParts, RefusesADeepWaterRingInTheVoid) {
     Level level = level_with(2);
     level.box(0, 0, 64, 64, 0);
@@ -112,6 +116,7 @@ TEST(MakeParts, RefusesASectorThatIsInsideOut) {
     EXPECT_THAT(Made(level).parts.error().what, HasSubstr("inside out"));
 }
 
+// hard case W5
 TEST(MakeParts, ClosesAGapOfOneLine) {
     Level level = level_with(1);
     level.box(0, 0, 64, 64, 0);
@@ -125,6 +130,7 @@ TEST(MakeParts, ClosesAGapOfOneLine) {
     EXPECT_EQ(made.report.count(Fate::guessed), 1u);
 }
 
+// hard case W5
 TEST(MakeParts, RefusesASectorWithTwoGaps) {
     Level level = level_with(1);
     level.box(0, 0, 64, 64, 0);

@@ -70,6 +70,7 @@ TEST(ReadPatch, NamesAColumnWithoutEnd) {
     EXPECT_THAT(read_patch(bytes).error().what, HasSubstr("column 0 has no end"));
 }
 
+// hard case W12
 TEST(ReadPatch, RefusesColumnsThatPaintForEver) {
     ByteWriter out;
     for (int field : {1, 1, 0, 0}) out.u16(static_cast<std::uint16_t>(field));
@@ -117,6 +118,7 @@ struct OneTexture {
     }
 };
 
+// hard case W12
 TEST(Compose, DrawsLaterPatchesOverEarlierOnes) {
     const OneTexture t(3, 2, {{0, 0, 0}, {1, 0, 1}}, {patch({"aaa", "aaa"}), patch({"b.", ".b"})});
     EXPECT_THAT(rows_of(t.draw()), ElementsAre("aba", "aab"));
@@ -127,6 +129,7 @@ TEST(Compose, CutsPatchesAtTheTexturesEdges) {
     EXPECT_THAT(rows_of(t.draw()), ElementsAre("..", "bc"));
 }
 
+// hard case W12
 TEST(Compose, LeavesHolesWhereNoPatchIs) {
     const OneTexture t(3, 1, {{1, 0, 0}}, {patch({"a"})});
     EXPECT_THAT(rows_of(t.draw()), ElementsAre(".a."));

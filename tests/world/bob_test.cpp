@@ -94,6 +94,7 @@ double most_moved_in_a_tick(Game& game, std::uint32_t sector, const TickInput& k
 /// What a sine of this amplitude and period moves in a tick at most.
 double steepest(const BobRecord& swell) { return swell.amplitude * 2 * 3.1416 / swell.period * kTickSeconds; }
 
+// hard case C21
 TEST(BobbingFloor, WaitsForWhoTouchesTheCeilingAndGoesOnFromThere) {
     const BobRecord swell = bob(1, 4);
     Game game(bobbing_room(swell));

@@ -143,6 +143,7 @@ TEST(Door, BehindTheBackIsNotUsed) {
     EXPECT_EQ(passage(game).ceiling_z, 0);
 }
 
+// hard case C21
 TEST(Door, OpensForWhoStandsInItWhenItCloses) {
     Game game(with_door(trigger_on(Activation::use, TriggerAction::door)));
     game.hold(kUse);
@@ -256,6 +257,7 @@ TEST(Trigger, ThatIsOneWayDoesNotGoOffForWhoComesIn) {
     EXPECT_EQ(plain_light_of(now(game.map, game.world), SectorId(2u)), 1);
 }
 
+// hard case W13
 TEST(Trigger, CallsAllSectorsOfATag) {
     MapFile file = hall_passage_room(0, 3);
     TriggerRecord dark = trigger_on(Activation::enter, TriggerAction::light, {"lamps"});
@@ -268,6 +270,7 @@ TEST(Trigger, CallsAllSectorsOfATag) {
     EXPECT_EQ(plain_light_of(now(game.map, game.world), SectorId(2u)), 0.5);
 }
 
+// hard case C21
 TEST(Lift, CarriesWhoStandsOnItDownAndUp) {
     MapFile file = hall_passage_room(0, 3);
     sector(file, "room").floor.z = sector(file, "passage").floor.z = 2;
@@ -289,6 +292,7 @@ TEST(Lift, CarriesWhoStandsOnItDownAndUp) {
     EXPECT_TRUE(game.player().on_ground);
 }
 
+// hard case C21
 TEST(Lift, TurnsRoundForWhoWouldBeSqueezed) {
     MapFile file = hall_passage_room(2, 3.5);  // up there is room for 1.5 m only
     TriggerRecord lift = trigger_on(Activation::use, TriggerAction::lift);

@@ -59,6 +59,7 @@ TEST(Group, IsCalledByTheNameOfAnyOfItsSectorsAndOnce) {
     }
 }
 
+// hard case W6
 TEST(Group, WaitsForABodyInAnyOfItsSectors) {
     MapFile file = hall_group_cellar(3);
     TriggerRecord close = trigger_on(Activation::start, TriggerAction::close, {"near"});

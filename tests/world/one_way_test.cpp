@@ -190,6 +190,7 @@ TEST(OneWay, IsNotClosedByWhatStandsBehindTheExit) {
     EXPECT_GT(rooms.local(game.map, game.player().place).x, 1);
 }
 
+// hard case T13
 TEST(OneWay, HoldsSeveralWaysIntoOneExit) {
     OneWayMap rooms(OneWayPair{});
     rooms.place({-2, 0});

@@ -121,6 +121,7 @@ TEST(Fence, StopsWhoComesStraightAtItsEnd) {
     EXPECT_EQ(game.point(), (Vec2{5 - kBodyRadius, 5}));
 }
 
+// hard case C18
 TEST(Fence, IsNotMovedThroughByTenThousandTicksOfPushing) {
     Game game(hall_with({fence({5, 2}, {5, 8})}, {3, 5}));
     game.hold(kRunForward, 200);
@@ -129,6 +130,7 @@ TEST(Fence, IsNotMovedThroughByTenThousandTicksOfPushing) {
     EXPECT_EQ(game.point(), before);
 }
 
+// hard case C15
 TEST(Fence, IsNotPassedInOneTickOfAnyLength) {
     Game game(hall_with({fence({5, 0}, {5, 10})}, {3, 5}));
     for (const Vec2 velocity : {Vec2{1e6, 0}, Vec2{1e6, 3e5}, Vec2{600, -601}}) {
@@ -158,6 +160,7 @@ TEST(Fence, KeepsWhoIsSqueezedBesideItOnTheirSide) {
     EXPECT_GT(narrow.point().y, 9) << "came out";
 }
 
+// hard case C3
 TEST(Fence, IsLeftByWhoStartsOnItsLine) {
     for (const Vec2 start : {Vec2{5, 5}, Vec2{5, 2}, Vec2{5, 8}, Vec2{5, 2.1}}) {
         Game game(hall_with({fence({5, 2}, {5, 8})}, start));
@@ -236,6 +239,7 @@ MapFile room_with_fence_behind_link() {
     return file;
 }
 
+// hard case C19
 TEST(Fence, StopsTheHalfThatIsBehindALink) {
     expect_same_walks(room_with_fence_behind_door(), room_with_fence_behind_link(),
                       [](const Game& game) { ASSERT_TRUE(touches_no_fence(game)); });

@@ -40,6 +40,7 @@ TEST(Animation, StartsAnew) {
     EXPECT_EQ(frame_of_torch(1.25), 1u);
 }
 
+// hard case C24
 TEST(Animation, IsAsExactAfterAYear) {
     constexpr double kYear = 31'536'000;  // [s]
     EXPECT_EQ(frame_of_torch(kYear + 0.75), 2u);

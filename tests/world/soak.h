@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "support/trials.h"
 #include "world/random_walks.h"
 #include "world/world.h"
 
@@ -19,6 +20,7 @@ inline World soak(const Map& map, World world, std::uint64_t seed, int ticks) {
     RandomKeys keys(seed);
     Random hand(seed);
     bool was_free = false;
+    count_trials(static_cast<std::uint64_t>(ticks), "ticks");
     for (int i = 0; i < ticks && !::testing::Test::HasFatalFailure(); ++i) {
         SCOPED_TRACE(::testing::Message() << map.name << ", seed " << seed << ", tick " << i);
         TickInput input = keys.next();

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <vector>
 
 #include "base/files.h"
 #include "base/hash.h"
+#include "base/parallel.h"
 #include "map/load.h"
 #include "world/soak.h"
 #include "world/trigger_actions.h"
@@ -16,6 +18,7 @@ namespace {
 
 using namespace test;
 
+// hard case I11
 TEST(Soak, StaysInTheWorldOverMosaicsOfSteps) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         const Map map = mosaic_of_steps(seed);
@@ -72,6 +75,7 @@ Map restless(Map map, std::uint64_t seed) {
 }
 
 // With ENFILADE_LONG more than a million ticks.
+// hard cases C21, I11
 TEST(Soak, StaysInTheWorldWhereEverythingMoves) {
     const int ticks = std::getenv("ENFILADE_LONG") ? 100'000 : 3000;
     std::size_t changes = 0;
@@ -83,6 +87,7 @@ TEST(Soak, StaysInTheWorldWhereEverythingMoves) {
     EXPECT_GT(changes, 1000u);  // much has moved
 }
 
+// hard case I11
 TEST(Soak, StaysInTheWorldWhereEveryDoorwayIsALink) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         const Map map = octagons_of_links(seed);
@@ -91,6 +96,7 @@ TEST(Soak, StaysInTheWorldWhereEveryDoorwayIsALink) {
     }
 }
 
+// hard case I11
 TEST(Soak, StaysInTheWorldInTheMapsThatComeWithTheEngine) {
     for (const auto& entry : std::filesystem::directory_iterator(ENFILADE_SOURCE_DIR "/maps")) {
         if (entry.path().extension() != ".toml") continue;
@@ -104,6 +110,7 @@ TEST(Soak, StaysInTheWorldInTheMapsThatComeWithTheEngine) {
 
 // Every compiler, optimisation and machine must end here. The number changes with the rules of motion, the generators
 // above and nothing else: where it changed although none of those did, something depends on the machine.
+// hard case I13
 TEST(Soak, EndsInTheSameStateOnEveryMachine) {
     Hash all;
     for (std::uint64_t seed = 0; seed < 6; ++seed)
@@ -115,6 +122,31 @@ TEST(Soak, EndsInTheSameStateOnEveryMachine) {
             all.add(hash(world));
         }
     EXPECT_EQ(all.value(), 14324029055056606743u);
+}
+
+/// The worlds of many players in one map, each after a walk of its own, played on so many threads.
+std::vector<std::uint64_t> played_on(const Map& map, std::size_t threads) {
+    constexpr std::size_t kPlayers = 24;
+    constexpr int kTicks = 600;
+    std::vector<std::uint64_t> hashes(kPlayers);
+    parallel_for(kPlayers, threads, [&](std::size_t player, std::size_t) {
+        Random random(player);
+        World world = start_somewhere(map, random);
+        RandomKeys keys(player);
+        for (int i = 0; i < kTicks; ++i) step(map, world, keys.next());
+        hashes[player] = hash(world);
+    });
+    return hashes;
+}
+
+// A world has one body; what many of them share is the map.
+// hard cases I13, C27
+TEST(Soak, EndsInTheSameStatesWhicheverThreadsPlayThem) {
+    for (const Map& map : {restless(mosaic_of_steps(1), 1), restless(octagons_of_links(2), 2)}) {
+        const std::vector<std::uint64_t> alone = played_on(map, 1);
+        for (const std::size_t threads : {2u, 3u, 8u}) EXPECT_EQ(played_on(map, threads), alone) << threads;
+    }
+    count_trials(2 * 4 * 24 * 600, "ticks");
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ TEST(SolidThing, StopsWhoWalksStraightAtIt) {
     EXPECT_TRUE(is_free(game));
 }
 
+// hard case C18
 TEST(SolidThing, IsNotMovedIntoByTenThousandTicks) {
     Game game(hall_with({barrel_at({10, 5})}));
     game.hold(kRunForward, 300);
@@ -93,6 +94,7 @@ TEST(SolidThing, InTheNextRoomStopsWhoIsStillInThisOne) {
     EXPECT_EQ(game.room(), "near");
 }
 
+// hard case C19
 TEST(SolidThing, BehindALinkStopsWhoIsStillBeforeIt) {
     MapFile file = map_of({box_room("near", 0, 0, 6, 4), box_room("far", 100, 0, 104, 6, 3, 6)});
     link(file, "near", {6, 0}, {6, 4}, "far", {100, 0}, {104, 0});
@@ -104,6 +106,7 @@ TEST(SolidThing, BehindALinkStopsWhoIsStillBeforeIt) {
     EXPECT_EQ(game.point(), (Vec2{6.5 - kApart, 2}));
 }
 
+// hard case C19
 TEST(SolidThing, BeforeALinkStopsWhoComesOutOfIt) {
     MapFile file = map_of({box_room("near", 0, 0, 6, 4), box_room("far", 100, 0, 104, 6)});
     link(file, "near", {6, 0}, {6, 4}, "far", {100, 0}, {104, 0});

@@ -109,6 +109,7 @@ private:
     std::uint8_t stop_ = 0;
 };
 
+// hard case C24
 TEST(Track, IsAtAnyTickWhereTickingFromTheStartLeads) {
     Random random(7);
     for (int i = 0; i < 300; ++i) {

@@ -40,6 +40,7 @@ TEST(Walk, StopsABodysRadiusFromAWall) {
     EXPECT_EQ(game.point().y, 5);
 }
 
+// hard case C18
 TEST(Walk, IsNotMovedByTenThousandTicksAgainstAWall) {
     Game game(box_with_player(5, 5, 0));
     game.hold(kRunForward, 200);
@@ -48,6 +49,7 @@ TEST(Walk, IsNotMovedByTenThousandTicksAgainstAWall) {
     EXPECT_EQ(game.point(), before);
 }
 
+// hard case C18
 TEST(Walk, IsNotMovedByTenThousandTicksAgainstASlantedWall) {
     MapFile file = map_of({room("slanted", {{0, 0}, {10, 0}, {7, 9}, {0, 10}})});
     place_player(file, "slanted", {4, 4}, kEyeOnFloor);
@@ -74,6 +76,7 @@ TEST(Walk, SlidesAlongAWallAtTheSpeedThatIsLeft) {
     EXPECT_NEAR(game.point().x - x, kWalkSpeed / 2 * 30 * kTickSeconds, 1e-3);
 }
 
+// hard case C17
 TEST(Walk, SlidesAlongSixtyFourPiecesAsAlongOne) {
     Game whole(box_with_player(1, 9, 45));
     MapFile file = box_with_player(1, 9, 45);
@@ -89,6 +92,7 @@ TEST(Walk, SlidesAlongSixtyFourPiecesAsAlongOne) {
     }
 }
 
+// hard case C17
 TEST(Walk, SlidesAlongPiecesThatBelongToManyRooms) {
     std::vector<SectorRecord> rooms;
     for (int i = 0; i < 20; ++i) rooms.push_back(box_room(std::to_string(i), 0.5 * i, 0, 0.5 * i + 0.5, 10));
@@ -103,6 +107,7 @@ TEST(Walk, SlidesAlongPiecesThatBelongToManyRooms) {
     }
 }
 
+// hard case C14
 TEST(Walk, GivesTheMirroredWayInTheMirroredMap) {
     const std::vector<Vec2> outline{{0, 0}, {9, 1}, {12, 5}, {8, 7}, {9, 11}, {1, 10}};
     std::vector<Vec2> mirrored;
@@ -123,6 +128,7 @@ TEST(Walk, GivesTheMirroredWayInTheMirroredMap) {
     }
 }
 
+// hard case C16
 TEST(Walk, ComesToRestInASharpCorner) {
     // Six degrees at the tip, pushed into for twenty seconds.
     MapFile sharp = map_of({room("spike", {{0, -1}, {20, 0}, {0, 1}})});
@@ -139,6 +145,7 @@ TEST(Walk, ComesToRestInASharpCorner) {
     }
 }
 
+// hard case C16
 TEST(Walk, NeverGetsIntoTheWallsOfASharpCornerHoweverItTurns) {
     MapFile file = map_of({room("spike", {{0, -1}, {20, 0}, {0, 1}})});
     place_player(file, "spike", {1, 0.1}, kEyeOnFloor);
@@ -206,6 +213,7 @@ TEST(Walk, StopsABodysRadiusFromAFenceWhicheverSideNamesIt) {
     }
 }
 
+// hard case C19
 TEST(Walk, CollidesBehindALinkWithTheHalfThatIsThere) {
     expect_same_walks(room_with_pillar_behind_door(), room_with_pillar_behind_link(), [](const Game&) {});
 }
@@ -304,6 +312,7 @@ TEST(Walk, LeavesAGapThatIsNarrowerThanTheBody) {
     EXPECT_EQ(game.room(), "hall") << "no way back";
 }
 
+// hard case C15
 TEST(Walk, GoesAnyDistanceInOneTickWithoutPassingAWall) {
     Game game(box_with_player(5, 5, 0));
     Body body = body_of(game.map, game.player());
@@ -337,6 +346,7 @@ Dearest dearest_walk(const Map& map, double speed) {
     return most;
 }
 
+// hard case T15
 TEST(WalkCost, WhereManyRoomsMeetFollowsTheRoomsOnceEach) {
     constexpr std::size_t kParts = 120, kSectors = 4;
     const Map map = built(fan_of_scattered_sectors(kParts, kSectors));

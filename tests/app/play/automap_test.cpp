@@ -94,6 +94,7 @@ TEST_F(AutomapOfTwoRooms, LooksUpWithThePlayer) {
     EXPECT_GT(std::count(frame_.pixels.begin(), middle, kWall), std::count(middle, frame_.pixels.end(), kWall));
 }
 
+// hard case I10
 TEST(AutomapOfALinkedRoom, LaysTheRoomOutBehindItsDoor) {
     // The east wall of "main" leads into "far", 100 m away: on the map it lies right behind that wall.
     MapFile file = test::map_of({test::box_room("main", 0, 0, 4, 4), test::box_room("far", 104, 0, 108, 4)});

@@ -8,6 +8,7 @@
 #include "render/reference/reference_renderer.h"
 #include "space/trace.h"
 #include "support/count_allocations.h"
+#include "support/trials.h"
 
 namespace enfilade::test {
 namespace {
@@ -80,6 +81,7 @@ void Comparer::compare(const View& view, int width, int height, ColumnComparison
     reset(facts_b, width, height);
     columns_.render(a, &facts_a, world_.snapshot, view);
     render_reference(b, &facts_b, world_.map, world_.textures, world_.snapshot, view, {.lights = &lights_});
+    count_trials(a.pixels.size(), "pixels");
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         sum.not_once += facts_a.writes[i] != 1;
         sum.ambiguous += facts_b.ambiguous[i];

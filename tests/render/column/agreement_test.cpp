@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "render/column/agreement.h"
 #include "render/column/column_renderer.h"
 #include "space/trace.h"
 #include "support/furnish.h"
+#include "support/trials.h"
 
 namespace enfilade {
 namespace {
@@ -17,6 +19,7 @@ using namespace test;
 
 TEST(ColumnRenderer, AgreesWithTheReferenceInAPalace) { expect_agreement(TexturedMap(palace()), 1, 400); }
 
+// hard case W3
 TEST(ColumnRenderer, AgreesWithTheReferenceWhereStepsAreOpen) {
     MapFile file = palace();
     for (SectorRecord& s : file.sectors)
@@ -245,6 +248,7 @@ TEST(ColumnRenderer, DrawsTheSameBitsWhereLampsReachNothingInView) {
     }
 }
 
+// hard case I8
 TEST(ColumnRenderer, DrawsStripsThatEqualTheWholePicture) {
     expect_strips_equal_the_whole(TexturedMap(palace()), 5, 40);
 }
@@ -252,7 +256,8 @@ TEST(ColumnRenderer, DrawsStripsThatEqualTheWholePicture) {
 TEST(ColumnRenderer, AllocatesNothingOnceItHasDrawnTheView) { expect_no_allocations(TexturedMap(palace()), 7, 20); }
 
 // Every pixel of a frame belongs to one chain of viewports: the eye's own, then one more for each portal looked
-// through. So windows only ever shrink, and no two chains share a pixel (NUMERICS I3).
+// through. So windows only ever shrink, and no two chains share a pixel.
+// hard case I3
 TEST(ColumnRenderer, SeesEachPixelThroughOneChainOfEverDeeperViewports) {
     const TexturedMap world(palace());
     Random random(8);
@@ -274,15 +279,19 @@ TEST(ColumnRenderer, SeesEachPixelThroughOneChainOfEverDeeperViewports) {
     }
 }
 
-// Behind a portal everything is farther than the portal (NUMERICS I5); 2^-40 is what rounding may take from that.
+// Behind a portal everything is farther than the portal; 2^-40 is what rounding may take from that.
+// hard case I5
 TEST(ColumnRenderer, NeverMovesABoundaryNearerAlongAChain) {
     const TexturedMap world(palace());
     Random random(9);
     ColumnRenderer renderer(world.map, world.textures);
     Frame frame;
     frame.resize(96, 60);
+    FrameFacts facts;
+    reset(facts, 96, 60);
+    count_trials(100 * 96 * 60, "pixels");
     for (int trial = 0; trial < 100; ++trial) {
-        renderer.render(frame, nullptr, world.snapshot, random_view(world.map, random));
+        renderer.render(frame, &facts, world.snapshot, random_view(world.map, random));
         std::vector<double> boundary(96 * 60, std::numeric_limits<double>::infinity());
         std::vector<ViewportOutline> viewports = renderer.viewports();
         std::stable_sort(viewports.begin(), viewports.end(), [](auto& a, auto& b) { return a.depth < b.depth; });
@@ -292,6 +301,10 @@ TEST(ColumnRenderer, NeverMovesABoundaryNearerAlongAChain) {
                     ASSERT_LE(v.boundary[x - v.begin], boundary[y * 96 + x] * (1 + 0x1p-40));
                     boundary[y * 96 + x] = v.boundary[x - v.begin];
                 }
+        for (std::size_t i = 0; i < boundary.size(); ++i)
+            if (facts.ids[i] != kRecursionEnd && std::isfinite(boundary[i])) {
+                ASSERT_LE(1 / facts.depths[i], boundary[i] * (1 + 0x1p-40));
+            }
     }
 }
 

@@ -30,6 +30,7 @@ void fill_wall(std::vector<std::uint32_t>& pixels, int first, int end, const Tex
         {{pixels.data(), 0, 1, &first, &end}, &texture, &first_texel, &v_at_row_0, &v_per_row, &shade, nullptr});
 }
 
+// hard cases R29, W12
 TEST(FillWall, ShowsTheTexelOfEachRowForAnyTextureHeight) {
     for (std::uint32_t height : {1u, 3u, 5u, 72u, 127u, 128u, 129u}) {
         const Texture texture = numbered(1, height);

@@ -78,6 +78,7 @@ TEST(PanelColumns, AgreeWithTheReferenceThroughLinksAndInMirrors) {
 }
 
 // A ray that leaves the room and comes back must not meet the panels of the first arm again: glass would be darker.
+// hard case R24
 TEST(PanelColumns, AgreeWithTheReferenceInARoomThatSeesItself) {
     MapFile file = map_of({room("horseshoe", {{0, 0}, {9, 0}, {9, 6}, {6, 6}, {6, 3}, {3, 3}, {3, 6}, {0, 6}}),
                            box_room("between", 3, 3, 6, 6, 0.25, 1.75)});
@@ -111,6 +112,7 @@ View view_from(const Map& map, Vec2 eye, double yaw_degrees, double eye_z) {
     return view;
 }
 
+// hard case R27
 TEST(PanelColumns, AgreeWhereTheEyeIsInAPanelsPlane) {
     const TexturedMap world = world_of(panelled_hall());
     for (const Panel& panel : world.map.panels)
@@ -196,6 +198,7 @@ TEST(PanelColumns, ShowAThingThatStandsInAPanelsPlaneBeforeIt) {
     EXPECT_EQ(seen_at(world, view_from(world.map, {7, 4}, 180, 1), 32, 32), thing_id(world.map, ThingId(0u)));
 }
 
+// hard case I8
 TEST(PanelColumns, DrawStripsThatEqualTheWholePicture) {
     expect_strips_equal_the_whole(world_of(furnished_palace(30)), 5, 20);
 }

@@ -75,6 +75,7 @@ void expect_same_bits(const Bench& bench, const Draw& draw, int trial) {
     }
 }
 
+// hard cases D5, I13
 TEST(PlainKernels, DrawWallsAsTheScalarOnesDo) {
     Random random(1);
     for (int trial = 0; trial < 4000; ++trial) {
@@ -104,6 +105,7 @@ TEST(PlainKernels, DrawWallsAsTheScalarOnesDo) {
     }
 }
 
+// hard cases D5, I13
 TEST(PlainKernels, DrawFlatsAsTheScalarOnesDo) {
     Random random(2);
     for (int trial = 0; trial < 4000; ++trial) {
@@ -135,6 +137,7 @@ TEST(PlainKernels, DrawFlatsAsTheScalarOnesDo) {
     }
 }
 
+// hard case D5
 TEST(PlainKernels, DrawSkiesAsTheScalarOneDoes) {
     Random random(4);
     for (int trial = 0; trial < 4000; ++trial) {

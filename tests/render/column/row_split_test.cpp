@@ -50,6 +50,7 @@ TEST(FirstRowBelow, IsTheRowTheDefinitionNames) {
     }
 }
 
+// hard case R13
 TEST(FirstRowBelow, GivesRowCentresOnTheEdgeToTheSurfaceBelowIt) {
     const RayTables screen =
         screen_of(320, 200);  // focal_y 160, horizon 100: the centre of row 19 is 80.5 rows above it
@@ -64,6 +65,7 @@ TEST(FirstRowBelow, PutsAnEyeInTheWallsPlaneBetweenItsHeights) {
     EXPECT_EQ(first_row_below(screen, 0.0, 0, 10, 190), 100);  // at the very height: from the horizon on
 }
 
+// hard case R7
 TEST(FirstRowBelow, DividesTheRowsOfAnEyeAtAHeightOfTheWallItStandsInAtTheHorizon) {
     const RayTables screen = screen_of(320, 200);
     EXPECT_EQ(first_row_below(screen, 0.0, 0, 10, 190), 100);
@@ -86,6 +88,7 @@ TEST(SplitRows, CoversTheOpenRowsInOrderForAnyHeights) {
     }
 }
 
+// hard case R18
 TEST(SplitRows, GivesAClosedDoorNoOpening) {
     const RayTables screen = screen_of(320, 200);
     const RelativeHeights here{-1.5, 1.5}, door{-1.5, -1.5};

@@ -9,6 +9,7 @@
 #include "base/hash.h"
 #include "math/predicates.h"
 #include "support/count_allocations.h"
+#include "support/trials.h"
 
 namespace enfilade::column {
 namespace {
@@ -48,6 +49,7 @@ Pose pose_at(Vec2 eye, Angle yaw) {
 std::vector<int> coverage(const Map& map, const Pose& pose, const RayTables& screen) {
     std::vector<ProjectedWall> walls;
     project(map, SectorId(0u), pose, screen, walls);
+    test::count_trials(static_cast<std::uint64_t>(screen.width), "columns");
     std::vector<int> count(static_cast<std::size_t>(screen.width));
     for (const ProjectedWall& wall : walls)
         for (int x = wall.begin; x < wall.end; ++x) ++count[static_cast<std::size_t>(x)];
@@ -69,8 +71,9 @@ std::vector<Vec2> ring(int half, int step) {
 }
 
 // Width 1920 and fov 90 make the focal length 960, so a vertex 1920 ahead and an odd number aside falls on a pixel
-// centre (NUMERICS R2). Every column of every straight look has one: 1920 x 536 / 2 of the looks are straight, half a
+// centre. Every column of every straight look has one: 1920 x 536 / 2 of the looks are straight, half a
 // million ties.
+// hard cases R2, I4
 TEST(Project, MeetsAtEveryVertexThatFallsOnAPixelCentre) {
     const Map map = room(ring(1920, 1));
     const RayTables screen = screen_of(1920);
@@ -81,6 +84,7 @@ TEST(Project, MeetsAtEveryVertexThatFallsOnAPixelCentre) {
     }
 }
 
+// hard cases R1, I4
 TEST(Project, CoversEachColumnOnceFromRandomPlacesInAConvexRoom) {
     const Map map = room({{-7, -5}, {3, -6}, {9, 0}, {4, 8}, {-6, 6}});
     Random random(11);
@@ -92,6 +96,7 @@ TEST(Project, CoversEachColumnOnceFromRandomPlacesInAConvexRoom) {
     }
 }
 
+// hard case I4
 TEST(Project, CoversEachColumnOnceFromWallsAndVertices) {
     const std::vector<Vec2> outline{{-4, -4}, {0, -4}, {4, -4}, {4, 4}, {-2, 4}, {-4, 2}};
     const Map map = room(outline);
@@ -109,8 +114,9 @@ TEST(Project, CoversEachColumnOnceFromWallsAndVertices) {
                 }
 }
 
+// hard case R9
 TEST(Hit, NeverLeavesTheWallHoweverGrazingTheLook) {
-    // A wall 4096 m long seen at 1e-6 rad, far to one side of a narrow room (NUMERICS R9).
+    // A wall 4096 m long seen at 1e-6 rad, far to one side of a narrow room.
     const Map map = room({{-1, -1}, {4096, -0.0078125}, {4096, 1}, {-1, 1}});
     const RayTables screen = screen_of(7680);
     std::vector<ProjectedWall> walls;
@@ -137,6 +143,7 @@ TEST(Hit, FindsDepthAndPlaceOnALevelWall) {
     EXPECT_DOUBLE_EQ(inverse_depth(*ahead, screen.slopes[1]), 1.0 / 3);
 }
 
+// hard case R21
 TEST(IsNearer, TellsWallsApartThatShareAVertex) {
     // Seen from the left: the wall from the vertex towards the eye is nearer than the one that leads away.
     Wall towards, away;
@@ -145,6 +152,7 @@ TEST(IsNearer, TellsWallsApartThatShareAVertex) {
     EXPECT_TRUE(is_nearer(away, towards) != is_nearer(towards, away));
 }
 
+// hard case R27
 TEST(IsBeyond, LeavesTheEntrysOwnPlaneToTheRoomBefore) {
     Wall entry, coplanar, beyond, before;
     entry.a = {0, 2}, entry.b = {0, -2};  // entered looking along +x: the sector lies on its right, at x > 0

@@ -32,6 +32,7 @@ TEST(CutIntoStrips, MakesOneWhereThePictureIsNarrowOrNobodyShares) {
     EXPECT_THAT(strips_of(1280, 5, 1), ElementsAre(ColumnRange{0, 1280}));
 }
 
+// hard case D5
 TEST(CutIntoStrips, CoversEveryPictureOnceWithNoMoreThanAskedFor) {
     for (int width = 1; width <= 200; ++width)
         for (int first_line = 0; first_line < kLinePixels; ++first_line)
@@ -49,6 +50,7 @@ TEST(CutIntoStrips, CoversEveryPictureOnceWithNoMoreThanAskedFor) {
             }
 }
 
+// hard cases D5, I13
 TEST(ColumnStrips, DrawTheSamePictureOnAnyNumberOfThreads) {
     const TexturedMap world(palace());
     Random random(6);

@@ -102,6 +102,7 @@ TEST_P(ThingColumnsAgree, BehindFences) {
     expect_agreement(world, 12, 100);
 }
 
+// hard case R28
 TEST_P(ThingColumnsAgree, ThroughLinksAndInMirrors) {
     MapFile file = map_of({box_room("a", 0, 0, 5, 5, 0, 3), box_room("b", 20, 0, 26, 5, 1, 4),
                            room("c", {{40, 0}, {44, 3}, {41, 7}, {37, 4}}, -1, 2)});
@@ -150,6 +151,7 @@ TEST(ThingColumns, EndWithTheLastRowOfTheirPicture) {
     }
 }
 
+// hard case I8
 TEST(ThingColumns, DrawStripsThatEqualTheWholePicture) {
     expect_strips_equal_the_whole(world_with_things(fenced_palace(), 60, 5), 5, 20);
 }

@@ -59,6 +59,7 @@ TEST(LookThroughPixel, FindsWhatTheWholePictureShowsThere) {
 
 class LinkedPortal : public testing::TestWithParam<int> {};
 
+// hard case I10
 TEST_P(LinkedPortal, ShowsARoomThatWasMovedAwayAsIfItWereBehindTheDoor) {
     const Rooms near(side_by_side(0.5)), apart(far_apart(GetParam(), {100, -50}, 0.5, 0));
     for (double yaw : {140.0, 180.0, 193.0, 250.0}) {
@@ -73,6 +74,7 @@ TEST_P(LinkedPortal, ShowsARoomThatWasRaisedAsIfItWereNot) {
     expect_same_ids_and_depths(near.look(view), apart.look(view));
 }
 
+// hard case R4
 TEST_P(LinkedPortal, IsLookedThroughFromItsVeryLine) {
     const Rooms near(side_by_side(0.5)), apart(far_apart(GetParam(), {100, -50}, 0.5, 0));
     for (double yaw : {140.0, 180.0, 193.0, 250.0}) {
@@ -108,6 +110,7 @@ TEST_F(Mirror, ShowsTheWallBehindTheEyeStraightAhead) {
     EXPECT_EQ(mirrored_.look(view).id(32, 24), wall_id(mirrored_.map, behind, WallPart::middle));
 }
 
+// hard case R28
 TEST_F(Mirror, SwapsLeftAndRightOfWhatItShows) {
     const View view = look_from(mirrored_.map, {1.3, 1.7}, 1.4, 180);
     const Picture picture = mirrored_.look(view);
@@ -117,6 +120,7 @@ TEST_F(Mirror, SwapsLeftAndRightOfWhatItShows) {
     EXPECT_NEAR(picture.texel(32, 24).u, 1.7 - slope * depth - 1, 1e-6);  // a float's precision
 }
 
+// hard case R4
 TEST_F(Mirror, IsLookedIntoFromItsVeryPlane) {
     const View view = look_from(mirrored_.map, {0, 1.7}, 1.4, 200);
     const Picture in_mirror = mirrored_.look(view), in_room = doubled_.look(view);
@@ -125,6 +129,7 @@ TEST_F(Mirror, IsLookedIntoFromItsVeryPlane) {
 }
 
 /// Two mirrors that face each other.
+// hard case R23
 TEST(ChainOfLinks, EndsInTheRecursionColorAtTheLargestDepth) {
     MapFile file = map_of({box_room("room", 0, 0, 4, 4, 0, 3)});
     wall(file, "room", {4, 0}, {4, 4}).mirror = true;

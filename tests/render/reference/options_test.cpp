@@ -21,6 +21,7 @@ protected:
     const Picture plain_ = rooms_.look(view_, 48, 32);
 };
 
+// hard case I13
 TEST_F(ReferenceOptionsTest, ThreadsDoNotChangeThePicture) {
     EXPECT_EQ(rooms_.look(view_, 48, 32, {1, 3}).frame.pixels, plain_.frame.pixels);
     EXPECT_EQ(rooms_.look(view_, 48, 32, {2, 1}).frame.pixels, rooms_.look(view_, 48, 32, {2, 3}).frame.pixels);

@@ -86,6 +86,7 @@ TEST_F(Doorway, StandsTheLowerStepOnItsTopEdgeAndHangsTheUpperFromTheOpening) {
     }
 }
 
+// hard case W3
 TEST_F(Doorway, SeesTheCeilingBeyondOverAnOpenStepAsIfItWentOn) {
     MapFile file = two_rooms(0, 2);
     wall(file, "near", {4, 0}, {4, 4}).upper = spec("-");
@@ -98,6 +99,7 @@ TEST_F(Doorway, SeesTheCeilingBeyondOverAnOpenStepAsIfItWentOn) {
     }
 }
 
+// hard case W3
 TEST_F(Doorway, SeesTheFloorBeyondUnderAnOpenStepAsIfItWentOn) {
     MapFile file = two_rooms(1, 3);
     wall(file, "near", {4, 0}, {4, 4}).lower = spec("-");
@@ -110,6 +112,7 @@ TEST_F(Doorway, SeesTheFloorBeyondUnderAnOpenStepAsIfItWentOn) {
     }
 }
 
+// hard case W4
 TEST_F(Doorway, ShowsNoStepBetweenTwoSkies) {
     MapFile file = two_rooms(0, 2);
     for (SectorRecord& s : file.sectors) s.ceiling.parallax = true;
@@ -122,6 +125,7 @@ TEST_F(Doorway, ShowsNoStepBetweenTwoSkies) {
     }
 }
 
+// hard case W4
 TEST_F(Doorway, ShowsTheStepBetweenASkyAndACeiling) {
     MapFile file = two_rooms(0, 2);
     file.sectors[0].ceiling.parallax = true;
@@ -135,6 +139,7 @@ TEST_F(Doorway, ShowsTheStepBetweenASkyAndACeiling) {
     }
 }
 
+// hard case R18
 TEST_F(Doorway, ShowsAClosedDoorAsItsTwoSteps) {
     const Rooms rooms(two_rooms(1, 1));
     const Picture picture = look(rooms);
@@ -145,6 +150,7 @@ TEST_F(Doorway, ShowsAClosedDoorAsItsTwoSteps) {
     }
 }
 
+// hard case R18
 TEST_F(Doorway, SeesNothingOfARoomWithoutHeightFromInsideButItsFlats) {
     const Rooms rooms(two_rooms(1, 1));
     const Picture picture = rooms.look(look_from(rooms.map, {6, 2.015625}, 1, 0), kWidth, kHeight);
@@ -199,15 +205,18 @@ protected:
     }
 };
 
+// hard case R20
 TEST_F(InvisibleLine, ChangesNothingSeenFromAfar) {
     for (int yaw = 0; yaw < 360; yaw += 15) expect_same_picture({1.28, 2.17}, 1.61, yaw, 64);
 }
 
+// hard case R20
 TEST_F(InvisibleLine, ChangesNothingSeenFromTheLineItself) {
     const Vec2 on_line = (Vec2{4, 0} + kCross) * 0.5;
     for (int yaw = 0; yaw < 360; yaw += 15) expect_same_picture(on_line, 1.61, yaw, 65);
 }
 
+// hard case R20
 TEST_F(InvisibleLine, ChangesNothingSeenFromAVertexWhereFourRoomsMeet) {
     for (int yaw = 0; yaw < 360; yaw += 15) expect_same_picture(kCross, 1.61, yaw, 65);
 }

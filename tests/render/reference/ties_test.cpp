@@ -34,18 +34,21 @@ protected:
     }
 };
 
+// hard case R7
 TEST_P(EyeOnALine, SeesOnlyFloorBelowTheHorizonWhenItLiesOnTheFloor) {
     const Picture picture = look(0);
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) ASSERT_EQ(is_floor(picture.id(x, y)), y > kHorizon) << x << ", " << y;
 }
 
+// hard case R7
 TEST_P(EyeOnALine, SeesOnlyCeilingFromTheHorizonUpWhenItTouchesTheCeiling) {
     const Picture picture = look(2);
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) ASSERT_EQ(is_ceiling(picture.id(x, y)), y <= kHorizon) << x << ", " << y;
 }
 
+// hard case R7
 TEST_P(EyeOnALine, SeesNoPixelOfNothing) {
     for (double eye_z : {0.0, 1.0, 2.0})
         for (PixelSurface id : look(eye_z).facts.ids) ASSERT_NE(id, kNothing);
@@ -80,6 +83,7 @@ TEST(RayThroughVertices, IsCalledAmbiguous) {
     EXPECT_EQ(picture.facts.ambiguous[picture.at(47, 24)], 0);
 }
 
+// hard case R8
 TEST(WallSeenOnEdge, CoversNoColumn) {
     // Rooms in the shape of an L; of the wall from x = 4 to 8 at y = 2, an eye at (2, 2) sees the edge.
     const Rooms above(map_of({room("L", {{0, 0}, {8, 0}, {8, 2}, {4, 2}, {4, 4}, {0, 4}})}));

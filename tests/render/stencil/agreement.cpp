@@ -10,6 +10,7 @@
 
 #include "render/column/column_renderer.h"
 #include "render/reference/reference_renderer.h"
+#include "support/trials.h"
 
 namespace enfilade::test {
 namespace {
@@ -221,6 +222,7 @@ Agreement Sight::compare(const View& view, PictureSize size) {
     const StencilPicture shown = by_stencil(view, size), truth = truth_of(view, size);
     Agreement result;
     result.pixels = truth.frame.pixels.size();
+    count_trials(result.pixels, "pixels");
     for (std::size_t i = 0; i < truth.frame.pixels.size(); ++i) {
         const int x = int(i) % size.width, y = int(i) / size.width;
         const PixelSurface id = truth.facts.ids[i];

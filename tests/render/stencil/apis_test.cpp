@@ -46,6 +46,7 @@ TEST(StencilRenderer, DrawsOnAnyThread) {
     EXPECT_EQ(here.frame.pixels, there.frame.pixels);
 }
 
+// hard case G12
 TEST(StencilRenderer, ChangesItsSize) {
     const Hall hall;
     Sight sight(hall.map, hall.textures);
@@ -54,6 +55,7 @@ TEST(StencilRenderer, ChangesItsSize) {
     EXPECT_EQ(sight.by_stencil(hall.view, kSize).frame.pixels, first.frame.pixels);
 }
 
+// hard cases R12, G12
 TEST(StencilRenderer, DrawsASinglePixel) {
     const Hall hall;
     expect_agreement(Sight(hall.map, hall.textures).compare(hall.view, {1, 1}));

@@ -54,6 +54,7 @@ void expect_three_agree(const std::string& name, const Map& map, const TextureSe
 
 class StencilMap : public testing::TestWithParam<std::string> {};
 
+// hard cases G14, I2
 TEST_P(StencilMap, LooksTheSameInAllThreeRenderers) {
     const LoadedMap loaded = load_map(ENFILADE_SOURCE_DIR "/maps/" + GetParam() + ".toml", {}, read_file);
     ASSERT_TRUE(loaded.map);
@@ -70,6 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Maps, StencilMap, testing::ValuesIn(authored_maps()), n
 
 class StencilScene : public testing::TestWithParam<NamedScene> {};
 
+// hard cases W3, G7, G8, G14, I1
 TEST_P(StencilScene, LooksTheSameInAllThreeRenderers) {
     const MapFile file = GetParam().file();
     expect_three_agree(GetParam().name, built(file), textures_for(file));

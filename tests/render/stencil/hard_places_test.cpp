@@ -62,17 +62,25 @@ void expect_agreement_at_portals(const NamedScene& scene, const std::vector<Plac
 
 class StencilHardPlace : public testing::TestWithParam<NamedScene> {};
 
+// hard cases R4, G3
 TEST_P(StencilHardPlace, OnAPortalsLine) { expect_agreement_at_portals(GetParam(), {{0.5, 0}}); }
+// hard cases R3, G3, G5
 TEST_P(StencilHardPlace, OnAPortalsEnds) { expect_agreement_at_portals(GetParam(), {{0, 0}, {1, 0}}); }
+// hard case G2
 TEST_P(StencilHardPlace, AHairBeforeAPortalsEnd) { expect_agreement_at_portals(GetParam(), {{1, 0x1p-16}}); }
+// hard case G3
 TEST_P(StencilHardPlace, OneGridStepBeforeAPortal) { expect_agreement_at_portals(GetParam(), {{0.5, kPointGrid}}); }
+// hard cases R5, G2
 TEST_P(StencilHardPlace, AHairBeforeAPortal) { expect_agreement_at_portals(GetParam(), {{0.25, 0x1p-16}}); }
 
 /// In scenes with plain doorways: behind a link or a mirror is no room.
 class StencilPlaceBehind : public testing::TestWithParam<NamedScene> {};
 
+// hard case G5
 TEST_P(StencilPlaceBehind, APortalsEndAHair) { expect_agreement_at_portals(GetParam(), {{1, -0x1p-16}}); }
+// hard case G3
 TEST_P(StencilPlaceBehind, APortalOneGridStep) { expect_agreement_at_portals(GetParam(), {{0.5, -kPointGrid}}); }
+// hard case R5
 TEST_P(StencilPlaceBehind, APortalAHair) { expect_agreement_at_portals(GetParam(), {{0.25, -0x1p-16}}); }
 
 std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
@@ -85,6 +93,7 @@ const auto kWithDoorways =
 INSTANTIATE_TEST_SUITE_P(WithDoorways, StencilHardPlace, kWithDoorways, name_of_scene);
 INSTANTIATE_TEST_SUITE_P(WithDoorways, StencilPlaceBehind, kWithDoorways, name_of_scene);
 
+// hard case G6
 TEST(StencilVanishingLine, LeavesNoPixelOutBesideIt) {
     // In column 10 alone one sees a wall that vanishes a 30th of a pixel beside the column's middle.
     MapFile file = map_of({room("near",
@@ -120,6 +129,7 @@ MapFile corridor(int max_depth) {
     return file;
 }
 
+// hard case R24
 TEST(StencilCorridor, ShowsSixtyFourLevels) {
     Place place(corridor(64));
     const View view = look_from(place.map, {1, 1.25}, 1.5, 1);
@@ -127,6 +137,7 @@ TEST(StencilCorridor, ShowsSixtyFourLevels) {
     EXPECT_EQ(place.sight.counts().deepest, 64);
 }
 
+// hard case R23
 TEST(StencilCorridor, EndsInTheRecursionColourWhereItIsCut) {
     Place place(corridor(3));
     const StencilPicture picture = place.sight.by_stencil(look_from(place.map, {1, 1.25}, 1.5, 0), {96, 60});
@@ -146,6 +157,7 @@ Texture bar() {
 
 /// A corridor of 3 cm, across which hangs a bar: so a thousand levels fill much of the picture. The stencil buffer
 /// holds 255 of them, and whatever hangs in a level is drawn on the way back from those behind it.
+// hard cases G1, G11
 TEST(StencilCorridor, ShowsMoreLevelsThanTheStencilBufferHolds) {
     constexpr double kLength = 1.0 / 32;
     MapFile file = map_of({box_room("hall", 0, 0, kLength, 4, 0, 3)});
@@ -160,6 +172,7 @@ TEST(StencilCorridor, ShowsMoreLevelsThanTheStencilBufferHolds) {
     EXPECT_EQ(sight.counts().deepest, 1024);
 }
 
+// hard case G1
 TEST(StencilCorridor, EndsBeyondTheLevelsOfTheStencilBufferToo) {
     Place place(corridor(300));
     const View view = look_from(place.map, {1, 1.25}, 1.5, 0);
@@ -169,6 +182,7 @@ TEST(StencilCorridor, EndsBeyondTheLevelsOfTheStencilBufferToo) {
     EXPECT_GT(std::count(picture.facts.ids.begin(), picture.facts.ids.end(), kRecursionEnd), 0);
 }
 
+// hard case G1
 TEST(StencilCorridor, ComesBackToAHigherLevelAfterADeepOne) {
     Place place(corridor(600));
     const View view = look_from(place.map, {1, 1.25}, 1.5, 0);
@@ -189,6 +203,7 @@ TEST(StencilCorridor, CostsNoMoreOnceLevelsAreBelowAPixel) {
 
 /// Two pillars whose faces are doors into each other, and the room goes on behind them: at every level something has
 /// been drawn where the next door is to be marked.
+// hard cases R23, G7
 TEST(StencilDoors, ThatFaceEachOtherBeforeAFarWallRepeatTheRoom) {
     MapFile file = map_of({box_room("hall", 0, 0, 12, 6, 0, 3)});
     cut_pillar(file.sectors[0], 2, 2, 3, 4);
@@ -200,6 +215,7 @@ TEST(StencilDoors, ThatFaceEachOtherBeforeAFarWallRepeatTheRoom) {
 }
 
 /// Four links in view, each of them leading to four more.
+// hard case R24
 TEST(StencilCrossing, IsDrawnOnceForEachViewportAndNotFourToTheSixteenth) {
     MapFile file = map_of({box_room("crossing", 0, 0, 8, 8, 0, 3)});
     link(file, "crossing", {8, 0}, {8, 8}, "crossing", {0, 8}, {0, 0});
@@ -216,6 +232,7 @@ TEST(StencilCrossing, IsDrawnOnceForEachViewportAndNotFourToTheSixteenth) {
     EXPECT_LE(double(place.sight.counts().layers), 1.05 * double(column.counts().viewports));
 }
 
+// hard cases R28, G8
 TEST(StencilMirrors, FacingEachOtherRepeatTheRoom) {
     MapFile file = map_of({box_room("hall", 0, 0, 4, 6, 0, 3)});
     wall(file, "hall", {4, 0}, {4, 6}).mirror = true;
@@ -228,6 +245,7 @@ TEST(StencilMirrors, FacingEachOtherRepeatTheRoom) {
 
 /// A row of pixels goes so near the foot of the mirror that the graphics card decides on which side it is. It shows the
 /// floor of the room all the same, never what would be beyond.
+// hard case G5
 TEST(StencilMirrors, EndTheFloorWhereTheyStand) {
     Place place(mirrors());
     View view =

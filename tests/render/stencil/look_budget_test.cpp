@@ -89,6 +89,7 @@ void expect_all_cut_short_alike(Place& place) {
     EXPECT_EQ(different_surfaces(stencil, reference), 0u);
 }
 
+// hard case R23
 TEST(LookBudget, EndsLooksThroughLinksInAllRenderersAlike) {
     Place place = hall(500, 1024);
     expect_all_cut_short_alike(place);

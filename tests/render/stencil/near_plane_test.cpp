@@ -60,11 +60,13 @@ TEST(ObliqueNearPlane, LosesLittleToASlant) {
         EXPECT_LE(oblique_step(1, slant, 10), 1.42 * oblique_step(1, 0, 10)) << slant;
 }
 
+// hard case G4
 TEST(ObliqueNearPlane, LosesDepthInProportionToTheDistanceOfThePortal) {
     EXPECT_NEAR(oblique_step(0x1p-4, 0, 100) / oblique_step(1, 0, 100), 16, 0.1);
     EXPECT_NEAR(oblique_step(0x1p-8, 0, 100) / oblique_step(1, 0, 100), 256, 1);
 }
 
+// hard case G4
 TEST(ObliqueNearPlane, PutsAllOfAHallAtOneDepthForAnEyeAHairBeforeThePortal) {
     EXPECT_NEAR(oblique_step(0x1p-10, 0, 100), 0.61, 0.01);
     EXPECT_NEAR(oblique_step(0x1p-16, 0, 10), 0.41, 0.01);

@@ -65,6 +65,7 @@ MapFile panelled_hall() {
     return file;
 }
 
+// hard case R27
 TEST(StencilPanel, LooksAsInTheColumnRendererToAnEyeInItsPlane) {
     const Furnished world(panelled_hall());
     Sight sight(world.map, world.textures);
@@ -90,6 +91,7 @@ MapFile hall_below_platform() {
 
 constexpr Vec2 kAroundTheLine[] = {{2, 2}, {3.875, 1.5}, {4, 2}, {4.25, 4.5}, {6, 1}, {2, 6.5}, {4, 7.5}};
 
+// hard case G11
 TEST(StencilPanel, InADoorwayIsHiddenByTheFloorBeforeIt) {
     const Furnished world(hall_below_platform());
     Sight sight(world.map, world.textures);

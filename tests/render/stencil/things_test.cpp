@@ -69,6 +69,7 @@ TEST_P(StencilThings, LookAsInTheColumnRenderer) {
     }
 }
 
+// hard case G11
 TEST_P(StencilThings, AreSeenThroughPanes) {
     MapFile file = GetParam().file();
     for (SectorRecord& sector : file.sectors)

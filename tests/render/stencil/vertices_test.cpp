@@ -120,6 +120,7 @@ View tilted(View view, Random& random) {
 
 class StencilVertices : public testing::TestWithParam<std::pair<double, int>> {};
 
+// hard cases R6, G9
 TEST_P(StencilVertices, OfRandomMapsAreDrawnAsByAllRenderers) {
     const auto [size, links] = GetParam();
     Random random(7);
@@ -142,6 +143,7 @@ TEST_P(StencilVertices, OfRandomMapsAreDrawnAsByAllRenderers) {
     if (kIsLong) std::printf("stencil and column: %s\n", describe(sum).c_str());
 }
 
+// hard case R6
 TEST_P(StencilVertices, OfRandomMapsAreDrawnTiltedAsByTheReference) {
     const auto [size, links] = GetParam();
     Random random(8);
@@ -186,6 +188,7 @@ Agreement tilted_all_around(const MapFile& file, Vec2 eye, double eye_z, double 
 }
 
 /// Two outlines of one sector touch in the eye's place: whole walls of both pass through it.
+// hard case R6
 TEST(TiltedStencilVertex, IsDrawnRightWhereTwoOutlinesTouchAtTheEye) {
     const Vec2 pinch{-44.4921875, 90.408203125};
     SectorRecord a = room(
@@ -196,6 +199,7 @@ TEST(TiltedStencilVertex, IsDrawnRightWhereTwoOutlinesTouchAtTheEye) {
 }
 
 /// Two rooms whose floors are one level, ten kilometres wide, the eye on that level or above it.
+// hard case G10
 TEST(TiltedStencilVertex, IsDrawnRightAtTenKilometres) {
     const Vec2 p{16080.662109375, 13901.3623046875}, q{20820.4208984375, 17521.419921875};
     MapFile file = map_of({room("a", {p, {25506.8154296875, 21100.7197265625}, q}, 0, 5000),
@@ -215,6 +219,7 @@ TEST(TiltedStencilVertex, IsDrawnRightAtTenKilometres) {
 }
 
 /// On the end of a turned link: behind it the eye is rounded onto the other side of a wall.
+// hard case G9
 TEST(TiltedStencilVertex, IsDrawnRightOnTheEndOfATurnedLink) {
     const Vec2 end{-10.3779296875, 10};
     MapFile file = map_of({room("near", {{-11.322265625, 13.4677734375}, end, {-8.7783203125, 10}}, 0, 0.008),
@@ -230,6 +235,7 @@ TEST(TiltedStencilVertex, IsDrawnRightOnTheEndOfATurnedLink) {
 
 /// On the end of a turned link: behind it the eye is rounded past a wall, and rays miss the room but for another
 /// outline of it, before which another sector is in their way.
+// hard case G9
 TEST(TiltedStencilVertex, IsDrawnRightWhereARayMissesTheRoomButForItsOtherOutline) {
     const Vec2 end{256, -1.818359375}, to{260.7578125, -2.390625}, far_a{7.8369140625, -0.1259765625},
         far_b{12.6171875, -0.4599609375};

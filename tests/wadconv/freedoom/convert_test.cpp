@@ -35,6 +35,7 @@ void print_row(const Report& r) {
         r.count(Fate::repaired), r.count(Fate::guessed), r.count(Fate::dropped));
 }
 
+// hard case W14
 TEST_P(FreeDoom, ConvertsEveryMapSoThatItPassesTheCheck) {
     EXPECT_EQ(wad_->maps.size(), GetParam().maps);
     const TextureSet sizes = wad_->pictures.sizes();
@@ -82,6 +83,7 @@ TEST_P(FreeDoom, GivesEverySectorTheAreaOfItsParts) {
     }
 }
 
+// hard case W15
 TEST_P(FreeDoom, KeepsEveryVertexExactly) {
     for (const DoomMap& map : wad_->maps) {
         const Conversion conversion = convert_map(map, wad_->pictures, wad_->sounds, {});

@@ -124,6 +124,7 @@ protected:
     std::map<int, Row> rows_;
 };
 
+// hard case W13
 TEST_P(FreeDoomLines, MoveWhatDoomMovesAndAsFar) {
     if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
     const ReadWad wad(GetParam());

@@ -42,6 +42,7 @@ World with_keys_before_a_trigger(const Map& map, std::uint64_t seed) {
 
 class FreeDoomMoves : public ::testing::TestWithParam<LevelsOfWad> {};
 
+// hard cases C21, W14, I11
 TEST_P(FreeDoomMoves, AndNobodyIsEverInWhatIsSolid) {
     if (is_missing(GetParam().wad)) GTEST_SKIP() << kMissing;
     const ConvertedWad converted(GetParam().wad, Doors::as_they_are, GetParam().levels);

@@ -48,6 +48,7 @@ Agreement compare_map(const std::string& name, const LoadedMap& loaded, std::uin
     return agreement;
 }
 
+// hard cases W14, G14, I2
 TEST_P(FreeDoomTriangles, AreRightInEveryMapAndMakeTilesAndPictures) {
     if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
     const ConvertedWad wad(GetParam(), Doors::open);

@@ -29,6 +29,7 @@ Comparison compare_map(const std::string& name, const LoadedMap& loaded) {
     return sum;
 }
 
+// hard cases W14, I1, I2
 TEST_P(FreeDoomViews, LookAsInTheReferenceInEveryMap) {
     if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
     const ConvertedWad wad(GetParam(), Doors::open);

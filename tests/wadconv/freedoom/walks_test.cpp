@@ -99,6 +99,7 @@ void walk(const std::string& name, const Map& map, Tally& total) {
     total += tally;
 }
 
+// hard case W14
 TEST_P(FreeDoomWalks, LeadThroughEveryMap) {
     if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
     const ConvertedWad wad(GetParam(), Doors::open);
