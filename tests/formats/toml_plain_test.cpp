@@ -5,60 +5,16 @@
 
 #include "base/files.h"
 #include "base/hash.h"
+#include "formats/both_parsers.h"
 #include "formats/toml_tree.h"
 
 namespace enfilade {
 namespace {
 
-/// Every value with its place, in the order of the text.
-void tell(TomlNode node, std::string& told) {
-    told += std::to_string(node.place().line) + ':' + std::to_string(node.place().column) + ' ';
-    switch (node.kind()) {
-        case TomlKind::table:
-            for (const TomlEntry& entry : node.entries()) {
-                told += std::string(entry.key) + '@' + std::to_string(entry.key_place.line) + ':' +
-                        std::to_string(entry.key_place.column) + ' ';
-                tell(entry.value, told);
-            }
-            break;
-        case TomlKind::array:
-            for (std::size_t i = 0; i < node.size(); ++i) tell(node.at(i), told);
-            break;
-        case TomlKind::string: told += '"' + std::string(node.text()) + '"'; break;
-        case TomlKind::boolean: told += node.boolean() ? "true" : "false"; break;
-        case TomlKind::integer: told += std::to_string(node.integer()); break;
-        case TomlKind::real: told += "real " + std::to_string(node.number()); break;
-        default: told += "?";
-    }
-    told += '\n';
-}
-
-std::string told(const std::optional<TomlTree>& tree) {
-    std::string all;
-    if (tree) tell(TomlAccess::look_at(tree->root), all);
-    return all;
-}
-
-constexpr TomlLimits kLimits{std::size_t{16} << 20, std::size_t{1} << 22};
-
-/// What both parsers make of a text that the guard lets pass.
-struct Parsed {
-    bool is_plain = false;
-    std::string plain, any;
-};
-
-Parsed parse_both(std::string_view text) {
-    Findings findings;
-    if (scan_toml(text, kLimits)) return {};
-    const auto plain = parse_plain_toml(text);
-    if (!plain) return {};
-    return {true, told(plain), told(parse_any_toml(text, findings))};
-}
-
 class PlainToml : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(PlainToml, IsReadAsTheLibraryReadsIt) {
-    const Parsed parsed = parse_both(GetParam());
+    const ParsedTwice parsed = parse_twice(GetParam());
     EXPECT_TRUE(parsed.is_plain);
     EXPECT_EQ(parsed.plain, parsed.any);
 }
@@ -97,7 +53,7 @@ TEST(PlainTomlFiles, AreTheProjectsOwnMaps) {
     for (const auto& file : std::filesystem::directory_iterator(ENFILADE_SOURCE_DIR "/maps")) {
         if (file.path().extension() != ".toml") continue;
         const auto bytes = read_file(file.path().string());
-        const Parsed parsed = parse_both(as_text(bytes.value()));
+        const ParsedTwice parsed = parse_twice(as_text(bytes.value()));
         plain += parsed.is_plain;
         EXPECT_EQ(parsed.plain, parsed.any) << file.path();
     }
@@ -127,7 +83,7 @@ TEST(PlainTomlSpoiled, IsAcceptedOnlyAsTheLibraryReadsIt) {
     int plain = 0;
     for (int i = 0; i < 40000; ++i) {
         const std::string text = spoiled(sound, random);
-        const Parsed parsed = parse_both(text);
+        const ParsedTwice parsed = parse_twice(text);
         plain += parsed.is_plain;
         ASSERT_EQ(parsed.plain, parsed.any) << text;
     }

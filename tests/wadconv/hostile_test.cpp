@@ -2,9 +2,8 @@
 #include <gmock/gmock.h>
 
 #include "base/hash.h"
-#include "map/load.h"
 #include "wadconv/convert.h"
-#include "wadconv/map_lumps.h"
+#include "wadconv/digest.h"
 #include "wadconv/wad_builder.h"
 
 namespace enfilade::wadconv {
@@ -21,58 +20,6 @@ WadBuilder whole_wad() {
     return wad;
 }
 
-/// What came of the bytes; the text of the first error where there is one.
-struct Outcome {
-    std::size_t pictures = 0, maps = 0;
-    std::string error;
-};
-
-void note(Outcome& outcome, const std::string& error) {
-    if (outcome.error.empty()) outcome.error = error;
-}
-
-void draw_all(const Pictures& pictures, Outcome& outcome) {
-    for (const PictureFile& file : pictures.files()) {
-        const Result<Picture> picture = file.draw();
-        if (!picture)
-            note(outcome, picture.error().text());
-        else
-            outcome.pictures += !to_png(picture.value(), pictures.palette()).empty();
-    }
-}
-
-void convert(const WadPile& pile, const std::string& name, const Pictures& pictures, const TextureSet& sizes,
-             Outcome& outcome) {
-    const Result<MapLumps> lumps = find_map(pile, name);
-    if (!lumps) return note(outcome, lumps.error().text());
-    const Result<DoomMap> doom = decode_map(lumps.value());
-    if (!doom) return note(outcome, doom.error().text());
-    const Conversion conversion = convert_map(doom.value(), pictures, Sounds::list(pile), {.open_doors = true});
-    if (!conversion.file) return note(outcome, conversion.report.refused);
-    EXPECT_TRUE(conversion.report.sides.is_complete());
-    Findings findings;
-    if (build_map(*conversion.file, sizes, findings))
-        ++outcome.maps;
-    else
-        note(outcome, "not sound");
-}
-
-/// Everything a run does but for writing files.
-Outcome digest(Bytes bytes) {
-    Outcome outcome;
-    Result<Wad> wad = Wad::read("x.wad", std::move(bytes));
-    if (!wad) return {0, 0, wad.error().text()};
-    std::vector<Wad> wads;
-    wads.push_back(std::move(wad).value());
-    const WadPile pile(std::move(wads));
-    const Result<Pictures> pictures = Pictures::list(pile, {"POSSA", "POSSB", "BAR1A", "BAR1B"});
-    if (!pictures) return {0, 0, pictures.error().text()};
-    draw_all(pictures.value(), outcome);
-    const TextureSet sizes = pictures.value().sizes();
-    for (const std::string& name : map_names(pile)) convert(pile, name, pictures.value(), sizes, outcome);
-    return outcome;
-}
-
 Bytes cut(const Bytes& bytes, std::size_t length) {
     return Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
 }
@@ -85,6 +32,7 @@ TEST(HostileWad, IsFineWhenItIsNot) {
     const Outcome outcome = digest(whole_wad().finish_directory_first());
     EXPECT_EQ(outcome.error, "");
     EXPECT_EQ(outcome.maps, 1u);
+    EXPECT_TRUE(outcome.has_all_sides);
     EXPECT_EQ(outcome.pictures, 27u);
 }
 
