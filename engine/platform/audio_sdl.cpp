@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "base/bytes.h"
 #include "platform/audio.h"
 
 namespace enfilade {
@@ -77,9 +78,31 @@ struct Wav {
     double seconds() const { return double(frames()) / spec.freq; }
 };
 
-Result<Wav> load(std::span<const std::byte> bytes) {
-    if (bytes.empty() || bytes.size() > kMostBytes)
-        return Error{"sound", "expected a WAV file of up to 64 MiB, found " + std::to_string(bytes.size()) + " bytes"};
+constexpr std::size_t kFileHeader = 12, kChunkHeader = 8;  ///< "RIFF", a length, "WAVE"; a name, a length [bytes]
+
+/// The file with no chunk longer than what is left of the file, be it cut off or lying: SDL takes the memory for a
+/// chunk before it reads it.
+Bytes with_true_lengths(std::span<const std::byte> file) {
+    Bytes wav(file.begin(), file.end());
+    for (std::size_t at = kFileHeader; at + kChunkHeader <= wav.size();) {
+        const std::size_t left = wav.size() - at - kChunkHeader;
+        const std::size_t length = ByteReader(file.subspan(at + 4)).u32();
+        for (std::size_t i = 0; length > left && i < 4; ++i) wav[at + 4 + i] = static_cast<std::byte>(left >> (8 * i));
+        at += kChunkHeader + length + length % 2;
+    }
+    return wav;
+}
+
+bool is_wav(std::span<const std::byte> file) {
+    const std::string_view text = as_text(file);
+    return file.size() >= kFileHeader && text.starts_with("RIFF") && text.substr(8).starts_with("WAVE");
+}
+
+Result<Wav> load(std::span<const std::byte> file) {
+    if (!is_wav(file) || file.size() > kMostBytes)
+        return Error{"sound", "expected a WAV file of up to 64 MiB, found " +
+                                  (is_wav(file) ? std::to_string(file.size()) + " bytes" : "no WAV file")};
+    const Bytes bytes = with_true_lengths(file);
     Wav wav;
     std::uint8_t* data = nullptr;
     SDL_RWops* source = SDL_RWFromConstMem(bytes.data(), static_cast<int>(bytes.size()));

@@ -1,9 +1,11 @@
 // WAV files, and what pretends to be one.
 #include "platform/audio.h"
 
+#include <SDL.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "base/hash.h"
 #include "support/wav.h"
@@ -63,6 +65,38 @@ TEST(Wav, OfLessThanASampleHasNone) {
     const auto samples = read_wav(wav_of({0.5}, {384000, 1}));
     ASSERT_TRUE(samples.ok()) << samples.error().text();
     EXPECT_TRUE(samples.value().empty());
+}
+
+/// The most that SDL asked for at once [bytes].
+std::size_t most_asked = 0;
+
+void* noting_malloc(std::size_t bytes) {
+    most_asked = std::max(most_asked, bytes);
+    return std::malloc(bytes);
+}
+
+/// Reads with an eye on what SDL asks for.
+std::optional<std::size_t> samples_read(const Bytes& file) {
+    SDL_malloc_func allocate = nullptr;
+    SDL_calloc_func allocate_zeros = nullptr;
+    SDL_realloc_func reallocate = nullptr;
+    SDL_free_func free = nullptr;
+    SDL_GetMemoryFunctions(&allocate, &allocate_zeros, &reallocate, &free);
+    most_asked = 0;
+    SDL_SetMemoryFunctions(noting_malloc, std::calloc, std::realloc, std::free);
+    const auto samples = read_wav(file);
+    SDL_SetMemoryFunctions(allocate, allocate_zeros, reallocate, free);
+    return samples.ok() ? std::optional(samples.value().size()) : std::nullopt;
+}
+
+TEST(Wav, TakesNoMemoryForWhatTheFileOnlyClaimsToHave) {
+    const Bytes sound = wav_of(tone(200, 440));
+    ASSERT_EQ(samples_read(sound), 200u);
+    EXPECT_GT(most_asked, 0u);
+    Bytes lying = sound;
+    for (const std::size_t at : {40, 41, 42, 43}) lying[at] = std::byte{0xD5};  // the length of its data
+    EXPECT_EQ(samples_read(lying), 200u);
+    EXPECT_LE(most_asked, std::size_t{1} << 20);
 }
 
 TEST(Wav, WithAnyBytesChangedIsReadOrRefused) {
