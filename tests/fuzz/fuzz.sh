@@ -9,7 +9,8 @@ top=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
 build=$top/build/fuzz
 kept=$top/tests/fuzz/corpus
 most_seconds=25     # for one input; ten times as long as any takes
-most_megabytes=2048 # of memory
+most_megabytes=4096 # of memory, the sanitizer's with it
+most_megabytes_at_once=1024
 
 say() { printf 'fuzz: %s\n' "$*" >&2; }
 
@@ -40,10 +41,12 @@ fuzz() {
     choose "$1"
     findings >"$out/before"
     if [ -d /dev/shm ]; then export TMPDIR="${TMPDIR:-/dev/shm}"; fi # a saved game is flushed each time
+    # Memory that was given back counts as used for as long as the sanitizer keeps it.
+    export ASAN_OPTIONS="quarantine_size_mb=16:allocator_release_to_os_interval_ms=500"
     say "$target for $2 s; what is found stays in $out"
     status=0
     "$program" -max_total_time="$2" -dict="$out/words" -artifact_prefix="$out/findings/" -timeout=$most_seconds \
-        -rss_limit_mb=$most_megabytes -print_final_stats=1 "$out/corpus" "$kept/$target" || status=$?
+        -rss_limit_mb=$most_megabytes -malloc_limit_mb=$most_megabytes_at_once -print_final_stats=1 "$out/corpus" "$kept/$target" || status=$?
     findings | comm -13 "$out/before" - | sed "s|^\.|to see it again: $program $out/findings|" >&2
     rm "$out/before"
     return $status
