@@ -11,22 +11,6 @@
 namespace enfilade::test {
 namespace {
 
-/// Runs, turns, crouches and uses what there is, and changes its mind every now and then.
-std::vector<TickInput> random_inputs(int ticks, Random& random) {
-    std::vector<TickInput> inputs;
-    TickInput keys;
-    for (int tick = 0; tick < ticks; ++tick) {
-        if (tick % 15 == 0) {
-            keys.forward = static_cast<std::int8_t>(random.below(4) == 0 ? -127 : 127);
-            keys.strafe = static_cast<std::int8_t>(127 * (static_cast<int>(random.below(3)) - 1));
-            keys.yaw_steps = static_cast<std::int32_t>(random.bits()) / 128;
-        }
-        keys.buttons = static_cast<std::uint8_t>(random.below(8));
-        inputs.push_back(keys);
-    }
-    return inputs;
-}
-
 std::string triangles_fault(const Map& map) {
     for (std::size_t i = 0; i < map.sectors.size(); ++i) {
         const std::string fault = triangle_fault(map, SectorId(i), triangulate(map, SectorId(i)));
@@ -63,6 +47,21 @@ void draw_automap(const Map& map, const Place& place) {
 }
 
 }  // namespace
+
+std::vector<TickInput> random_inputs(int ticks, Random& random) {
+    std::vector<TickInput> inputs;
+    TickInput keys;
+    for (int tick = 0; tick < ticks; ++tick) {
+        if (tick % 15 == 0) {
+            keys.forward = static_cast<std::int8_t>(random.below(4) == 0 ? -127 : 127);
+            keys.strafe = static_cast<std::int8_t>(127 * (static_cast<int>(random.below(3)) - 1));
+            keys.yaw_steps = static_cast<std::int32_t>(random.bits()) / 128;
+        }
+        keys.buttons = static_cast<std::uint8_t>(random.below(8));
+        inputs.push_back(keys);
+    }
+    return inputs;
+}
 
 std::string picture_fault(const TrialMap& on, const HardPose& pose) {
     const Comparison result = compare({on.map.name, on.map, on.textures}, at_rest(on.map), pose.view, pose.size);

@@ -34,6 +34,9 @@ struct TrialMap {
 /// Pictures by column and reference, triangles, ways of sound, the automap, a walk with everything moving, and back.
 std::optional<Fault> first_fault(const TrialMap& on, const TrialPlan& plan);
 
+/// Runs, turns, crouches and uses what there is, and changes its mind every now and then.
+std::vector<TickInput> random_inputs(int ticks, Random& random);
+
 /// What is wrong with the picture; empty: nothing. Column against reference: each pixel once, surfaces and colours.
 std::string picture_fault(const TrialMap& on, const HardPose& pose);
 
