@@ -9,7 +9,6 @@
 #include "base/hash.h"
 #include "formats/script_toml.h"
 #include "render/frame.h"
-#include "world/trigger_actions.h"
 
 namespace enfilade {
 
@@ -38,13 +37,6 @@ std::optional<std::vector<View>> view_of_player(const Map& map, const std::strin
     if (view.ok()) return std::vector{view.value()};
     fail({path, "the map has no player to look from; give it a walk: " + path + ":WALK.csv"});
     return {};
-}
-
-Snapshot at_the_start(const Map& map) {
-    Snapshot snapshot = at_rest(map);
-    const History history = begun(map);
-    show({map, history, 0}, snapshot);
-    return snapshot;
 }
 
 bool names_script(const std::string& path) {
@@ -78,7 +70,7 @@ std::optional<BenchSubject> BenchSubject::open(const std::string& name,
     auto views = walk ? views_of_walk(subject.map(), walk->views) : view_of_player(subject.map(), name);
     if (!views) return {};
     subject.views_ = std::move(*views);
-    subject.snapshot_ = at_the_start(subject.map());
+    subject.snapshot_ = snapshot_at(subject.map(), 0);
     return subject;
 }
 

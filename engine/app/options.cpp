@@ -12,9 +12,6 @@
 #include "base/files.h"
 #include "base/terminal.h"
 #include "formats/text_parts.h"
-#include "math/vec.h"
-#include "render/view.h"
-#include "space/trace.h"
 
 namespace enfilade {
 namespace {
@@ -29,31 +26,6 @@ std::optional<int> whole_number_in(std::string_view text) {
 
 bool is_side(const std::optional<int>& pixels) { return pixels && *pixels >= 1 && *pixels <= kMaxPictureSide; }
 
-Result<SectorId> sector_named(const Map& map, const std::string& name) {
-    const auto found = std::ranges::find(map.sectors, name, &Sector::name);
-    if (found == map.sectors.end()) {
-        std::vector<std::string_view> known;
-        for (const Sector& sector : map.sectors) known.push_back(sector.name);
-        return Error{"", "the map has no sector named " + quoted(name) + nearest_suggestion(name, known)};
-    }
-    return SectorId(std::size_t(found - map.sectors.begin()));
-}
-
-Result<SectorId> sector_of(const Map& map, const ViewRow& row, Vec2 eye) {
-    if (row.sector.empty()) {
-        const SectorId found = locate(map, eye);
-        if (found) return found;
-        return Error{"",
-                     fmt::format("expected a view inside the map; no sector holds the point ({}, {})", eye.x, eye.y)};
-    }
-    auto named = sector_named(map, row.sector);
-    if (named.ok() && !contains(map, named.value(), eye))
-        return Error{"", fmt::format("sector {} does not hold the point ({}, {}); give a point inside it, or leave "
-                                     "the sector out to have it found",
-                                     enfilade::quoted(row.sector), eye.x, eye.y)};
-    return named;
-}
-
 /// An error where a picture would be drawn too large to take means of samples x samples of its pixels.
 Status check_samples(int samples, PictureSize size) {
     const int most = kMaxPictureSide / std::max(size.width, size.height);
@@ -61,19 +33,6 @@ Status check_samples(int samples, PictureSize size) {
     return Error{"--samples", fmt::format("expected at most {} for a picture of {}x{}, which is drawn that many times "
                                           "as wide and as high, at most {}; found {}",
                                           most, size.width, size.height, kMaxPictureSide, samples)};
-}
-
-View looking(Vec2 forward, double pitch_degrees, const Lens& lens) {
-    View view;
-    view.forward = forward;
-    const Angle pitch = Angle::from_degrees(pitch_degrees);
-    if (lens.true_pitch)
-        view.tilt = Tilt{direction(pitch), direction(Angle::from_degrees(lens.roll_degrees))};
-    else
-        view.pitch_tangent = tangent(pitch);
-    view.fov_degrees = lens.fov_degrees;
-    view.stretch = lens.stretch;
-    return view;
 }
 
 }  // namespace
@@ -147,34 +106,6 @@ std::optional<std::vector<ViewRow>> open_views(const std::string& path) {
         return {};
     }
     return std::move(reading.views);
-}
-
-Result<View> view_from(const Map& map, const ViewRow& row, const Lens& lens) {
-    View view = looking(direction(Angle::from_degrees(row.yaw_degrees)), row.pitch_degrees, lens);
-    view.eye = snap_to_point_grid(Vec2{row.x, row.y});
-    view.eye_z = row.z;
-    const auto sector = sector_of(map, row, view.eye);
-    if (!sector.ok()) return sector.error();
-    view.sector = sector.value();
-    return view;
-}
-
-std::optional<std::string> hidden_eye(const Map& map, const Snapshot& snapshot, const View& view) {
-    const Heights room = heights_at(snapshot, view.sector);
-    if (view.eye_z > room.floor_z && view.eye_z < room.ceiling_z) return {};
-    const bool is_above = view.eye_z >= room.ceiling_z;
-    return fmt::format("the eye at z = {} is {} of sector {} at {} m", number_text(view.eye_z),
-                       is_above ? "not below the ceiling" : "not above the floor", quoted(map[view.sector].name),
-                       number_text(is_above ? room.ceiling_z : room.floor_z));
-}
-
-Result<View> view_at_start(const Map& map, const Lens& lens) {
-    if (!map.player) return Error{"", "the map has no player to look from; give a place with --view X,Y,Z,YAW,PITCH"};
-    View view = looking(direction(map.player->yaw), 0, lens);
-    view.sector = map.player->sector;
-    view.eye = map.player->position;
-    view.eye_z = map.player->eye_z;
-    return view;
 }
 
 Status refuse_true_pitch(RendererKind renderer, bool wanted) {

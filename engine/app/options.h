@@ -11,7 +11,7 @@
 #include "flight/renderer.h"
 #include "formats/views_csv.h"
 #include "map/map.h"
-#include "render/view.h"
+#include "render/view_from.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
@@ -67,29 +67,8 @@ std::string unknown_command(const std::string& word, std::span<const std::string
 /// "there is no option '--siez' here; did you mean '--size'?" word : starts with '-'
 std::string unknown_option(const std::string& word, std::span<const std::string_view> options);
 
-// From numbers somebody typed to a view that is inside the map.
-
-/// How the eye sees, apart from where it is.
-struct Lens {
-    double fov_degrees = 90;
-    double stretch = 1;
-    bool true_pitch = false;  ///< pitch turns the picture instead of shifting its horizon
-    double roll_degrees = 0;  ///< with true_pitch: how far the head leans to its right
-};
-
 /// The views of a list; none where it is refused, its findings then are on stderr.
 std::optional<std::vector<ViewRow>> open_views(const std::string& path);
-
-/// The view, its eye put onto the point grid. An error where the named sector does not exist or does not hold the eye,
-/// or where no sector does; of several that overlap, the one that comes first in the map is taken.
-Result<View> view_from(const Map& map, const ViewRow& row, const Lens& lens);
-
-/// "the eye at z = 9 is not below the ceiling of sector 'hall' at 3 m", or not above its floor; none where it is
-/// between them.
-std::optional<std::string> hidden_eye(const Map& map, const Snapshot& snapshot, const View& view);
-
-/// What the player sees at the start, or an error where the map has no player.
-Result<View> view_at_start(const Map& map, const Lens& lens);
 
 /// An error where true pitch is wanted of the column renderer, whose columns stay upright.
 Status refuse_true_pitch(RendererKind renderer, bool wanted);

@@ -16,8 +16,6 @@
 #include "platform/clock.h"
 #include "platform/gl_context.h"
 #include "render/outside/outside_renderer.h"
-#include "world/input.h"
-#include "world/trigger_actions.h"
 
 namespace enfilade {
 namespace {
@@ -137,13 +135,6 @@ private:
 };
 
 }  // namespace
-
-Snapshot snapshot_at(const Map& map, double time_s) {
-    Snapshot snapshot = at_rest(map);
-    const History history = begun(map);
-    show({map, history, time_s * kTickRate}, snapshot);
-    return snapshot;
-}
 
 Status check_outputs(const PictureJob& job) {
     const auto outputs = picture_outputs(job);

@@ -31,9 +31,6 @@ struct PictureJob {
     double reach_m = kUsualReach;  ///< of both (render/outside/outside_camera.h) [m]
 };
 
-/// The map `time_s` after its start, when nobody has done anything.
-Snapshot snapshot_at(const Map& map, double time_s);
-
 /// An error where a path names one picture file but there are several views.
 Status check_outputs(const PictureJob& job);
 

@@ -102,8 +102,6 @@ Result<std::unique_ptr<Film>> start_mp4(const std::string& path, const FilmForma
 
 }  // namespace
 
-Image image_of(const Frame& frame) { return {std::uint32_t(frame.width), std::uint32_t(frame.height), frame.pixels}; }
-
 Image ids_image(const FrameFacts& facts, int width, int height) {
     Image image{std::uint32_t(width), std::uint32_t(height), {}};
     image.pixels.resize(facts.ids.size());

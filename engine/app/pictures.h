@@ -11,8 +11,6 @@ namespace enfilade {
 
 // Finished frames as picture files.
 
-Image image_of(const Frame& frame);
-
 /// 24-bit surface ids as colours: red is the high byte.
 Image ids_image(const FrameFacts& facts, int width, int height);
 

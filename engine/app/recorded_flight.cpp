@@ -9,7 +9,6 @@
 #include "app/messages.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "formats/frame_hashes.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {
@@ -17,60 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t count_of(const DrawPlan& plan) { return std::size_t(plan.last - plan.first + 1); }
-
-/// The hash of every frame of the plan, in order; `also` sees every frame, too.
-Result<std::vector<std::uint64_t>> hash_frames(const FlightScene& scene, const DrawPlan& plan,
-                                               const FrameTaker& also = {}) {
-    std::vector<std::uint64_t> hashes(count_of(plan));
-    Progress progress(hashes.size(), "frames");
-    const Status failed = draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
-        hashes[std::size_t(number - plan.first)] = hash_of(frame);
+/// Tells the terminal how far hash_frames() is, and hands each frame on.
+FrameTaker stepping(Progress& progress, const FrameTaker& take = {}) {
+    return [&progress, take](int number, const Frame& frame, std::size_t worker) -> Status {
         progress.step(worker);
-        return also ? also(number, frame, worker) : Status{};
-    });
-    if (failed) return *failed;
-    return hashes;
-}
-
-Result<FrameRecording> read_recorded(const std::string& script_path) {
-    const std::string path = hashes_path(script_path);
-    const auto bytes = read_file(path);
-    if (!bytes.ok()) return Error{path, bytes.error().what + "; `enfilade fly --record` makes it"};
-    auto recording = read_frame_hashes(as_text(bytes.value()));
-    if (!recording.ok()) return Error{path + ":" + recording.error().where, recording.error().what};
-    return recording;
-}
-
-std::string size_text(std::uint32_t width, std::uint32_t height) { return fmt::format("{}x{}", width, height); }
-
-/// Where the recording is of pictures that these can never be equal to.
-Status other_pictures(const FrameRecording& recording, const DrawPlan& plan, const std::string& script_path) {
-    if (!recording.pictures) return {};
-    const RecordedPictures& pictures = *recording.pictures;
-    const std::string recorded = size_text(pictures.width, pictures.height),
-                      drawn = size_text(std::uint32_t(plan.width), std::uint32_t(plan.height));
-    if (recorded != drawn)
-        return Error{script_path,
-                     fmt::format("the recording has pictures of {0} pixels, and these have {1}; check with "
-                                 "--size {0}, or record it again with --record",
-                                 recorded, drawn)};
-    if (pictures.renderer != name_of(plan.renderer))
-        return Error{script_path,
-                     fmt::format("the recording was drawn by the {0} renderer, and these pictures are by {1}; "
-                                 "check with --renderer {0}, or compare the two with --check --against {0}",
-                                 pictures.renderer, name_of(plan.renderer))};
-    return {};
-}
-
-/// Where the recording does not cover exactly the frames of the flight.
-Status other_frames(const std::vector<FrameHash>& recorded, int frames, const std::string& script_path) {
-    bool same = recorded.size() == std::size_t(frames);
-    for (std::size_t i = 0; same && i < recorded.size(); ++i) same = recorded[i].frame == i;
-    if (same) return {};
-    return Error{script_path, fmt::format("the flight has {}, but {} others were recorded; record it again with "
-                                          "--record if that is meant",
-                                          counted(std::size_t(frames), "frame"), recorded.size())};
+        return take ? take(number, frame, worker) : Status{};
+    };
 }
 
 Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPlan& plan, int number) {
@@ -155,7 +106,7 @@ Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan&
         if (!renderer.ok()) return renderer.error();
         own.renderer = std::move(renderer).value();
     }
-    std::vector<char> differs(count_of(plan), 0);
+    std::vector<char> differs(frames_of(plan), 0);
     Progress progress(differs.size(), "frames");
     const Status failed = draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
         CheckTools& own = tools[worker];
@@ -174,16 +125,14 @@ Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan&
 
 }  // namespace
 
-std::string hashes_path(const std::string& script_path) {
-    return fs::path(script_path).replace_extension(".hashes").string();
-}
-
 Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
                      const PictureKeeping& keeping) {
     PictureKeeper keeper(script_path, plan, keeping);
     if (Status failed = keeper.start()) return failed;
-    const auto hashes = hash_frames(
-        scene, plan, [&](int number, const Frame& frame, std::size_t) { return keeper.take(number, frame); });
+    Progress progress(frames_of(plan), "frames");
+    const auto hashes = hash_frames(scene, plan, stepping(progress, [&](int number, const Frame& frame, std::size_t) {
+                                        return keeper.take(number, frame);
+                                    }));
     if (!hashes.ok()) return hashes.error();
     const auto sheet = keeper.finish();
     if (!sheet.ok()) return sheet.error();
@@ -198,11 +147,11 @@ Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::
 
 Status check_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
                     const std::string& report_folder) {
-    const auto recorded = read_recorded(script_path);
+    const auto recorded = read_recording(script_path, read_file);
     if (!recorded.ok()) return recorded.error();
-    if (Status others = other_pictures(recorded.value(), plan, script_path)) return others;
-    if (Status others = other_frames(recorded.value().frames, scene.flight.frames(), script_path)) return others;
-    const auto hashes = hash_frames(scene, plan);
+    if (Status others = refuse_recording(recorded.value(), plan, scene.flight.frames(), script_path)) return others;
+    Progress progress(frames_of(plan), "frames");
+    const auto hashes = hash_frames(scene, plan, stepping(progress));
     if (!hashes.ok()) return hashes.error();
     const auto found = mismatches(recorded.value().frames, plan.first, hashes.value());
     if (found.empty()) {
@@ -234,7 +183,7 @@ Status compare_renderers(const FlightScene& scene, const DrawPlan& plan, Rendere
     }
     const ReportText text{"Two renderers", "What is expected was drawn by the other renderer.", found.size()};
     if (Status failed = write_report(report_folder, text, shown)) return failed;
-    return differ("", found.size(), count_of(plan), found.front(), report_folder);
+    return differ("", found.size(), frames_of(plan), found.front(), report_folder);
 }
 
 }  // namespace enfilade

@@ -7,7 +7,7 @@
 #include "base/result.h"
 #include "flight/comparison.h"
 #include "flight/flight.h"
-#include "formats/frame_hashes.h"
+#include "flight/recording.h"
 
 namespace enfilade {
 
@@ -82,9 +82,6 @@ void remove_report(const std::string& folder);
 
 /// Writes the pictures and index.html into the folder, which is made where it is missing, instead of an earlier report.
 Status write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames);
-
-/// The hashes beside a script: "tour.hashes" of "tour.toml".
-std::string hashes_path(const std::string& script_path);
 
 /// Draws all frames of the plan and writes their hashes, and beside them the pictures that shall be kept.
 Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,

@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "base/files.h"
 #include "base/finding.h"
 #include "base/result.h"
 #include "flight/camera_path.h"
@@ -62,6 +63,16 @@ private:
     int frames_ = 1;
     double fov_degrees_ = 90;
 };
+
+// A flythrough from files.
+
+/// A path as the script that lies at `script_path` gives it, seen from the script's folder.
+std::string beside_script(const std::string& script_path, const std::string& path);
+
+/// Flight::plan() of a script that lies there, with the tape it names, if it names one. A tape that cannot be read, or
+/// was recorded with another version of the map, is a finding.
+std::optional<Flight> plan_flight(const std::string& script_path, const ScriptFile& script, const Map& map,
+                                  const FileReader& read, Findings& findings);
 
 // Drawing a flythrough: many frames on several threads.
 

@@ -12,6 +12,8 @@ void Frame::resize(int new_width, int new_height) {
     pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
 }
 
+Image image_of(const Frame& frame) { return {std::uint32_t(frame.width), std::uint32_t(frame.height), frame.pixels}; }
+
 void reset(FrameFacts& facts, int width, int height) {
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     facts.ids.assign(count, kNothing);

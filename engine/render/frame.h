@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "formats/png.h"
 #include "map/map.h"
 
 namespace enfilade {
@@ -86,6 +87,9 @@ struct Frame {
     /// Sets the size and makes room. Pixels keep whatever they were: every renderer writes every one.
     void resize(int new_width, int new_height);
 };
+
+/// The same pixels, for write_png().
+Image image_of(const Frame& frame);
 
 /// Makes room and sets everything to "nothing drawn, 0 writes, infinitely far".
 void reset(FrameFacts& facts, int width, int height);

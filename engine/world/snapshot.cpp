@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "world/input.h"
 #include "world/instant.h"
+#include "world/trigger_actions.h"
 
 namespace enfilade {
 namespace {
@@ -123,6 +124,13 @@ void show(const Instant& now, Snapshot& snapshot) {
     find_pressed(now, snapshot.pressed);
     snapshot.taken.clear();
     now.history->each_taken(now.tick, [&](ThingId thing) { snapshot.taken.push_back(thing); });
+}
+
+Snapshot snapshot_at(const Map& map, double time_s) {
+    Snapshot snapshot = at_rest(map);
+    const History history = begun(map);
+    show({map, history, time_s * kTickRate}, snapshot);
+    return snapshot;
 }
 
 void leave_out(const LeftOut& what, Snapshot& snapshot) {

@@ -43,6 +43,9 @@ Snapshot at_rest(const Map& map);
 /// Cost: what ever changed in the history, and what had changed in the snapshot, however large the map.
 void show(const Instant& now, Snapshot& snapshot);
 
+/// The map `time_s` >= 0 after its start, when nobody has done anything. Cost: that of at_rest().
+Snapshot snapshot_at(const Map& map, double time_s);
+
 /// What the wall is at the moment: a way back is a portal or solid.
 inline WallKind kind_now(const Map& map, const Snapshot& snapshot, WallId wall) {
     const WallKind kind = map[wall].kind;

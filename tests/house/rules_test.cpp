@@ -17,6 +17,8 @@ TEST(Layers, AllowWhatLiesBelow) {
     EXPECT_THAT(check_layers(including("engine/space/trace.cpp", "\"space/trace.h\"")), IsEmpty());
     EXPECT_THAT(check_layers(including("engine/render/column/walls.cpp", "\"render/view.h\"")), IsEmpty());
     EXPECT_THAT(check_layers(including("engine/app/play/loop.cpp", "\"app/draw/overlay.h\"")), IsEmpty());
+    EXPECT_THAT(check_layers(including("engine/enfilade.h", "\"flight/flight.h\"")), IsEmpty());
+    EXPECT_THAT(check_layers(including("engine/examples/walk.cpp", "\"enfilade.h\"")), IsEmpty());
     EXPECT_THAT(check_layers(including("wadconv/convert.cpp", "\"map/load.h\"")), IsEmpty());
     EXPECT_THAT(check_layers(including("wadconv/convert.cpp", "\"wadconv/wad.h\"")), IsEmpty());
 }
@@ -27,6 +29,13 @@ TEST(Layers, RefuseWhatLiesAbove) {
     EXPECT_THAT(check_layers(including("engine/render/view.h", "\"render/column/walls.h\"")),
                 ElementsAre(HasSubstr("only downward")));
     EXPECT_THAT(check_layers(including("engine/world/effects/door.cpp", "\"app/draw/overlay.h\"")),
+                ElementsAre(HasSubstr("only downward")));
+}
+
+TEST(Layers, KeepTheEngineAwayFromItsFacade) {
+    for (const char* file : {"engine/flight/flight.h", "wadconv/convert.cpp"})
+        EXPECT_THAT(check_layers(including(file, "\"enfilade.h\"")), ::testing::SizeIs(1)) << file;
+    EXPECT_THAT(check_layers(including("engine/enfilade.h", "\"app/options.h\"")),
                 ElementsAre(HasSubstr("only downward")));
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "render/view_from.h"
+
 namespace enfilade {
 
 namespace {
@@ -125,19 +127,10 @@ Angle pitch_of(std::int64_t steps) {
 }  // namespace
 
 View view_of(const Eye& eye, const LookSteps& ahead, double fov_degrees, double stretch, bool true_pitch) {
-    View view;
-    view.sector = eye.place.sector;
-    view.eye = eye.place.point;
-    view.eye_z = eye.z;
-    view.forward = direction(eye.yaw + Angle{static_cast<std::uint32_t>(ahead.yaw)});
-    const Angle pitch = pitch_of(eye.pitch_steps + ahead.pitch);
-    if (true_pitch)
-        view.tilt = Tilt{direction(pitch), {1, 0}};
-    else
-        view.pitch_tangent = tangent(pitch);
-    view.fov_degrees = fov_degrees;
-    view.stretch = stretch;
-    return view;
+    Eye turned = eye;
+    turned.yaw = eye.yaw + Angle{static_cast<std::uint32_t>(ahead.yaw)};
+    turned.pitch_steps = static_cast<std::int32_t>(pitch_of(eye.pitch_steps + ahead.pitch).steps);
+    return view_from(turned, {fov_degrees, stretch, true_pitch});
 }
 
 }  // namespace enfilade
