@@ -81,7 +81,7 @@ int run_command_line(int argc, char** argv) {
     app.add_flag("--strict", options.strict, "Refuse maps in which something had to be guessed");
     app.add_flag("--open-doors", options.convert.open_doors, "Raise every closed door, so that all can be walked");
     app.add_flag("--verbose", is_verbose, "Print the whole report, map by map, not only its totals");
-    app.set_version_flag("--version", "wadconv 0.1.0");
+    app.set_version_flag("--version", "wadconv " ENFILADE_VERSION);
     app.footer(
         "Example:\n  wadconv /usr/share/games/doom/freedoom2.wad --map MAP01 --out levels\nExit status: 0 all "
         "converted, "

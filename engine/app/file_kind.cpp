@@ -152,12 +152,10 @@ std::vector<std::string> maps_in_folders(const std::vector<std::string>& paths) 
 namespace fs = std::filesystem;
 
 std::string shipped_map(const std::string& name) {
-    std::error_code unknown;
-    const fs::path program = this_program();
-    const std::array<fs::path, 2> folders{program.parent_path() / "../share/enfilade/maps", ENFILADE_MAPS_DIR};
-    for (const fs::path& folder : folders)
-        if (fs::exists(folder / name, unknown)) return (folder / name).lexically_normal().string();
-    return "maps/" + name;
+    const char* const wish = std::getenv("ENFILADE_SHARE");
+    const fs::path share =
+        wish && *wish ? fs::path(wish) : fs::path(this_program()).parent_path() / "../share/enfilade";
+    return (share / "maps" / name).lexically_normal().string();
 }
 
 }  // namespace enfilade

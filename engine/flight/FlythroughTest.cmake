@@ -1,6 +1,6 @@
 # For map authors: make a flythrough a test of CTest, in this project or in your own.
 #
-#   include(…/engine/flight/FlythroughTest.cmake)
+#   find_package(Enfilade REQUIRED)        # or FetchContent, or add_subdirectory
 #   enfilade_add_flythrough_test(NAME my_walk SCRIPT my_walk.toml)
 #
 # NAME      of the test
@@ -11,7 +11,8 @@
 # LABELS    optional: labels of the test
 #
 # Where frames differ the test fails, and an HTML page with the expected (as it was recorded), actual and difference
-# pictures is left in the build folder, flythroughs/NAME/. The command is the target `enfilade` where there is one, else the installed program.
+# pictures is left in the build folder, flythroughs/NAME/. The command is
+# the target Enfilade::enfilade where there is one, else the installed program.
 function(enfilade_add_flythrough_test)
   cmake_parse_arguments(arg "" "NAME;SCRIPT;AGAINST" "OPTIONS;LABELS" ${ARGN})
   foreach(needed NAME SCRIPT)
@@ -23,8 +24,8 @@ function(enfilade_add_flythrough_test)
   if(NOT EXISTS "${script}")
     message(FATAL_ERROR "enfilade_add_flythrough_test: there is no script ${script}")
   endif()
-  if(TARGET enfilade)
-    set(command $<TARGET_FILE:enfilade>)
+  if(TARGET Enfilade::enfilade)
+    set(command $<TARGET_FILE:Enfilade::enfilade>)
   else()
     find_program(ENFILADE_COMMAND enfilade REQUIRED)
     set(command ${ENFILADE_COMMAND})
