@@ -53,8 +53,8 @@ std::optional<WalkName> walk_name(const std::string& name) {
     return WalkName{name.substr(0, colon), name.substr(colon + 1)};
 }
 
-std::optional<BenchSubject> BenchSubject::open(const std::string& name,
-                                               const std::vector<std::string>& texture_folders) {
+std::optional<BenchSubject> BenchSubject::open(const std::string& name, const std::vector<std::string>& texture_folders,
+                                               Talk talk) {
     BenchSubject subject;
     const auto walk = walk_name(name);
     if (!walk && name.ends_with(kWalkEnding)) {
@@ -62,10 +62,10 @@ std::optional<BenchSubject> BenchSubject::open(const std::string& name,
         return {};
     }
     if (!walk && names_script(name)) {
-        subject.flight_ = open_flight(name, texture_folders, kUsualSkill);
+        subject.flight_ = open_flight(name, texture_folders, kUsualSkill, talk);
         return subject.flight_ ? std::optional(std::move(subject)) : std::nullopt;
     }
-    subject.map_ = open_map(walk ? walk->map : name, texture_folders, kUsualSkill);
+    subject.map_ = open_map(walk ? walk->map : name, texture_folders, kUsualSkill, talk);
     if (!subject.map_) return {};
     auto views = walk ? views_of_walk(subject.map(), walk->views) : view_of_player(subject.map(), name);
     if (!views) return {};
@@ -153,9 +153,9 @@ std::vector<BenchFrame> frames_in_turn(const std::vector<int>& counts) {
     return frames;
 }
 
-Status measure(std::vector<BenchFrame>& frames, std::size_t rounds, const TimedDrawing& draw) {
+Status measure(std::vector<BenchFrame>& frames, std::size_t rounds, const TimedDrawing& draw, Talk talk) {
     std::vector<std::vector<std::int64_t>> times(frames.size());
-    Progress progress((rounds + 1) * frames.size(), "frames");
+    Progress progress((rounds + 1) * frames.size(), "frames", talk);
     for (std::size_t round = 0; round <= rounds; ++round)
         for (std::size_t i = 0; i < frames.size(); ++i) {
             const auto took_ns = draw(frames[i].subject, frames[i].number);

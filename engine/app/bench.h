@@ -24,7 +24,8 @@ class BenchSubject {
 public:
     /// name : MAP, SCRIPT or MAP:WALK.csv, the views of which formats/views_csv.h reads. None where a file has errors,
     /// which then are on stderr.
-    static std::optional<BenchSubject> open(const std::string& name, const std::vector<std::string>& texture_folders);
+    static std::optional<BenchSubject> open(const std::string& name, const std::vector<std::string>& texture_folders,
+                                            Talk talk = Talk::usual);
 
     const Map& map() const { return flight_ ? flight_->map.map : map_->map; }
     const TextureSet& textures() const { return flight_ ? flight_->map.textures : map_->textures; }
@@ -74,7 +75,7 @@ std::vector<BenchFrame> frames_in_turn(const std::vector<int>& counts);
 
 /// Draws all frames `rounds` times, >= 1, and once before, uncounted, so that no frame pays for memory that grows.
 /// Shows on a terminal how far it is. The first error ends it.
-Status measure(std::vector<BenchFrame>& frames, std::size_t rounds, const TimedDrawing& draw);
+Status measure(std::vector<BenchFrame>& frames, std::size_t rounds, const TimedDrawing& draw, Talk talk = Talk::usual);
 
 /// The middle of the times, of an even number the lower one. times: at least one; their order is lost.
 std::int64_t median_of(std::vector<std::int64_t>& times);

@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/effect_prices.h"
 #include "app/file_kind.h"
+#include "app/machine_output.h"
 #include "app/messages.h"
 #include "app/open_map.h"
 #include "app/options.h"
@@ -51,6 +52,17 @@ Status refuse_beside_effects(const BenchRequest& request) {
     return {};
 }
 
+/// JSON is of the times of frames.
+Status refuse_beside_json(const BenchRequest& request) {
+    if (request.format == kText) return {};
+    if (request.csv == "-")
+        return Error{"--csv", "both would go to standard output; name a file, or leave one of the two out"};
+    if (!request.effects && !request.instructions && request.against.empty()) return {};
+    return Error{
+        "--format",
+        "expected it without --effects, --instructions and --against, which write tables; leave one of them out"};
+}
+
 /// What other processes measure has no frames to write down here.
 Status refuse_beside_children(const BenchRequest& request) {
     if (request.against.empty() && !request.instructions) return {};
@@ -83,6 +95,7 @@ Result<BenchChoices> choices_of(const BenchRequest& request) {
         return Error{"", "expected maps, walks or scripts to measure, or --effects; see `enfilade bench --help`"};
     if (Status wrong = refuse_beside_effects(request)) return *wrong;
     if (Status wrong = refuse_beside_children(request)) return *wrong;
+    if (Status wrong = refuse_beside_json(request)) return *wrong;
     const auto size = request.size.empty() ? PictureSize{} : parse_size(request.size);
     if (!size.ok()) return size.error();
     const auto renderer = parse_renderer(request.renderer.empty() ? "column" : request.renderer);
@@ -151,6 +164,20 @@ Status count_frames(const Renderers& renderers, RendererKind kind, Frame& pictur
     return {};
 }
 
+/// What was measured, on stdout; where the list of frames goes there, the table for people goes to stderr.
+void tell_times(const BenchRequest& request, const BenchChoices& choices, const std::vector<BenchFrame>& frames,
+                std::string_view kernels) {
+    if (request.format == kJson) {
+        const BenchSetting setting{
+            request.files,        choices.size.width, choices.size.height, name_of(choices.renderer),
+            std::string(kernels), choices.samples,    choices.threads,     choices.rounds};
+        return print_text(stdout, bench_json(setting, frames));
+    }
+    std::FILE* const out = request.csv == "-" ? stderr : stdout;
+    print_text(out, bench_table(request.files, frames));
+    if (!kernels.empty()) print_text(out, fmt::format("inner loops: {}\n", kernels));
+}
+
 Status time_frames(const BenchRequest& request, const BenchChoices& choices,
                    const std::vector<BenchSubject>& subjects) {
     const Result<Renderers> renderers = renderers_for(subjects, choices);
@@ -163,12 +190,9 @@ Status time_frames(const BenchRequest& request, const BenchChoices& choices,
     const auto draw = [&](std::size_t subject, int number) {
         return time_picture(*renderers.value()[subject], picture, subjects[subject], number);
     };
-    if (Status failed = measure(frames, choices.rounds, draw)) return failed;
+    if (Status failed = measure(frames, choices.rounds, draw, request.talk)) return failed;
     if (Status failed = count_frames(renderers.value(), choices.renderer, picture, subjects, frames)) return failed;
-    std::FILE* const out = request.csv == "-" ? stderr : stdout;
-    print_text(out, bench_table(request.files, frames));
-    if (const std::string_view kernels = renderers.value().front()->kernels(); !kernels.empty())
-        print_text(out, fmt::format("inner loops: {}\n", kernels));
+    tell_times(request, choices, frames, renderers.value().front()->kernels());
     return request.csv.empty() ? Status() : write_file(request.csv, bench_csv(request.files, frames));
 }
 
@@ -225,7 +249,7 @@ int run_bench(const BenchRequest& request) {
     if (request.instructions || !request.against.empty()) return measure_by_children(request, choices.value());
     std::vector<BenchSubject> subjects;
     for (const std::string& name : request.files) {
-        auto subject = BenchSubject::open(name, request.texture_folders);
+        auto subject = BenchSubject::open(name, request.texture_folders, request.talk);
         if (!subject) return kFailed;
         subjects.push_back(std::move(*subject));
     }

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/effect_prices.h"
 #include "app/file_kind.h"
+#include "app/machine_output.h"
 #include "app/messages.h"
 #include "app/open_map.h"
 #include "app/sounds.h"
@@ -19,10 +20,6 @@
 
 namespace enfilade {
 namespace {
-
-struct Tally {
-    std::size_t maps = 0, refused = 0, errors = 0, warnings = 0;
-};
 
 void print_effects(const std::string& path, const TextureSet& textures) {
     const auto bytes = read_file(path);
@@ -62,27 +59,47 @@ Findings findings_about(const std::string& path, const LoadedMap& loaded) {
     return findings;
 }
 
-void check_map(const std::string& path, const CheckRequest& request, Tally& tally) {
-    const LoadedMap loaded = load_map(path, request.texture_folders, read_file, {}, list_folder);
+/// Findings as people and editors read them.
+void print_findings(const CheckedMap& checked, Talk talk) {
     std::string text;
-    for (const Finding& finding : findings_about(path, loaded)) {
-        text += to_text(path, finding) + '\n';
-        ++(finding.severity == Severity::error ? tally.errors : tally.warnings);
-    }
+    for (const Finding& finding : checked.findings)
+        if (talk == Talk::usual || finding.severity == Severity::error) text += to_text(checked.path, finding) + '\n';
     print_text(stdout, text);
-    ++tally.maps;
-    tally.refused += has_errors(loaded.findings);
+}
+
+CheckedMap check_map(const std::string& path, const CheckRequest& request) {
+    const LoadedMap loaded = load_map(path, request.texture_folders, read_file, {}, list_folder);
+    CheckedMap checked{path, findings_about(path, loaded), has_errors(loaded.findings)};
+    if (request.format == kText) print_findings(checked, request.talk);
     if (request.effects && loaded.map) print_effects(path, loaded.textures);
+    return checked;
+}
+
+std::size_t count_of(const std::vector<CheckedMap>& maps, Severity severity) {
+    std::size_t count = 0;
+    for (const CheckedMap& map : maps)
+        count += std::size_t(std::ranges::count(map.findings, severity, &Finding::severity));
+    return count;
+}
+
+std::string summary_of(const std::vector<CheckedMap>& maps) {
+    return fmt::format("{} checked, {} refused: {}, {}\n", counted(maps.size(), "map"),
+                       std::ranges::count(maps, true, &CheckedMap::is_refused),
+                       counted(count_of(maps, Severity::error), "error"),
+                       counted(count_of(maps, Severity::warning), "warning"));
 }
 
 }  // namespace
 
 int run_check(const CheckRequest& request) {
-    Tally tally;
-    for (const std::string& map : maps_in_folders(request.maps)) check_map(map, request, tally);
-    print_text(stdout, fmt::format("{} checked, {} refused: {}, {}\n", counted(tally.maps, "map"), tally.refused,
-                                   counted(tally.errors, "error"), counted(tally.warnings, "warning")));
-    return tally.refused == 0 ? kDone : kFailed;
+    if (request.effects && request.format != kText)
+        return refuse_usage({"--effects", "its prices are for people to read; leave it out beside --format"});
+    std::vector<CheckedMap> maps;
+    for (const std::string& map : maps_in_folders(request.maps)) maps.push_back(check_map(map, request));
+    if (request.format == kJson) print_text(stdout, check_json(maps));
+    if (request.format == kSarif) print_text(stdout, check_sarif(maps));
+    if (request.format == kText && request.talk == Talk::usual) print_text(stdout, summary_of(maps));
+    return std::ranges::count(maps, true, &CheckedMap::is_refused) == 0 ? kDone : kFailed;
 }
 
 }  // namespace enfilade

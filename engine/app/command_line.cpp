@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <sstream>
@@ -80,6 +81,20 @@ void declare_dials(CLI::App& command, DialRequest& request, const std::string& o
                     "light=map, smooth or bands, links=0..1000 (looked through in one chain). May be given many times")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+}
+
+void declare_quiet(CLI::App& command, Talk& talk) {
+    command.add_flag_function(
+        "--quiet", [&](std::int64_t) { talk = Talk::errors_only; }, "Say nothing but errors and what is asked for");
+}
+
+/// names : the notations there are, the first for people.
+void declare_format(CLI::App& command, std::string& format, std::vector<std::string> names, const std::string& what) {
+    const auto check = [names](const std::string& text) -> std::string {
+        if (std::ranges::find(names, text) != names.end()) return {};
+        return fmt::format("expected {}; found {}", fmt::join(names, " or "), enfilade::quoted(text));
+    };
+    command.add_option("--format", format, what)->type_name("NAME")->check(CLI::Validator(check, ""));
 }
 
 void declare_left_out(CLI::App& command, LeftOut& left_out) {
@@ -194,6 +209,7 @@ CLI::App* declare_render(CLI::App& enfilade, RenderRequest& request) {
     declare_pictures(*command, request);
     declare_outside(*command, request);
     declare_readout(*command, request);
+    declare_quiet(*command, request.talk);
     command->footer(
         "Examples:\n  enfilade render maps/enfilade.toml --out start.png\n  enfilade render "
         "maps/enfilade.toml --view 3,2,1.7,90,0 --size 640x400 --out door.png\n  enfilade render "
@@ -210,7 +226,14 @@ void declare_drawing(CLI::App& command, FlyRequest& request) {
             "--record is given. With "
             "--check, the folder of its report; if not given, SCRIPT's name with .failed in the current folder")
         ->type_name("DIR|FILE.mp4|FILE.y4m");
-    command.add_option("--frames", request.frames, "Only these frames, counted from 0")->type_name("A..B");
+    auto* frames = command.add_option("--frames", request.frames, "Only these frames, counted from 0");
+    frames->type_name("A..B");
+    command
+        .add_option("--part", request.part,
+                    "Only the K-th of N parts of the frames: for many cores or machines. With --record, --merge makes "
+                    "one recording of the parts")
+        ->type_name("K/N")
+        ->excludes(frames);
     command.add_option("--size", request.size, "Size in pixels instead of the script's")->type_name("WxH");
     command.add_option("--renderer", request.renderer, "column, stencil or reference, instead of the script's")
         ->type_name("NAME");
@@ -230,6 +253,13 @@ void declare_tests(CLI::App& command, FlyRequest& request) {
                   "Record the hash of every frame in SCRIPT's .hashes file, and beside it small pictures of some in "
                   "SCRIPT's .sheet.png, for the report of a later --check; draws no pictures for --out")
         ->excludes(check);
+    command
+        .add_flag("--merge", request.merge,
+                  "Make one recording of the parts that lie beside the script, recorded with --part or --frames, and "
+                  "remove them")
+        ->excludes(check)
+        ->excludes("--record")
+        ->excludes("--out");
     auto* keep = command
                      .add_option("--keep", request.keep_every,
                                  "With --record: also keep every N-th frame in full size, in SCRIPT's .frames folder; "
@@ -247,6 +277,9 @@ void declare_tests(CLI::App& command, FlyRequest& request) {
                     "With --check --against: how many percent of a frame's pixels may differ; 0 if not given")
         ->type_name("PERCENT")
         ->check(number_within(0, 100));
+    declare_format(command, request.format, {kText, kJson, kJunit},
+                   "With --check: how to say what differs: text, json or junit");
+    declare_quiet(command, request.talk);
 }
 
 CLI::App* declare_fly(CLI::App& enfilade, FlyRequest& request) {
@@ -267,6 +300,8 @@ CLI::App* declare_check(CLI::App& enfilade, CheckRequest& request) {
     command->add_option("MAP", request.maps, "Map files (.toml), or folders: all maps in them")->required();
     declare_textures(*command, request.texture_folders);
     command->add_flag("--effects", request.effects, "Also tell which effects each map calls for and what they cost");
+    declare_format(*command, request.format, {kText, kJson, kSarif}, "How to say it: text, json or sarif");
+    declare_quiet(*command, request.talk);
     command->footer(
         "Findings are printed as FILE:LINE:COLUMN: error|warning: SENTENCE [CODE]. A warning does not "
         "refuse a map.\nExit status: 0 all maps are sound, 1 some have errors, 2 wrong usage.");
@@ -300,6 +335,8 @@ CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
             "Instead, let another build of this program measure the same, in turn with this one, pass by pass: "
             "ratios of this one's times to the other's, and whether the pictures are the same")
         ->type_name("PROGRAM");
+    declare_format(*command, request.format, {kText, kJson}, "How to say it: text, or json with every frame");
+    declare_quiet(*command, request.talk);
     command->add_flag("--instructions", request.instructions,
                       "Instead, count the instructions of a pixel on one thread; needs valgrind and takes fifty times "
                       "as long");

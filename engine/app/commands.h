@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/messages.h"
 #include "app/options.h"
 #include "base/parallel.h"
 #include "map/load.h"
@@ -11,6 +12,9 @@
 #include "world/snapshot.h"
 
 namespace enfilade {
+
+/// Notations of what a command found out (app/machine_output.h); text is for people.
+inline constexpr const char *kText = "text", *kJson = "json", *kSarif = "sarif", *kJunit = "junit";
 
 struct PlayRequest {
     std::string map, renderer = "column", size, tape, save, load;  ///< all but renderer: empty where not given
@@ -30,12 +34,13 @@ struct RenderRequest {
     int skill = kUsualSkill;
     LeftOut left_out;
     std::string out, ids, timing, from_above, from_behind;
+    Talk talk = Talk::usual;
     std::vector<std::string> at;
     double reach_m = kUsualReach;
 };
 
 struct FlyRequest {
-    std::string script, out, renderer, frames, size, against;
+    std::string script, out, renderer, frames, part, size, against, format = kText;
     DialRequest dials;
     std::vector<std::string> texture_folders;
     std::size_t threads = hardware_threads();
@@ -43,18 +48,23 @@ struct FlyRequest {
     LeftOut left_out;
     std::optional<double> tolerance_percent;
     int keep_every = 0;
-    bool check = false, record = false, no_pictures = false;
+    bool check = false, record = false, merge = false, no_pictures = false;
+    Talk talk = Talk::usual;
 };
 
 struct CheckRequest {
     std::vector<std::string> maps;
     std::vector<std::string> texture_folders;
+    std::string format = kText;
     bool effects = false;
+    Talk talk = Talk::usual;
 };
 
 struct BenchRequest {
     std::vector<std::string> files;            ///< maps, walks through maps and scripts
     std::string size, renderer, csv, against;  ///< empty where not given
+    std::string format = kText;
+    Talk talk = Talk::usual;
     std::vector<std::string> texture_folders;
     std::optional<std::size_t> threads, rounds;
     DialRequest dials;

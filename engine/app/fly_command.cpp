@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/machine_output.h"
 #include "app/messages.h"
 #include "app/open_map.h"
 #include "app/options.h"
@@ -22,6 +23,7 @@ namespace {
 struct FlyChoices {
     std::optional<PictureSize> size;
     std::optional<FrameRange> frames;
+    std::optional<FramePart> part;
     std::optional<RendererKind> renderer, against;
 };
 
@@ -71,9 +73,16 @@ Status refuse_other_dials(const FlyRequest& request) {
         "out"};
 }
 
+/// What is said to machines is said about a check; the rest of a command has nothing to tell.
+Status check_format(const FlyRequest& request) {
+    if (request.format == kText || request.check) return {};
+    return Error{"--format", "needs --check, whose result it is about"};
+}
+
 Status check_combination(const FlyRequest& request) {
-    if (!request.check && !request.record && request.out.empty())
-        return Error{"", "expected --out DIR, --out FILE.mp4 or FILE.y4m, --check or --record"};
+    if (!request.check && !request.record && !request.merge && request.out.empty())
+        return Error{"", "expected --out DIR, --out FILE.mp4 or FILE.y4m, --check, --record or --merge"};
+    if (Status wrong = check_format(request)) return wrong;
     if (request.record && !request.out.empty())
         return Error{"--out",
                      fmt::format("--record writes {} and draws no pictures for --out; leave out one of the two, "
@@ -88,7 +97,6 @@ Status check_combination(const FlyRequest& request) {
     if (Status wrong = check_left_out(request)) return wrong;
     if (Status wrong = refuse_other_dials(request)) return wrong;
     if (request.no_pictures && !request.record) return Error{"--no-pictures", "needs --record"};
-    if (request.record && !request.frames.empty()) return Error{"--record", "records all frames; leave out --frames"};
     return {};
 }
 
@@ -97,29 +105,43 @@ Result<FlyChoices> choices_of(const FlyRequest& request) {
     if (Status wrong = check_combination(request)) return *wrong;
     if (Status wrong = choose(request.size, parse_size, choices.size)) return *wrong;
     if (Status wrong = choose(request.frames, parse_frames, choices.frames)) return *wrong;
+    if (Status wrong = choose(request.part, parse_part, choices.part)) return *wrong;
     if (Status wrong = choose(request.renderer, parse_renderer, choices.renderer)) return *wrong;
     if (Status wrong = choose(request.against, parse_renderer, choices.against)) return *wrong;
     return choices;
 }
 
+/// Which frames are drawn of a flight of so many.
+Result<FrameRange> range_of(const FlyChoices& choices, int frames) {
+    if (choices.part) return frames_of(*choices.part, frames);
+    const FrameRange range = choices.frames.value_or(FrameRange{0, frames - 1});
+    if (range.last < frames) return range;
+    return Error{"--frames",
+                 fmt::format("the flight has the frames 0..{}; found {}..{}", frames - 1, range.first, range.last)};
+}
+
 Result<DrawPlan> plan_of(const FlyRequest& request, const FlyChoices& choices, const OpenFlight& open) {
-    const int last = open.flight.frames() - 1;
-    const FrameRange frames = choices.frames.value_or(FrameRange{0, last});
-    if (frames.last > last)
-        return Error{"--frames",
-                     fmt::format("the flight has the frames 0..{}; found {}..{}", last, frames.first, frames.last)};
+    const auto range = range_of(choices, open.flight.frames());
+    if (!range.ok()) return range.error();
+    const auto [first, last] = range.value();
     const PictureSize size = choices.size.value_or(PictureSize{open.script.width, open.script.height});
     const RendererKind renderer = choices.renderer.value_or(open.script.renderer);
     const auto dials = dials_from(request.dials, open.script.dials, renderer, size);
     if (!dials.ok()) return dials.error();
-    return DrawPlan{renderer,     dials.value(), size.width, size.height,
-                    frames.first, frames.last,   1,          open_gl_for_pictures};
+    return DrawPlan{renderer,
+                    dials.value(),
+                    size.width,
+                    size.height,
+                    first,
+                    last,
+                    1,
+                    open_gl_for_pictures};
 }
 
-Status draw_pictures_into(const std::string& folder, const FlightScene& scene, const DrawPlan& plan) {
+Status draw_pictures_into(const std::string& folder, const FlightScene& scene, const DrawPlan& plan, Talk talk) {
     if (Status failed = make_folder(folder)) return failed;
-    CutShortNote note(folder);
-    Progress progress(std::size_t(plan.last - plan.first + 1), "frames");
+    CutShortNote note(folder, talk);
+    Progress progress(frames_of(plan), "frames", talk);
     const Status failed = draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
         progress.step(worker);
         note.look_at(frame);
@@ -128,11 +150,11 @@ Status draw_pictures_into(const std::string& folder, const FlightScene& scene, c
     return failed ? failed : flush_folder(folder);
 }
 
-Status draw_film(const std::string& path, const FlightScene& scene, const DrawPlan& plan, int rate) {
+Status draw_film(const std::string& path, const FlightScene& scene, const DrawPlan& plan, int rate, Talk talk) {
     auto film = start_film(path, {plan.width, plan.height, rate});
     if (!film.ok()) return film.error();
-    CutShortNote note(path);
-    Progress progress(std::size_t(plan.last - plan.first + 1), "frames");
+    CutShortNote note(path, talk);
+    Progress progress(frames_of(plan), "frames", talk);
     const Status failed = draw_frames_in_order(scene, plan, [&](int, const Frame& frame, std::size_t worker) {
         progress.step(worker);
         note.look_at(frame);
@@ -147,32 +169,55 @@ std::string report_folder(const FlyRequest& request) {
     return std::filesystem::path(request.script).stem().string() + ".failed";
 }
 
-Status record_or_check(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan,
-                       const FlyChoices& choices) {
-    const std::string report = report_folder(request);
-    if (request.record) return record_flight(scene, plan, request.script, {request.no_pictures, request.keep_every});
-    if (choices.against)
-        return compare_renderers(scene, plan, *choices.against, request.tolerance_percent.value_or(0) / 100, report);
-    return check_flight(scene, plan, request.script, report);
+/// Says that all is well.
+void confirm(const FlyRequest& request, std::size_t frames, const char* what) {
+    if (request.talk == Talk::usual && request.format == kText)
+        print_text(stdout, fmt::format("{}: {} {}\n", request.script, counted(frames, "frame"), what));
 }
 
-/// Records or checks, and says that all is well.
-Status test(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan, const FlyChoices& choices) {
-    const Status failed = record_or_check(request, scene, plan, choices);
-    if (!failed)
-        print_text(stdout,
-                   fmt::format("{}: {} {}\n", request.script, counted(std::size_t(plan.last - plan.first + 1), "frame"),
-                               request.record    ? "recorded"
-                               : choices.against ? "drawn alike by both renderers"
-                                                 : "as they were recorded"));
-    return failed;
+void print_verdict(const FlyRequest& request, const CheckedFlight& checked) {
+    if (request.format == kJson) print_text(stdout, flight_json(checked));
+    if (request.format == kJunit) print_text(stdout, flight_junit(checked));
+}
+
+/// Compares, and says on stdout what that came to; an error where frames differ.
+Status check(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan, const FlyChoices& choices) {
+    const std::string folder = report_folder(request);
+    const auto verdict = choices.against
+                             ? compare_renderers(scene, plan, *choices.against,
+                                                 request.tolerance_percent.value_or(0) / 100, folder, request.talk)
+                             : check_flight(scene, plan, request.script, folder, request.talk);
+    if (!verdict.ok()) return verdict.error();
+    const std::string other = choices.against ? name_of(*choices.against) : "recording";
+    print_verdict(request, {request.script, name_of(plan.renderer), other, plan.first, plan.last, verdict.value()});
+    const std::vector<int>& differing = verdict.value().differing;
+    if (!differing.empty())
+        return Error{request.script, fmt::format("{} of {} frames differ, frame {} first; see {}", differing.size(),
+                                                 frames_of(plan), differing.front(), verdict.value().report)};
+    confirm(request, frames_of(plan), choices.against ? "drawn alike by both renderers" : "as they were recorded");
+    return {};
+}
+
+Status record(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan) {
+    const PictureKeeping keeping{request.no_pictures, request.keep_every};
+    if (Status failed = record_flight(scene, plan, request.script, keeping, request.talk)) return failed;
+    confirm(request, frames_of(plan), "recorded");
+    return {};
+}
+
+Status merge(const FlyRequest& request, int frames) {
+    if (Status failed = merge_parts(request.script, frames)) return failed;
+    confirm(request, std::size_t(frames), "merged");
+    return {};
 }
 
 Status work(const FlyRequest& request, const OpenFlight& open, const DrawPlan& plan, const FlyChoices& choices) {
     const FlightScene scene{open.flight, open.map.map, open.map.textures};
-    if (request.record || request.check) return test(request, scene, plan, choices);
-    if (names_film(request.out)) return draw_film(request.out, scene, plan, open.script.rate);
-    return draw_pictures_into(request.out, scene, plan);
+    if (request.merge) return merge(request, open.flight.frames());
+    if (request.record) return record(request, scene, plan);
+    if (request.check) return check(request, scene, plan, choices);
+    if (names_film(request.out)) return draw_film(request.out, scene, plan, open.script.rate, request.talk);
+    return draw_pictures_into(request.out, scene, plan, request.talk);
 }
 
 }  // namespace
@@ -180,7 +225,7 @@ Status work(const FlyRequest& request, const OpenFlight& open, const DrawPlan& p
 int run_fly(const FlyRequest& request) {
     const auto choices = choices_of(request);
     if (!choices.ok()) return refuse_usage(choices.error());
-    auto open = open_flight(request.script, request.texture_folders, request.skill);
+    auto open = open_flight(request.script, request.texture_folders, request.skill, request.talk);
     if (!open) return kFailed;
     open->flight.leave_out(request.left_out);
     auto plan = plan_of(request, choices.value(), *open);

@@ -27,12 +27,12 @@ int refuse_usage(const Error& error) {
     return kUsage;
 }
 
-Progress::Progress(std::size_t total, std::string noun)
+Progress::Progress(std::size_t total, std::string noun, Talk talk)
     : total_(total),
       noun_(std::move(noun)),
       started_ns_(now_ns()),
       last_drawn_ns_(started_ns_ + kPause),
-      on_terminal_(isatty(STDERR_FILENO) == 1) {}
+      on_terminal_(talk == Talk::usual && isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (on_terminal_) redraw_line("");
@@ -53,7 +53,7 @@ void Progress::draw(std::size_t done) {
 }
 
 CutShortNote::~CutShortNote() {
-    if (count_ == 0) return;
+    if (count_ == 0 || talk_ == Talk::errors_only) return;
     print_text(stderr, fmt::format("{}: note: in {} {}\n", out_, counted(count_, "picture"), kCutShort));
 }
 

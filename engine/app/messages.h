@@ -22,13 +22,16 @@ int fail(const Error& error);
 /// Prints "enfilade: error" and gives kUsage.
 int refuse_usage(const Error& error);
 
+/// How much a command says beside what it was asked for: usually also warnings, notes and how far it is.
+enum class Talk { usual, errors_only };
+
 // A line on the terminal that says how far a long job is.
 
 /// Shows nothing where stderr is not a terminal, and nothing for jobs that are done in an instant.
 class Progress {
 public:
     /// total: how many steps; noun: what is counted, e.g. "pictures".
-    Progress(std::size_t total, std::string noun);
+    Progress(std::size_t total, std::string noun, Talk talk = Talk::usual);
     /// Wipes the line.
     ~Progress();
     Progress(const Progress&) = delete;
@@ -58,7 +61,7 @@ inline constexpr const char* kCutShort =
 class CutShortNote {
 public:
     /// out: where the pictures go.
-    explicit CutShortNote(std::string out) : out_(std::move(out)) {}
+    explicit CutShortNote(std::string out, Talk talk = Talk::usual) : out_(std::move(out)), talk_(talk) {}
     ~CutShortNote();
     CutShortNote(const CutShortNote&) = delete;
     CutShortNote& operator=(const CutShortNote&) = delete;
@@ -68,6 +71,7 @@ public:
 
 private:
     std::string out_;
+    Talk talk_;
     std::atomic<std::size_t> count_{0};
 };
 

@@ -17,11 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "tour.sheet.png" of "tour.toml".
-std::string sheet_path(const std::string& script_path) {
-    return fs::path(script_path).replace_extension(".sheet.png").string();
-}
-
 /// "tour.frames".
 std::string full_size_folder(const std::string& script_path) {
     return fs::path(script_path).replace_extension(".frames").string();
@@ -40,14 +35,22 @@ std::vector<int> kept_numbers(const std::string& folder) {
     return numbers;
 }
 
-/// Which frames of 0..last to keep in full size, sorted.
-std::vector<int> choose_full_size(const std::vector<int>& before, int last, const PictureKeeping& keeping) {
+bool is_whole(const DrawPlan& plan, int flight_frames) { return plan.first == 0 && plan.last == flight_frames - 1; }
+
+/// Those in the folder that a recording of the plan replaces: of the whole flight, all there are.
+std::vector<int> replaced_numbers(const std::string& folder, const DrawPlan& plan, int flight_frames) {
+    std::vector<int> numbers = kept_numbers(folder);
+    if (!is_whole(plan, flight_frames))
+        std::erase_if(numbers, [&](int number) { return number < plan.first || number > plan.last; });
+    return numbers;
+}
+
+/// Which frames of the plan to keep in full size, sorted.
+std::vector<int> choose_full_size(const std::vector<int>& before, const DrawPlan& plan, const PictureKeeping& keeping) {
     std::vector<int> chosen;
-    if (keeping.no_pictures) return chosen;
-    for (int number = 0; keeping.full_size_every > 0 && number <= last; number += keeping.full_size_every)
-        chosen.push_back(number);
-    if (keeping.full_size_every <= 0)
-        std::ranges::copy_if(before, std::back_inserter(chosen), [last](int number) { return number <= last; });
+    const int every = keeping.full_size_every;
+    for (int number = plan.first; number <= plan.last && !keeping.no_pictures; ++number)
+        if (every > 0 ? number % every == 0 : std::ranges::binary_search(before, number)) chosen.push_back(number);
     return chosen;
 }
 
@@ -59,25 +62,35 @@ Result<Frame> read_picture(const std::string& path) {
     return Frame{int(image.value().width), int(image.value().height), std::move(image.value().pixels)};
 }
 
-/// Reads the recording's sheet. The sentence that says why there is none; empty: it was read.
-std::string read_sheet(const std::string& path, const std::optional<std::uint64_t>& recorded, ContactSheet& sheet) {
-    if (!recorded) return "The recording has no small pictures of its frames.";
-    auto image = read_picture(path);
-    if (!image.ok()) return "The recording's small pictures cannot be read: " + image.error().text() + ".";
-    if (hash_of(image.value()) != *recorded || !sheet.take(std::move(image).value()))
-        return "The small pictures in " + path + " are of another recording.";
-    return {};
-}
-
 }  // namespace
 
-PictureKeeper::PictureKeeper(const std::string& script_path, const DrawPlan& plan, const PictureKeeping& keeping)
-    : sheet_(sheet_path(script_path)),
+std::string sheet_path(const std::string& script_path) {
+    return fs::path(script_path).replace_extension(".sheet.png").string();
+}
+
+std::string part_path(const std::string& script_path, int first, int last, const std::string& ending) {
+    return fs::path(script_path).replace_extension(fmt::format(".part-{:06}-{:06}{}", first, last, ending)).string();
+}
+
+Result<ContactSheet> read_sheet(const std::string& path, const std::optional<std::uint64_t>& recorded,
+                                ContactSheet empty) {
+    if (!recorded) return Error{"", "The recording has no small pictures of its frames."};
+    auto image = read_picture(path);
+    if (!image.ok()) return Error{"", "The recording's small pictures cannot be read: " + image.error().text() + "."};
+    if (hash_of(image.value()) != *recorded || !empty.take(std::move(image).value()))
+        return Error{"", "The small pictures in " + path + " are of another recording."};
+    return empty;
+}
+
+PictureKeeper::PictureKeeper(const std::string& script_path, const DrawPlan& plan, int flight_frames,
+                             const PictureKeeping& keeping)
+    : sheet_(is_whole(plan, flight_frames) ? sheet_path(script_path)
+                                           : part_path(script_path, plan.first, plan.last, ".sheet.png")),
       folder_(full_size_folder(script_path)),
       keeping_(keeping),
-      before_(kept_numbers(folder_)),
-      full_size_(choose_full_size(before_, plan.last, keeping)),
-      contact_sheet_(plan.last + 1, plan.width, plan.height) {}
+      before_(replaced_numbers(folder_, plan, flight_frames)),
+      full_size_(choose_full_size(before_, plan, keeping)),
+      contact_sheet_(flight_frames, plan.width, plan.height) {}
 
 Status PictureKeeper::start() const {
     std::error_code unremovable;
@@ -111,7 +124,11 @@ KeptPictures::KeptPictures(const std::string& script_path, const FrameRecording&
     : folder_(full_size_folder(script_path)),
       reduction_(reduction_of(plan.width, plan.height)),
       sheet_(static_cast<int>(recording.frames.size()), plan.width, plan.height) {
-    missing_ = read_sheet(sheet_path(script_path), recording.sheet, sheet_);
+    auto sheet = read_sheet(sheet_path(script_path), recording.sheet, sheet_);
+    if (sheet.ok())
+        sheet_ = std::move(sheet).value();
+    else
+        missing_ = sheet.error().what;
 }
 
 std::optional<KeptPicture> KeptPictures::of(const FrameHash& recorded) const {

@@ -120,7 +120,7 @@ std::string next_map_path(const std::string& map_path, const std::string& name) 
 }
 
 std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders,
-                                std::optional<int> skill) {
+                                std::optional<int> skill, Talk talk) {
     const MapStore cache = cache_of(path);
     LoadedMap loaded = load_map(path, texture_folders, read_file, skill, list_folder, &cache);
     if (!loaded.map) {
@@ -130,19 +130,20 @@ std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::
             print_errors(path, loaded.findings);
         return {};
     }
-    mention_warnings(path, loaded.findings);
+    if (talk == Talk::usual) mention_warnings(path, loaded.findings);
     return OpenMap{std::move(*loaded.map), std::move(loaded.textures)};
 }
 
 namespace {
 
 /// Prints them; true where one is an error.
-bool print_findings(const std::string& path, const Findings& findings) {
-    for (const Finding& finding : findings) print_text(stderr, to_text(path, finding) + "\n");
+bool print_findings(const std::string& path, const Findings& findings, Talk talk) {
+    for (const Finding& finding : findings)
+        if (talk == Talk::usual || !is_warning(finding)) print_text(stderr, to_text(path, finding) + "\n");
     return has_errors(findings);
 }
 
-std::optional<ScriptFile> open_script(const std::string& path) {
+std::optional<ScriptFile> open_script(const std::string& path, Talk talk) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) {
         fail(refuse_as_script(path).value_or(bytes.error()));
@@ -151,21 +152,21 @@ std::optional<ScriptFile> open_script(const std::string& path) {
     ScriptReading reading = read_script(as_text(bytes.value()));
     const Status other = has_errors(reading.findings) ? refuse_as_script(path) : Status();
     if (other) fail(*other);
-    if (other || print_findings(path, reading.findings)) return {};
+    if (other || print_findings(path, reading.findings, talk)) return {};
     return std::move(reading.script);
 }
 
 }  // namespace
 
 std::optional<OpenFlight> open_flight(const std::string& script_path, const std::vector<std::string>& texture_folders,
-                                      int skill) {
-    auto script = open_script(script_path);
+                                      int skill, Talk talk) {
+    auto script = open_script(script_path, talk);
     if (!script) return {};
-    auto map = open_map(beside_script(script_path, script->map), texture_folders, skill);
+    auto map = open_map(beside_script(script_path, script->map), texture_folders, skill, talk);
     if (!map) return {};
     Findings findings;
     auto flight = plan_flight(script_path, *script, map->map, read_file, findings);
-    print_findings(script_path, findings);
+    print_findings(script_path, findings, talk);
     if (!flight) return {};
     return OpenFlight{std::move(*script), std::move(*map), std::move(*flight)};
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/messages.h"
 #include "flight/flight.h"
 #include "formats/script.h"
 #include "map/load.h"
@@ -32,10 +33,10 @@ struct OpenMap {
 /// The map file that an exit of the map at `map_path` leads to: beside it, with or without its ending.
 std::string next_map_path(const std::string& map_path, const std::string& name);
 
-/// Where there are errors, they are printed and there is no map. Warnings are counted in one line.
+/// Where there are errors, they are printed and there is no map. Warnings are counted in one line of usual talk.
 /// skill : 1..kMostSkill; things that do not stand at it are left out; none: all stand
 std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders,
-                                std::optional<int> skill);
+                                std::optional<int> skill, Talk talk = Talk::usual);
 
 // A flythrough for a command: script, map and pictures, or what is wrong with them on stderr.
 
@@ -47,6 +48,6 @@ struct OpenFlight {
 
 /// Reads the script, and the map and tape it names, which are seen from the script's folder; `skill` as for open_map.
 std::optional<OpenFlight> open_flight(const std::string& script_path, const std::vector<std::string>& texture_folders,
-                                      int skill);
+                                      int skill, Talk talk = Talk::usual);
 
 }  // namespace enfilade

@@ -82,6 +82,24 @@ Result<FrameRange> parse_frames(const std::string& text) {
                  fmt::format("expected FIRST..LAST, counted from 0, for example 0..59; found {}", quoted(text))};
 }
 
+Result<FramePart> parse_part(const std::string& text) {
+    const auto slash = text.find('/');
+    const auto number = whole_number_in(std::string_view(text).substr(0, slash));
+    const auto count = slash == std::string::npos ? number : whole_number_in(std::string_view(text).substr(slash + 1));
+    if (slash != std::string::npos && number && count && *number >= 1 && *number <= *count)
+        return FramePart{*number, *count};
+    return Error{"--part",
+                 fmt::format("expected K/N, the K-th of N parts, for example 1/8; found {}", enfilade::quoted(text))};
+}
+
+Result<FrameRange> frames_of(const FramePart& part, int frames) {
+    const auto begin_of = [&](int number) { return int(std::int64_t{frames} * (number - 1) / part.count); };
+    const FrameRange range{begin_of(part.number), begin_of(part.number + 1) - 1};
+    if (range.first <= range.last) return range;
+    return Error{"--part", fmt::format("the flight has {}, fewer than {} parts", counted(std::size_t(frames), "frame"),
+                                       part.count)};
+}
+
 std::string unknown_command(const std::string& word, std::span<const std::string_view> commands) {
     if (is_file(word)) return "expected a command, " + about_file(word);
     return "expected a command, found " + quoted(word) + suggestion(word, commands);

@@ -59,6 +59,18 @@ struct FrameRange {
 /// "A..B" or "A", A <= B.
 Result<FrameRange> parse_frames(const std::string& text);
 
+/// One of several parts of a flight's frames, as even as can be.
+struct FramePart {
+    int number = 1;  ///< counted from 1
+    int count = 1;
+};
+
+/// "K/N", 1 <= K <= N.
+Result<FramePart> parse_part(const std::string& text);
+
+/// The frames of a part of a flight of so many; an error where that has none.
+Result<FrameRange> frames_of(const FramePart& part, int frames);
+
 // What is said about words of a command line that nobody knows.
 
 /// "expected a command, found 'chekc'; did you mean 'check'?", or which command takes the file of that name.

@@ -50,8 +50,8 @@ public:
         if (Status failed = make_tools()) return failed;
         if (!job_.timing.empty())  // grows the renderer's memory, so that no view pays for it
             if (Status failed = draw(tools_[0], 0)) return failed;
-        CutShortNote note(job_.out);
-        Progress progress(job_.views.size(), "pictures");
+        CutShortNote note(job_.out, job_.talk);
+        Progress progress(job_.views.size(), "pictures", job_.talk);
         parallel_for(job_.views.size(), tools_.size(), [&](std::size_t i, std::size_t worker) {
             if (stop_) return;
             PictureTools& own = tools_[worker];

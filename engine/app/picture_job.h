@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/messages.h"
 #include "app/open_map.h"
 #include "app/options.h"
 #include "base/result.h"
@@ -21,7 +22,8 @@ struct PictureJob {
     Dials dials;
     double time_s = 0;  ///< the moment that is shown
     LeftOut left_out;
-    std::size_t threads = 1;       ///< >= 1
+    std::size_t threads = 1;  ///< >= 1
+    Talk talk = Talk::usual;
     std::string out;               ///< a .png file for the one view, or a folder for 000000.png onward
     std::string ids;               ///< the same for pictures of surface ids
     std::string timing;            ///< a CSV file `view,ns`

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include "app/messages.h"
@@ -73,8 +74,8 @@ std::string advice_on(const KeptPictures& kept, const std::string& script_path) 
 }
 
 Status report_mismatches(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
-                         const FrameRecording& recording, const std::vector<Mismatch>& found,
-                         const std::string& folder) {
+                         const FrameRecording& recording, const std::vector<Mismatch>& found, const std::string& folder,
+                         Talk talk) {
     const KeptPictures kept(script_path, recording, plan);
     std::vector<BadFrame> shown;
     for (const Mismatch& mismatch : choose_shown(found, kept)) {
@@ -83,18 +84,16 @@ Status report_mismatches(const FlightScene& scene, const DrawPlan& plan, const s
         auto picture = kept.of({static_cast<std::uint32_t>(mismatch.frame), mismatch.expected});
         shown.push_back(bad_frame(mismatch, std::move(picture), std::move(actual).value()));
     }
-    if (!kept.what_is_missing().empty()) print_text(stderr, script_path + ": " + kept.what_is_missing() + "\n");
+    if (talk == Talk::usual && !kept.what_is_missing().empty())
+        print_text(stderr, script_path + ": " + kept.what_is_missing() + "\n");
     return write_report(folder, {"Flythrough " + script_path, advice_on(kept, script_path), found.size()}, shown);
 }
 
-Error differ(const std::string& where, std::size_t bad, std::size_t all, int first, const std::string& folder) {
-    return {where, fmt::format("{} of {} frames differ, frame {} first; see {}", bad, all, first,
-                               (fs::path(folder) / "index.html").string())};
-}
+std::string page_in(const std::string& folder) { return (fs::path(folder) / "index.html").string(); }
 
 /// Frames of the plan of which more than `allowed` pixels are different with another renderer.
 Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan& plan, RendererKind other,
-                                       double allowed) {
+                                       double allowed, Talk talk) {
     struct CheckTools {
         std::unique_ptr<Renderer> renderer;
         Frame frame;
@@ -107,7 +106,7 @@ Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan&
         own.renderer = std::move(renderer).value();
     }
     std::vector<char> differs(frames_of(plan), 0);
-    Progress progress(differs.size(), "frames");
+    Progress progress(differs.size(), "frames", talk);
     const Status failed = draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
         CheckTools& own = tools[worker];
         own.frame.resize(plan.width, plan.height);
@@ -126,10 +125,10 @@ Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan&
 }  // namespace
 
 Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
-                     const PictureKeeping& keeping) {
-    PictureKeeper keeper(script_path, plan, keeping);
+                     const PictureKeeping& keeping, Talk talk) {
+    PictureKeeper keeper(script_path, plan, scene.flight.frames(), keeping);
     if (Status failed = keeper.start()) return failed;
-    Progress progress(frames_of(plan), "frames");
+    Progress progress(frames_of(plan), "frames", talk);
     const auto hashes = hash_frames(scene, plan, stepping(progress, [&](int number, const Frame& frame, std::size_t) {
                                         return keeper.take(number, frame);
                                     }));
@@ -141,36 +140,41 @@ Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::
         sheet.value(),
         {}};
     for (const std::uint64_t hash : hashes.value())
-        recording.frames.push_back({static_cast<std::uint32_t>(recording.frames.size()), hash});
-    return write_file(hashes_path(script_path), write_frame_hashes(recording));
+        recording.frames.push_back(
+            {static_cast<std::uint32_t>(plan.first) + std::uint32_t(recording.frames.size()), hash});
+    const bool is_whole = frames_of(plan) == std::size_t(scene.flight.frames());
+    return write_file(is_whole ? hashes_path(script_path) : part_path(script_path, plan.first, plan.last, ".hashes"),
+                      write_frame_hashes(recording));
 }
 
-Status check_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
-                    const std::string& report_folder) {
+Result<FlightVerdict> check_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
+                                   const std::string& report_folder, Talk talk) {
     const auto recorded = read_recording(script_path, read_file);
     if (!recorded.ok()) return recorded.error();
-    if (Status others = refuse_recording(recorded.value(), plan, scene.flight.frames(), script_path)) return others;
-    Progress progress(frames_of(plan), "frames");
+    if (Status others = refuse_recording(recorded.value(), plan, scene.flight.frames(), script_path)) return *others;
+    Progress progress(frames_of(plan), "frames", talk);
     const auto hashes = hash_frames(scene, plan, stepping(progress));
     if (!hashes.ok()) return hashes.error();
     const auto found = mismatches(recorded.value().frames, plan.first, hashes.value());
     if (found.empty()) {
         remove_report(report_folder);
-        return {};
+        return FlightVerdict{};
     }
-    if (Status failed = report_mismatches(scene, plan, script_path, recorded.value(), found, report_folder))
-        return failed;
-    return differ(script_path, found.size(), hashes.value().size(), found.front().frame, report_folder);
+    if (Status failed = report_mismatches(scene, plan, script_path, recorded.value(), found, report_folder, talk))
+        return *failed;
+    FlightVerdict verdict{{}, page_in(report_folder)};
+    std::ranges::transform(found, std::back_inserter(verdict.differing), &Mismatch::frame);
+    return verdict;
 }
 
-Status compare_renderers(const FlightScene& scene, const DrawPlan& plan, RendererKind other, double tolerance,
-                         const std::string& report_folder) {
-    const auto disagreeing = disagreements(scene, plan, other, tolerance * plan.width * plan.height);
+Result<FlightVerdict> compare_renderers(const FlightScene& scene, const DrawPlan& plan, RendererKind other,
+                                        double tolerance, const std::string& report_folder, Talk talk) {
+    const auto disagreeing = disagreements(scene, plan, other, tolerance * plan.width * plan.height, talk);
     if (!disagreeing.ok()) return disagreeing.error();
     const std::vector<int>& found = disagreeing.value();
     if (found.empty()) {
         remove_report(report_folder);
-        return {};
+        return FlightVerdict{};
     }
     std::vector<BadFrame> shown;
     for (std::size_t i = 0; i < std::min(found.size(), kMostShown); ++i) {
@@ -182,8 +186,8 @@ Status compare_renderers(const FlightScene& scene, const DrawPlan& plan, Rendere
             {mismatch, std::move(expected).value(), std::move(actual).value(), "drawn by the other renderer", 1});
     }
     const ReportText text{"Two renderers", "What is expected was drawn by the other renderer.", found.size()};
-    if (Status failed = write_report(report_folder, text, shown)) return failed;
-    return differ("", found.size(), frames_of(plan), found.front(), report_folder);
+    if (Status failed = write_report(report_folder, text, shown)) return *failed;
+    return FlightVerdict{found, page_in(report_folder)};
 }
 
 }  // namespace enfilade

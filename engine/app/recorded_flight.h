@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/messages.h"
 #include "base/result.h"
 #include "flight/comparison.h"
 #include "flight/flight.h"
@@ -16,6 +17,16 @@ namespace enfilade {
 // The pictures that lie beside a recording for the human eye: small ones on one sheet, and full-size ones where
 // somebody asked for them.
 
+/// The picture of all small ones: "tour.sheet.png" of "tour.toml".
+std::string sheet_path(const std::string& script_path);
+
+/// A file of a part of a recording: "tour.part-000000-000099.hashes" of "tour.toml" and ".hashes".
+std::string part_path(const std::string& script_path, int first, int last, const std::string& ending);
+
+/// The sheet at `path`, if it is that of a recording with such a sheet; else a sentence that says why there is none.
+Result<ContactSheet> read_sheet(const std::string& path, const std::optional<std::uint64_t>& recorded,
+                                ContactSheet empty);
+
 /// What a recording keeps beside its hashes.
 struct PictureKeeping {
     bool no_pictures = false;
@@ -25,7 +36,9 @@ struct PictureKeeping {
 /// Keeps the pictures of one recording while its frames are drawn.
 class PictureKeeper {
 public:
-    PictureKeeper(const std::string& script_path, const DrawPlan& plan, const PictureKeeping& keeping);
+    /// The plan may have a part of the flight's frames only, of which there are so many.
+    PictureKeeper(const std::string& script_path, const DrawPlan& plan, int flight_frames,
+                  const PictureKeeping& keeping);
 
     /// Makes room; removes full-size pictures that are not kept any more.
     Status start() const;
@@ -83,20 +96,31 @@ void remove_report(const std::string& folder);
 /// Writes the pictures and index.html into the folder, which is made where it is missing, instead of an earlier report.
 Status write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames);
 
-/// Draws all frames of the plan and writes their hashes, and beside them the pictures that shall be kept.
+/// Draws the frames of the plan and writes their hashes, and beside them the pictures that shall be kept. Where the
+/// plan has not all frames of the flight, into the files of a part, for merge_parts().
 Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
-                     const PictureKeeping& keeping);
+                     const PictureKeeping& keeping, Talk talk);
+
+/// Makes the recording of all frames of the flight from its parts, which may have been drawn on several machines: the
+/// same bytes as if it had been recorded at once. Then removes the parts. An error where frames are missing.
+Status merge_parts(const std::string& script_path, int frames);
+
+/// What comparing frames came to.
+struct FlightVerdict {
+    std::vector<int> differing;  ///< frames, growing
+    std::string report;          ///< the page that shows some of them; empty where none differs
+};
 
 /// Draws the frames of the plan and compares each with its recorded hash. An error where frames of another number, size
-/// or renderer were recorded, or where some differ; of the last report_folder holds pictures of a few and a page,
-/// index.html, that shows them: expected, as it was kept when it was recorded, actual, and the difference. Nothing
-/// else is ever shown as expected; where nothing was kept, the page and stderr say so.
-Status check_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
-                    const std::string& report_folder);
+/// or renderer were recorded. Where some differ, report_folder holds pictures of a few and a page, index.html, that
+/// shows them: expected, as it was kept when it was recorded, actual, and the difference. Nothing else is ever shown as
+/// expected; where nothing was kept, the page and stderr say so.
+Result<FlightVerdict> check_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
+                                   const std::string& report_folder, Talk talk);
 
-/// Draws the frames of the plan with two renderers. An error where more than `tolerance` of a frame's pixels (0..1)
-/// differ, with the same report.
-Status compare_renderers(const FlightScene& scene, const DrawPlan& plan, RendererKind other, double tolerance,
-                         const std::string& report_folder);
+/// Draws the frames of the plan with two renderers. Those differ of which more than `tolerance` of the pixels (0..1)
+/// do; with the same report.
+Result<FlightVerdict> compare_renderers(const FlightScene& scene, const DrawPlan& plan, RendererKind other,
+                                        double tolerance, const std::string& report_folder, Talk talk);
 
 }  // namespace enfilade

@@ -32,6 +32,7 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     job.time_s = request.time_s;
     job.left_out = request.left_out;
     job.threads = request.threads;
+    job.talk = request.talk;
     job.out = request.out;
     job.ids = request.ids;
     job.timing = request.timing;
@@ -117,14 +118,14 @@ int run_render(const RenderRequest& request) {
         if (!list) return kFailed;
         places = std::move(*list);
     }
-    const auto map = open_map(request.map, request.texture_folders, request.skill);
+    const auto map = open_map(request.map, request.texture_folders, request.skill, request.talk);
     if (!map) return kFailed;
     const bool from_start = request.view.empty() && request.views.empty();
     auto views = from_start ? view_of_player(map->map, request) : views_in(map->map, places, request);
     if (!views.ok()) return fail(views.error());
     job.value().views = std::move(views).value();
     if (Status wrong = check_outputs(job.value())) return refuse_usage(*wrong);
-    mention_hidden_eyes(map->map, request, places, job.value().views);
+    if (request.talk == Talk::usual) mention_hidden_eyes(map->map, request, places, job.value().views);
     if (Status failed = draw_pictures(*map, job.value())) return fail(*failed);
     tell_pixels(*map, job.value(), request);
     return kDone;

@@ -176,9 +176,12 @@ std::optional<std::size_t> ContactSheet::place_of(int frame) const {
 }
 
 void ContactSheet::put(int frame, const Frame& picture) {
+    if (place_of(frame)) put_small(frame, reduced(picture, reduction_));
+}
+
+void ContactSheet::put_small(int frame, const Frame& small) {
     const auto place = place_of(frame);
     if (!place) return;
-    const Frame small = reduced(picture, reduction_);
     ENFILADE_CHECK(small.width == width_ && small.height == height_);
     for (int y = 0; y < height_; ++y)
         std::copy_n(small.pixels.begin() + y * width_, width_,

@@ -82,6 +82,9 @@ public:
     /// put different frames.
     void put(int frame, const Frame& picture);
 
+    /// The same with a small picture, as picture_of() of a sheet of the same flight gives it.
+    void put_small(int frame, const Frame& small);
+
     /// The small picture of a frame; none where it is not on the sheet.
     std::optional<Frame> picture_of(int frame) const;
 

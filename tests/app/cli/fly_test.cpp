@@ -315,7 +315,6 @@ TEST_F(Fly, RefusesWhatMakesNoSense) {
                                                       {"--keep", "3", "--out", "f"},
                                                       {"--no-pictures", "--out", "f"},
                                                       {"--record", "--keep", "3", "--no-pictures"},
-                                                      {"--record", "--frames", "1..2"},
                                                       {"--record", "--out", "f"},
                                                       {"--check", "--tolerance", "1"},
                                                       {"--check", "--out", "f.mp4"},
