@@ -9,6 +9,7 @@
 #include "base/hash.h"
 #include "map/load.h"
 #include "support/temp_dir.h"
+#include "wadconv/converted.h"
 #include "wadconv/wad_builder.h"
 
 namespace enfilade::wadconv {
@@ -301,6 +302,48 @@ TEST(WadconvCommand, RefusesWrongUsageInOneSentence) {
         EXPECT_EQ(ended.exit_code, 2);
         EXPECT_THAT(ended.err, ::testing::MatchesRegex("wadconv: [^\n]+; see `wadconv --help`\n"));
     }
+}
+
+/// The program with a WAD of that level, which it converts into the folder "out".
+enfilade::test::Ended convert(const Level& level, std::vector<std::string> options,
+                              const enfilade::test::Program& wadconv) {
+    (void)write_file(wadconv.path("doom.wad"), wad_with({{"MAP01", level}}).finish("IWAD"));
+    options.insert(options.begin(), {"doom.wad", "--out", "out", "--jobs", "1"});
+    return wadconv.run(options);
+}
+
+TEST(WadconvCommand, TellsWhatItIs) {
+    const enfilade::test::Program wadconv;
+    EXPECT_THAT(wadconv.run({"--help"}).out, HasSubstr("--open-doors"));
+    EXPECT_THAT(wadconv.run({"--version"}).out, ::testing::MatchesRegex("wadconv [0-9.]+\n"));
+}
+
+TEST(WadconvCommand, RefusesGuessesWithStrict) {
+    const enfilade::test::Program wadconv;
+    EXPECT_EQ(convert(gappy_level(), {}, wadconv).exit_code, 0);
+    const auto strict = convert(gappy_level(), {"--strict"}, wadconv);
+    EXPECT_EQ(strict.exit_code, 1);
+    EXPECT_THAT(strict.err, HasSubstr("strict conversion refuses"));
+}
+
+TEST(WadconvCommand, TellsEveryMapWithVerbose) {
+    const enfilade::test::Program wadconv;
+    const std::string plain = convert(small_level(), {"--map", "MAP01"}, wadconv).out;
+    const std::string verbose = convert(small_level(), {"--map", "MAP01", "--verbose"}, wadconv).out;
+    EXPECT_THAT(verbose, HasSubstr("line specials (number x times)"));
+    EXPECT_GT(verbose.size(), plain.size());
+}
+
+TEST(WadconvCommand, RaisesDoorsWithOpenDoors) {
+    const enfilade::test::Program wadconv;
+    Doorway doorway(0, 0);
+    doorway.line().special = 1;
+    const Level& door = doorway.level;
+    convert(door, {}, wadconv);
+    const std::string closed = wadconv.text("out/map01.toml");
+    EXPECT_EQ(convert(door, {"--open-doors"}, wadconv).exit_code, 0);
+    EXPECT_NE(closed, "");
+    EXPECT_NE(wadconv.text("out/map01.toml"), closed);
 }
 
 TEST(ReportText, TellsNumbersByKind) {

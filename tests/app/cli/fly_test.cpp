@@ -63,6 +63,15 @@ TEST_F(Fly, LeavesThingsOut) {
     EXPECT_EQ(program_.text("empty/000000.png"), program_.text("without/000000.png"));
 }
 
+TEST_F(Fly, ShowsTheThingsOfTheSkill) {
+    program_.write("map.toml",
+                   test::kTwoRooms + std::string("\n[[things]]\nx = 4\ny = 3\nskills = [5]\nlight = 0.2\n"
+                                                 "frames = [{ texture = \"statue\", origin = [32, 64] }]\n"));
+    fly({"--out", "usual"});
+    EXPECT_EQ(fly({"--skill", "5", "--out", "hard"}).exit_code, 0);
+    EXPECT_NE(program_.text("usual/000000.png"), program_.text("hard/000000.png"));
+}
+
 TEST_F(Fly, HoldsOnlyWholeFramesToTheRecord) {
     fly({"--record"});
     for (const char* option : {"--no-things", "--still-light"}) {

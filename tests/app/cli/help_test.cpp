@@ -68,8 +68,7 @@ TEST(Help, ListsNoOptionWithoutATest) {
         EXPECT_GT(options.size(), 3u) << command;
         EXPECT_THAT(untested(options, "\"" + command + "\""), IsEmpty()) << command;
     }
-    EXPECT_THAT(untested(options_in(Program().run_other(WADCONV_PROGRAM, {"--help"}).out), "WADCONV_PROGRAM"),
-                IsEmpty());
+    EXPECT_THAT(untested(options_in(Program().run_other(WADCONV_PROGRAM, {"--help"}).out), "wadconv/"), IsEmpty());
 }
 
 TEST(Help, SeesAnOptionWithoutATest) {

@@ -50,7 +50,8 @@ TEST_F(MachineOutput, OfCheckHasEveryFinding) {
     const json said = read(ended, "check");
     EXPECT_EQ(said["refused"], 2);
     EXPECT_EQ(said["errors"], 2);
-    EXPECT_EQ(said["warnings"], said["maps"][0]["findings"].size());
+    EXPECT_EQ(said["warnings"], 4);
+    EXPECT_EQ(said["maps"][0]["findings"].size(), 2u);
     EXPECT_EQ(said["maps"][0]["refused"], false);
     const json& error = said["maps"][1]["findings"][0];
     EXPECT_EQ(error["code"], "unknown-key");

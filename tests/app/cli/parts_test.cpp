@@ -125,7 +125,7 @@ TEST_F(Parts, RefusesWhatMakesNoSense) {
                                                       {"--record", "--part", "3/2"},
                                                       {"--record", "--part", "1"},
                                                       {"--record", "--part", "1/2x"},
-                                                      {"--out", "f", "--part", "12/12"},
+                                                      {"--out", "f", "--part", "1/12"},
                                                       {"--merge", "--record"},
                                                       {"--merge", "--check"},
                                                       {"--merge", "--out", "f"},

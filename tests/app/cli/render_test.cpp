@@ -61,6 +61,20 @@ TEST_F(Render, DrawsTheThingsOfTheSkill) {
     EXPECT_EQ(render({"--skill", "6", "--out", "no.png"}).exit_code, 2);
 }
 
+TEST_F(Render, TurnsThePictureWithTruePitchAndLeansItWithRoll) {
+    const std::vector<std::string> down{"--view", "2,3,1.5,0,-30", "--renderer", "reference"};
+    const auto drawn = [&](std::vector<std::string> more) {
+        more.insert(more.end(), down.begin(), down.end());
+        more.insert(more.end(), {"--out", "a.png"});
+        EXPECT_EQ(render(more).exit_code, 0);
+        return picture("a.png").pixels;
+    };
+    EXPECT_NE(drawn({}), drawn({"--true-pitch"}));
+    EXPECT_NE(drawn({"--true-pitch"}), drawn({"--true-pitch", "--roll", "20"}));
+    EXPECT_EQ(render({"--roll", "20", "--out", "a.png"}).exit_code, 2);
+    EXPECT_EQ(render({"--true-pitch", "--out", "a.png"}).exit_code, 2) << "columns stay upright";
+}
+
 TEST_F(Render, LeavesThingsOut) {
     render({"--out", "empty.png"});
     program_.write("map.toml",
