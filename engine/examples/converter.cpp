@@ -15,7 +15,9 @@ bool is_room(const std::vector<std::string>& plan, std::size_t x, std::size_t y)
     return y < plan.size() && x < plan[y].size() && plan[y][x] != '#' && plan[y][x] != ' ';
 }
 
-std::string name_of_room(std::size_t x, std::size_t y) { return "r" + std::to_string(x) + "_" + std::to_string(y); }
+std::string name_of_room(std::size_t x, std::size_t y) {
+    return std::to_string(x).append("_").append(std::to_string(y));
+}
 
 TextureSpec picture(const char* name) { return {name, Vec2{kSide, kSide}, {}, {}}; }
 
