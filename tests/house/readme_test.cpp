@@ -1,6 +1,7 @@
 // The README and the manual say only what is true: their maps load without a finding, what they list is there.
 #include <gmock/gmock.h>
 
+#include <cctype>
 #include <filesystem>
 #include <regex>
 
@@ -66,17 +67,76 @@ TEST(MapManual, ListsEveryPictureThereIsAndNoOther) {
     EXPECT_THAT(listed, ::testing::UnorderedElementsAreArray(list_folder(kTop + "maps/textures")));
 }
 
-TEST(Readme, LinksOnlyToWhatIsThere) {
-    const std::string text = text_of("README.md");
-    const std::regex link(R"(\]\(([^)#]+))");
-    int links = 0;
-    for (auto found = std::sregex_iterator(text.begin(), text.end(), link); found != std::sregex_iterator(); ++found) {
-        const std::string target = (*found)[1];
-        if (target.starts_with("http")) continue;
-        EXPECT_TRUE(std::filesystem::exists(kTop + target)) << target;
-        ++links;
+const std::vector<std::string> kDocuments{
+    "README.md",      "CHANGELOG.md",    "engine/README.md",       "engine/app/README.md",
+    "maps/FORMAT.md", "tests/README.md", "tests/bench/FIGURES.md", "wadconv/README.md"};
+
+/// All that matches the pattern's first group.
+std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
+    const std::regex regex(pattern);
+    std::vector<std::string> all;
+    for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) all.push_back((*it)[1]);
+    return all;
+}
+
+/// The anchors of a document's headings, as code hosts make them.
+std::vector<std::string> anchors_of(const std::string& text) {
+    std::vector<std::string> anchors;
+    for (const std::string& heading : matches(text, "\n#+ ([^\n]+)")) {
+        std::string anchor;
+        for (const char c : heading)
+            if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_')
+                anchor += static_cast<char>(std::tolower(c));
+            else if (c == ' ')
+                anchor += '-';
+        anchors.push_back(anchor);
     }
-    EXPECT_GT(links, 3);
+    return anchors;
+}
+
+/// Of one link in a document: that it leads to a file or folder that is there, and to a heading in it.
+void expect_target(const std::string& document, const std::string& link) {
+    const std::string path = link.substr(0, link.find('#'));
+    const auto target = std::filesystem::path(kTop + document).parent_path() / path;
+    EXPECT_TRUE(path.empty() || std::filesystem::exists(target)) << document << ": " << link;
+    if (link.find('#') == std::string::npos) return;
+    const std::string there = path.empty() ? document : std::filesystem::relative(target, kTop).string();
+    EXPECT_THAT(anchors_of("\n" + text_of(there)), ::testing::Contains(link.substr(link.find('#') + 1)))
+        << document << ": " << link;
+}
+
+TEST(Documents, LinkOnlyToWhatIsThere) {
+    std::size_t count = 0;
+    for (const std::string& document : kDocuments) {
+        const std::string text = text_of(document);
+        EXPECT_NE(text, "") << document;
+        for (const std::string& link : matches(text, R"(\]\(([^)\s]+)\))")) {
+            if (link.starts_with("http")) continue;
+            expect_target(document, link);
+            ++count;
+        }
+    }
+    EXPECT_GT(count, 100u);
+}
+
+TEST(Documents, AreAllLookedAt) {
+    for (const char* folder : {"engine", "maps", "tests", "wadconv"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(kTop + folder)) {
+            const std::string document = std::filesystem::relative(entry.path(), kTop).string();
+            if (!document.ends_with(".md")) continue;
+            EXPECT_THAT(kDocuments, ::testing::Contains(document));
+        }
+}
+
+TEST(Documents, SayWhatEachPackageIsFor) {
+    const std::string run = text_of("run"), manual = text_of("engine/README.md");
+    std::vector<std::string> packages;
+    for (const std::string& list : matches(run, "packages=\"([^\"]+)\""))
+        for (const std::string& package : matches(list, "([a-z0-9+-]+)")) packages.push_back(package);
+    EXPECT_GT(packages.size(), 10u);
+    const auto begin = manual.find("| package | what for |");
+    const std::string table = manual.substr(begin, manual.find("\n\n", begin) - begin);
+    for (const std::string& package : packages) EXPECT_THAT(table, ::testing::HasSubstr("`" + package + "`"));
 }
 
 }  // namespace
