@@ -7,7 +7,7 @@ set -eu
 build=$(realpath "$1")
 suite=${2:-bookworm}
 [ "$(id -u)" -eq 0 ] || { echo "only root can make a system of its own" && exit 1; }
-root=$(mktemp -d /var/tmp/enfilade-clean-XXXXXX)
+root=$(mktemp -d /var/tmp/clean-system-XXXXXX)
 chmod 755 "$root"
 packages=$(mktemp -d)
 
@@ -37,6 +37,7 @@ for package in "$packages"/*.deb; do lintian --no-tag-display-limit --fail-on no
 say "a fresh $suite"
 debootstrap --variant=minbase "$suite" "$root" >/dev/null
 mount -t proc proc "$root/proc"
+echo 'Dpkg::Use-Pty "0";' >"$root/etc/apt/apt.conf.d/quiet"
 mkdir "$root/packages"
 cp "$packages"/*.deb "$root/packages"
 inside useradd --create-home tester
