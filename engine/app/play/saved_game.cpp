@@ -15,6 +15,8 @@ Result<TapeRecorder> TapeRecorder::begin(const std::string& path, const Tape& ta
     if (!file.ok()) return file.error();
     const Bytes beginning = tape_beginning(tape);
     if (Status failed = file.value().write(beginning)) return *failed;
+    for (const InputRecord& tick : tape.ticks)
+        if (Status failed = file.value().write(tape_tick(tick))) return *failed;
     if (Status failed = file.value().put_in_place()) return *failed;
     return TapeRecorder(std::move(file).value(), beginning.size());
 }

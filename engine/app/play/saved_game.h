@@ -15,7 +15,7 @@ namespace enfilade {
 /// all that led there. An error leaves the tape as far as it was written; the recorder is of no use then.
 class TapeRecorder {
 public:
-    /// Begins the tape at `path`, in place of what was there. Of `tape`, its ticks and its end are not looked at.
+    /// Begins the tape at `path`, in place of what was there, with the ticks of `tape`; its end is not looked at.
     static Result<TapeRecorder> begin(const std::string& path, const Tape& tape);
 
     Status add(const InputRecord& tick);
