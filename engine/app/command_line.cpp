@@ -253,11 +253,15 @@ void declare_tests(CLI::App& command, FlyRequest& request) {
                   "Record the hash of every frame in SCRIPT's .hashes file, and beside it small pictures of some in "
                   "SCRIPT's .sheet.png, for the report of a later --check; draws no pictures for --out")
         ->excludes(check);
+}
+
+/// What belongs to --record, which is declared.
+void declare_recordings(CLI::App& command, FlyRequest& request) {
     command
         .add_flag("--merge", request.merge,
                   "Make one recording of the parts that lie beside the script, recorded with --part or --frames, and "
                   "remove them")
-        ->excludes(check)
+        ->excludes("--check")
         ->excludes("--record")
         ->excludes("--out");
     auto* keep = command
@@ -270,6 +274,10 @@ void declare_tests(CLI::App& command, FlyRequest& request) {
         .add_flag("--no-pictures", request.no_pictures,
                   "With --record: keep only hashes, and remove pictures that were kept")
         ->excludes(keep);
+}
+
+/// What belongs to --check, which is declared.
+void declare_comparisons(CLI::App& command, FlyRequest& request) {
     command.add_option("--against", request.against, "With --check: compare with another renderer instead")
         ->type_name("NAME");
     command
@@ -288,6 +296,8 @@ CLI::App* declare_fly(CLI::App& enfilade, FlyRequest& request) {
         ->required();
     declare_drawing(*command, request);
     declare_tests(*command, request);
+    declare_recordings(*command, request);
+    declare_comparisons(*command, request);
     command->footer(
         "Examples:\n  enfilade fly maps/flythroughs/enfilade.toml --out enfilade.mp4\n  enfilade fly "
         "maps/flythroughs/enfilade.toml --record\n  enfilade fly maps/flythroughs/enfilade.toml --check "

@@ -13,45 +13,47 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Part {
+struct RecordedPart {
     std::string hashes, sheet;  ///< paths
     FrameRecording recording;   ///< of at least one frame
 };
 
-Result<Part> read_part(const fs::path& path) {
+Result<RecordedPart> read_part(const fs::path& path) {
     const auto bytes = read_file(path.string());
     if (!bytes.ok()) return bytes.error();
     auto recording = read_frame_hashes(as_text(bytes.value()));
     if (!recording.ok()) return Error{path.string() + ":" + recording.error().where, recording.error().what};
     if (recording.value().frames.empty() || !recording.value().pictures)
         return Error{path.string(), "expected the frames of a part, found none; record it again"};
-    return Part{path.string(), fs::path(path).replace_extension(".sheet.png").string(), std::move(recording).value()};
+    return RecordedPart{path.string(), fs::path(path).replace_extension(".sheet.png").string(),
+                        std::move(recording).value()};
 }
 
 /// All parts that lie beside the script, in the order of their frames.
-Result<std::vector<Part>> read_parts(const fs::path& script_path) {
+Result<std::vector<RecordedPart>> read_parts(const fs::path& script_path) {
     const fs::path folder = script_path.parent_path();
     const std::string beginning = script_path.stem().string() + ".part-";
-    std::vector<Part> parts;
+    std::vector<RecordedPart> parts;
     for (const std::string& name : list_folder(folder.empty() ? "." : folder.string())) {
         if (!name.starts_with(beginning) || !name.ends_with(".hashes")) continue;
         auto part = read_part(folder / name);
         if (!part.ok()) return part.error();
         parts.push_back(std::move(part).value());
     }
-    std::ranges::sort(parts, {}, [](const Part& part) { return part.recording.frames.front().frame; });
+    std::ranges::sort(parts, {}, [](const RecordedPart& part) { return part.recording.frames.front().frame; });
     return parts;
 }
 
 /// The frames of all parts; an error where one is missing or there twice.
-Result<std::vector<FrameHash>> frames_in(const std::vector<Part>& parts, int frames, const std::string& script_path) {
+Result<std::vector<FrameHash>> frames_in(const std::vector<RecordedPart>& parts, int frames,
+                                         const std::string& script_path) {
     std::vector<FrameHash> all;
     const auto missing = [&](std::uint32_t last) {
         return Error{script_path, fmt::format("the parts lack the frames {0}..{1}; draw them with --record --frames "
                                               "{0}..{1}",
                                               all.size(), last)};
     };
-    for (const Part& part : parts)
+    for (const RecordedPart& part : parts)
         for (const FrameHash& frame : part.recording.frames) {
             if (frame.frame > all.size()) return missing(frame.frame - 1);
             if (frame.frame < all.size())
@@ -67,8 +69,8 @@ Result<std::vector<FrameHash>> frames_in(const std::vector<Part>& parts, int fra
 }
 
 /// An error where the parts are not of one recording.
-Status check_alike(const std::vector<Part>& parts) {
-    for (const Part& part : parts) {
+Status check_alike(const std::vector<RecordedPart>& parts) {
+    for (const RecordedPart& part : parts) {
         if (part.recording.pictures != parts.front().recording.pictures)
             return Error{part.hashes, "its pictures have another size or are by another renderer than those of " +
                                           parts.front().hashes + "; draw it with the same options"};
@@ -80,9 +82,9 @@ Status check_alike(const std::vector<Part>& parts) {
 }
 
 /// The sheet of the whole flight.
-Result<ContactSheet> sheet_of(const std::vector<Part>& parts, const ContactSheet& empty) {
+Result<ContactSheet> sheet_of(const std::vector<RecordedPart>& parts, const ContactSheet& empty) {
     ContactSheet sheet = empty;
-    for (const Part& part : parts) {
+    for (const RecordedPart& part : parts) {
         const auto drawn = read_sheet(part.sheet, part.recording.sheet, empty);
         if (!drawn.ok()) return Error{part.hashes, drawn.error().what + " Record it again."};
         for (const FrameHash& frame : part.recording.frames)
@@ -93,7 +95,7 @@ Result<ContactSheet> sheet_of(const std::vector<Part>& parts, const ContactSheet
 }
 
 /// Writes the sheet, or removes one that is there where the parts have none.
-Status write_sheet(const std::vector<Part>& parts, const std::string& path, FrameRecording& whole) {
+Status write_sheet(const std::vector<RecordedPart>& parts, const std::string& path, FrameRecording& whole) {
     std::error_code unremovable;
     if (!parts.front().recording.sheet) {
         fs::remove(path, unremovable);
@@ -118,7 +120,7 @@ Status merge_parts(const std::string& script_path, int frames) {
     if (Status failed = write_sheet(parts.value(), sheet_path(script_path), whole)) return failed;
     if (Status failed = write_file(hashes_path(script_path), write_frame_hashes(whole))) return failed;
     std::error_code unremovable;
-    for (const Part& part : parts.value()) {
+    for (const RecordedPart& part : parts.value()) {
         fs::remove(part.hashes, unremovable);
         fs::remove(part.sheet, unremovable);
     }

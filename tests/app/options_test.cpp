@@ -31,5 +31,20 @@ TEST(ParseFrames, RefusesEverythingElse) {
         EXPECT_FALSE(parse_frames(text).ok()) << text;
 }
 
+TEST(FrameParts, CoverAFlightOnceAndEvenly) {
+    for (const int frames : {1, 2, 7, 71, 1'000'000, 2'000'000'000})
+        for (const int count : {1, 2, 3, 8, 1000}) {
+            int next = 0;
+            for (int number = 1; number <= count; ++number) {
+                const auto range = frames_of(FramePart{number, count}, frames);
+                if (!range.ok()) continue;
+                EXPECT_EQ(range.value().first, next);
+                next = range.value().last + 1;
+                EXPECT_LE(next - range.value().first, frames / count + 1);
+            }
+            EXPECT_EQ(next, frames) << count;
+        }
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -23,7 +23,7 @@ say() { printf '\n=== %s\n' "$*"; }
 # A command in the new system, as root or as a user.
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"; }
 as_user() { inside runuser -u tester -- env HOME=/home/tester ENFILADE_MAP_CACHE=off "$@"; }
-install() { inside apt-get install -y -qq --no-install-recommends "$@" >/dev/null; }
+install() { inside sh -c "apt-get install -y -qq --no-install-recommends $*" >/dev/null; }
 
 # All files but those that apt and dpkg keep about their work.
 files() { (cd "$root" && find . -xdev \( -path ./proc -o -path ./var/cache -o -path ./var/log -o -path ./var/lib/apt \
@@ -50,7 +50,7 @@ find "$root" -xdev -path "$root/packages" -prune -o \( -iname '*enfilade*' -o -i
     grep -v /var/cache/ && echo "something of the packages is left" && exit 1
 
 say "the programs, without anything of the source"
-install /packages/enfilade_*.deb
+install '/packages/enfilade_*.deb'
 as_user sh -c 'cd && enfilade --version && wadconv --version && enfilade check /usr/share/enfilade/maps'
 for renderer in column stencil reference; do
     as_user sh -c "cd && enfilade render /usr/share/enfilade/maps/enfilade.toml --size 320x200 --renderer $renderer \
@@ -66,7 +66,7 @@ if [ -f "$wad" ]; then
 fi
 
 say "the examples, with g++ and clang"
-install /packages/enfilade-dev_*.deb cmake ninja-build g++ clang-19
+install '/packages/enfilade-dev_*.deb' cmake ninja-build g++ clang-19
 for compiler in g++ clang++-19; do
     as_user sh -c "cd && cmake -S /usr/share/enfilade/examples -B $compiler -G Ninja -DCMAKE_CXX_COMPILER=$compiler \
         -DCMAKE_CXX_FLAGS='-Wall -Wextra -Werror' >/dev/null && cmake --build $compiler && ctest --test-dir $compiler"
