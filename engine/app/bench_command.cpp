@@ -170,7 +170,7 @@ void tell_times(const BenchRequest& request, const BenchChoices& choices, const 
     if (request.format == kJson) {
         const BenchSetting setting{
             request.files,        choices.size.width, choices.size.height, name_of(choices.renderer),
-            std::string(kernels), choices.samples,    choices.threads,     choices.rounds};
+            std::string(kernels), choices.dials,      choices.threads,     choices.rounds};
         return print_text(stdout, bench_json(setting, frames));
     }
     std::FILE* const out = request.csv == "-" ? stderr : stdout;

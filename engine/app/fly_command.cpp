@@ -128,14 +128,7 @@ Result<DrawPlan> plan_of(const FlyRequest& request, const FlyChoices& choices, c
     const RendererKind renderer = choices.renderer.value_or(open.script.renderer);
     const auto dials = dials_from(request.dials, open.script.dials, renderer, size);
     if (!dials.ok()) return dials.error();
-    return DrawPlan{renderer,
-                    dials.value(),
-                    size.width,
-                    size.height,
-                    first,
-                    last,
-                    1,
-                    open_gl_for_pictures};
+    return DrawPlan{renderer, dials.value(), size.width, size.height, first, last, 1, open_gl_for_pictures};
 }
 
 Status draw_pictures_into(const std::string& folder, const FlightScene& scene, const DrawPlan& plan, Talk talk) {

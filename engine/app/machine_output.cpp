@@ -139,7 +139,7 @@ std::string bench_json(const BenchSetting& setting, const std::vector<BenchFrame
                     {"height", setting.height},
                     {"renderer", setting.renderer},
                     {"kernels", setting.kernels},
-                    {"samples", setting.samples},
+                    {"dials", to_text(setting.dials)},
                     {"threads", setting.threads},
                     {"rounds", setting.rounds},
                     {"frames", list}});

@@ -7,6 +7,7 @@
 #include "app/bench.h"
 #include "app/recorded_flight.h"
 #include "base/finding.h"
+#include "formats/dials.h"
 
 namespace enfilade {
 
@@ -42,7 +43,7 @@ struct BenchSetting {
     std::vector<std::string> subjects;
     int width = 0, height = 0;  ///< [px]
     std::string renderer, kernels;
-    int samples = 1;
+    Dials dials;
     std::size_t threads = 1, rounds = 1;
 };
 
