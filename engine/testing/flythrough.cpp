@@ -46,8 +46,8 @@ Result<std::vector<Mismatch>> check_flythrough(const std::string& script_path, s
     Findings findings;
     const auto flight = plan_flight(script_path, script, *loaded.map, read_file, findings);
     if (!flight) return errors_in(script_path, findings);
-    const DrawPlan plan{script.renderer,      script.samples, script.width, script.height, 0,
-                        flight->frames() - 1, threads,        no_open_gl};
+    const DrawPlan plan{script.renderer,      script.dials, script.width, script.height, 0,
+                        flight->frames() - 1, threads,      no_open_gl};
     return check_frames(script_path, {*flight, *loaded.map, loaded.textures}, plan);
 }
 

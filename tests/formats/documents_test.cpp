@@ -1,11 +1,10 @@
 // The manual and the schemas say what the readers do: the same keys, the same dialects, the same needs.
 #include <gmock/gmock.h>
 
-#include <charconv>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "base/files.h"
-#include "formats/json.h"
 #include "formats/map_keys.h"
 #include "formats/map_toml.h"
 #include "formats/script_toml.h"
@@ -32,12 +31,25 @@ std::vector<std::string> described(const std::vector<KeyInfo>& keys) {
     return all;
 }
 
+using Json = nlohmann::json;
+
+/// The member of that name; null where there is none.
+const Json& member(const Json& object, const std::string& name) {
+    static const Json kNothing;
+    const auto found = object.find(name);
+    return found == object.end() ? kNothing : *found;
+}
+
+/// The string in the member of that name; empty where there is none.
+std::string text_in(const Json& object, const std::string& name) {
+    const Json& text = member(object, name);
+    return text.is_string() ? text.get<std::string>() : "";
+}
+
 /// Walks through a schema: what each key's path is and what is said about it.
 class SchemaWalk {
 public:
-    explicit SchemaWalk(const std::string& path) : schema_(JsonReader(text_ = file_text(path)).read()) {
-        visit(schema_, "");
-    }
+    explicit SchemaWalk(const std::string& path) : schema_(Json::parse(file_text(path))) { visit(schema_, ""); }
 
     std::vector<std::string> keys() const {
         std::vector<std::string> all;
@@ -51,7 +63,8 @@ public:
     std::vector<std::string> without_description() const {
         std::vector<std::string> all;
         for (const auto& [path, key] : keys_)
-            if ((*key.json)["description"].text.empty() && path.find("doom.") == std::string::npos) all.push_back(path);
+            if (text_in(*key.json, "description").empty() && path.find("doom.") == std::string::npos)
+                all.push_back(path);
         return all;
     }
 
@@ -62,24 +75,22 @@ private:
     };
 
     const Json& followed(const Json& json) const {
-        const std::string& reference = json["$ref"].text;
-        return reference.empty() ? json : schema_["definitions"][reference.substr(reference.rfind('/') + 1)];
+        const std::string reference = text_in(json, "$ref");
+        return reference.empty() ? json : schema_.at("definitions").at(reference.substr(reference.rfind('/') + 1));
     }
 
     void visit(const Json& object, const std::string& prefix) {
-        EXPECT_EQ(object["additionalProperties"].text, "false") << prefix;
-        for (const Json& written : object["properties"].members) {
-            const std::string& name = written.name;
+        EXPECT_EQ(member(object, "additionalProperties"), Json(false)) << prefix;
+        for (const auto& [name, written] : member(object, "properties").items()) {
             const Json& json = followed(written);
-            bool required = false;
-            for (const Json& item : object["required"].items) required |= item.text == name;
-            keys_[prefix + name] = {&json, required};
-            const Json& inner = json["items"].members.empty() ? json : followed(json["items"]);
-            if (!inner["properties"].members.empty()) visit(inner, prefix + name + ".");
+            const Json& required = member(object, "required");
+            keys_[prefix + name] = {&json, std::ranges::find(required, Json(name)) != required.end()};
+            const Json& items = member(json, "items");
+            const Json& inner = items.is_object() ? followed(items) : json;
+            if (!member(inner, "properties").empty()) visit(inner, prefix + name + ".");
         }
     }
 
-    std::string text_;
     Json schema_;
     std::map<std::string, Key> keys_;
 };
@@ -97,13 +108,14 @@ constexpr std::string_view kOtherStrings[] = {"name",       "sector",    "tags",
 
 /// What a string must look like to name a file, as schemas say it.
 constexpr std::string_view kNamePattern =
-    R"(^(?!(.*/)?\\.{0,2}(/|$))[^\\u0000-\\u001f\\u007f-\\u009f\\u2028-\\u202e\\u2066-\\u2069]+$)";
-constexpr std::string_view kPathPattern = R"(^[^\\u0000-\\u001f\\u007f-\\u009f\\u2028-\\u202e\\u2066-\\u2069]+$)";
+    R"(^(?!(.*/)?\.{0,2}(/|$))[^\u0000-\u001f\u007f-\u009f\u2028-\u202e\u2066-\u2069]+$)";
+constexpr std::string_view kPathPattern = R"(^[^\u0000-\u001f\u007f-\u009f\u2028-\u202e\u2066-\u2069]+$)";
 
 /// A string in a schema, or those of an array; null where it has other values or only words of a list.
 const Json* strings_of(const Json& json) {
-    const Json& strings = json["items"].members.empty() ? json : json["items"];
-    const bool is_string = strings["type"].text == "string" && strings["enum"].items.empty();
+    const Json& items = member(json, "items");
+    const Json& strings = items.is_object() ? items : json;
+    const bool is_string = text_in(strings, "type") == "string" && member(strings, "enum").empty();
     return is_string ? &strings : nullptr;
 }
 
@@ -113,7 +125,7 @@ void expect_patterns_of_files(const SchemaWalk& schema, const std::vector<KeyInf
     for (const KeyInfo& key : keys) {
         const Json* const strings = strings_of(schema.about(key.path));
         if (!strings) continue;
-        const std::string name = key.path.substr(key.path.rfind('.') + 1), pattern = (*strings)["pattern"].text;
+        const std::string name = key.path.substr(key.path.rfind('.') + 1), pattern = text_in(*strings, "pattern");
         const bool is_other = std::ranges::find(kOtherStrings, name) != std::end(kOtherStrings);
         EXPECT_NE(key.files != Files::none, is_other) << key.path << ": does it name files?";
         switch (key.files) {
@@ -126,7 +138,7 @@ void expect_patterns_of_files(const SchemaWalk& schema, const std::vector<KeyInf
 
 TEST(MapSchema, KnowsWhichKeysNameFiles) {
     const SchemaWalk schema("enfilade.schema.json");
-    const std::string of_textures = schema.about("sectors.floor.texture")["pattern"].text;
+    const std::string of_textures = text_in(schema.about("sectors.floor.texture"), "pattern");
     expect_patterns_of_files(schema, map_keys(), {std::string(kNamePattern), of_textures});
 }
 
@@ -147,10 +159,9 @@ void expect_same_limits(const SchemaWalk& schema, const std::vector<KeyInfo>& ke
     for (const KeyInfo& key : keys) {
         const Json& json = schema.about(key.path);
         for (const auto& [name, limit] : {std::pair("minimum", key.range.low), std::pair("maximum", key.range.high)}) {
-            double written = 0;
-            const std::string& text = json[name].text;
-            if (std::from_chars(text.data(), text.data() + text.size(), written).ec != std::errc()) continue;
-            EXPECT_NEAR(written, limit, 1e-6 * std::abs(limit)) << key.path << " " << name;
+            const Json& written = member(json, name);
+            if (!written.is_number()) continue;
+            EXPECT_NEAR(written.get<double>(), limit, 1e-6 * std::abs(limit)) << key.path << " " << name;
         }
     }
 }
