@@ -1,7 +1,5 @@
 #include "flight/renderer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "formats/text_parts.h"
@@ -228,14 +226,11 @@ Dials dials_of_all_renderers(const Dials& dials) {
 
 Status check_dials(RendererKind kind, const Dials& dials) {
     if (kind != RendererKind::column && dials != dials_of_all_renderers(dials))
-        return Error{"",
-                     fmt::format("only the column renderer draws texels by {}; the {} renderer has the dials samples, "
-                                 "light and links",
-                                 to_text(dials), name_of(kind))};
+        return Error{"", "only the column renderer draws texels by " + to_text(dials) + "; the " + name_of(kind) +
+                             " renderer has the dials samples, light and links"};
     if (dials.texel_error > 0 && (dials.span > 1 || dials.number != NumberKind::real64))
-        return Error{"", fmt::format("an accuracy is a promise that span and number would break; expected it without "
-                                     "them, found {}",
-                                     to_text(dials))};
+        return Error{"", "an accuracy is a promise that span and number would break; expected it without them, found " +
+                             to_text(dials)};
     return {};
 }
 

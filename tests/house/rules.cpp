@@ -95,6 +95,9 @@ const std::vector<Fence>& fences() {
         {std::regex(R"(^\s*#\s*include\s*[<"](epoxy|GL|GLES\d|EGL)/.*)"),
          {"engine/render/stencil/", "engine/platform/"},
          "only the stencil renderer and engine/platform know OpenGL"},
+        {std::regex(R"(^\s*#\s*include\s*[<"](fmt|nlohmann|CLI)/.*)"),
+         {"engine/app/", "wadconv/main.cpp"},
+         "only commands know fmt, JSON and CLI11, so that who links the engine need not"},
         {std::regex(R"(^\s*#\s*include\s*<(thread|future|mutex|condition_variable)>)"),
          {"engine/base/parallel.cpp", "engine/platform/", "engine/app/"},
          "below platform, threads live in base/parallel.cpp"}};

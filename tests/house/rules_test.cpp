@@ -83,6 +83,13 @@ TEST(Fences, KeepOpenGlInTheStencilRenderer) {
                 ElementsAre(HasSubstr("OpenGL")));
 }
 
+TEST(Fences, KeepLibrariesOfCommandsFromTheEngine) {
+    EXPECT_THAT(check_fenced_libraries(including("engine/app/bench.cpp", "<fmt/format.h>")), IsEmpty());
+    for (const char* header : {"<fmt/format.h>", "<nlohmann/json.hpp>", "<CLI/CLI.hpp>"})
+        EXPECT_THAT(check_fenced_libraries(including("engine/flight/renderer.cpp", header)),
+                    ElementsAre(HasSubstr("only commands know fmt")));
+}
+
 TEST(Fences, KeepThreadsInParallel) {
     EXPECT_THAT(check_fenced_libraries(including("engine/base/parallel.cpp", "<thread>")), IsEmpty());
     EXPECT_THAT(check_fenced_libraries(including("engine/flight/fly.cpp", "<mutex>")),
