@@ -1,54 +1,33 @@
 // What a person does at the keyboard, the mouse and the gamepad, as plain values that no library leaks into.
 #pragma once
 #include <cstdint>
+#include <string_view>
 #include <variant>
 
 namespace enfilade {
 
-/// Keys by their place on the keyboard, named as on a US keyboard: WASD stays a cross on every layout.
+/// Keys by their place on the keyboard, named as on a US keyboard: WASD stays a cross on every layout. The buttons of
+/// the mouse are among them, because whatever a key can do, they can.
 enum class KeyCode : std::uint8_t {
     unknown,
-    w,
-    a,
-    s,
-    d,
-    c,
-    e,
-    n,
-    r,
-    y,
-    up,
-    down,
-    left,
-    right,
-    page_up,
-    page_down,
-    home,
-    left_shift,
-    right_shift,
-    left_control,
-    right_control,
-    left_alt,
-    right_alt,
-    space,
-    tab,
-    enter,
-    escape,
-    plus,
-    minus,
-    f1,
-    f2,
-    f3,
-    f4,
-    f5,
-    f6,
-    f7,
-    f8,
-    f9,
-    f11,
-    f12
+    // clang-format off
+    a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z,
+    digit_0, digit_1, digit_2, digit_3, digit_4, digit_5, digit_6, digit_7, digit_8, digit_9,
+    up, down, left, right, page_up, page_down, home, end, insert, remove, backspace,
+    left_shift, right_shift, left_control, right_control, left_alt, right_alt,
+    space, tab, enter, escape, plus, minus, comma, period, slash, semicolon, apostrophe,
+    left_bracket, right_bracket, backslash, grave,
+    f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12,
+    mouse_left, mouse_middle, mouse_right
+    // clang-format on
 };
-inline constexpr int kKeyCount = static_cast<int>(KeyCode::f12) + 1;
+inline constexpr int kKeyCount = static_cast<int>(KeyCode::mouse_right) + 1;
+
+/// "W", "Left Shift", "Page Up": how people and files call it; empty for none of those above.
+std::string_view name_of(KeyCode key);
+
+/// The key of that name, in capitals or not; unknown where there is none.
+KeyCode key_named(std::string_view name);
 
 enum class MouseButton : std::uint8_t { left, middle, right, other };
 
@@ -111,7 +90,7 @@ struct FocusChange {
     bool focused = false;  ///< without focus the mouse is already released and keys count as let go
 };
 
-/// Window::size() may have changed.
+/// Window::size() may have changed, or what the window showed was lost.
 struct WindowResize {};
 
 /// The person closed the window, or the system asked the program to end.

@@ -1,57 +1,58 @@
 #include "platform/sdl_events.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace enfilade {
 
 namespace {
 
+struct KeyPlace {
+    SDL_Scancode code;
+    KeyCode key;
+};
+
+constexpr KeyPlace kKeyPlaces[] = {
+    // clang-format off
+    {SDL_SCANCODE_A, KeyCode::a}, {SDL_SCANCODE_B, KeyCode::b}, {SDL_SCANCODE_C, KeyCode::c},
+    {SDL_SCANCODE_D, KeyCode::d}, {SDL_SCANCODE_E, KeyCode::e}, {SDL_SCANCODE_F, KeyCode::f},
+    {SDL_SCANCODE_G, KeyCode::g}, {SDL_SCANCODE_H, KeyCode::h}, {SDL_SCANCODE_I, KeyCode::i},
+    {SDL_SCANCODE_J, KeyCode::j}, {SDL_SCANCODE_K, KeyCode::k}, {SDL_SCANCODE_L, KeyCode::l},
+    {SDL_SCANCODE_M, KeyCode::m}, {SDL_SCANCODE_N, KeyCode::n}, {SDL_SCANCODE_O, KeyCode::o},
+    {SDL_SCANCODE_P, KeyCode::p}, {SDL_SCANCODE_Q, KeyCode::q}, {SDL_SCANCODE_R, KeyCode::r},
+    {SDL_SCANCODE_S, KeyCode::s}, {SDL_SCANCODE_T, KeyCode::t}, {SDL_SCANCODE_U, KeyCode::u},
+    {SDL_SCANCODE_V, KeyCode::v}, {SDL_SCANCODE_W, KeyCode::w}, {SDL_SCANCODE_X, KeyCode::x},
+    {SDL_SCANCODE_Y, KeyCode::y}, {SDL_SCANCODE_Z, KeyCode::z}, {SDL_SCANCODE_0, KeyCode::digit_0},
+    {SDL_SCANCODE_1, KeyCode::digit_1}, {SDL_SCANCODE_2, KeyCode::digit_2}, {SDL_SCANCODE_3, KeyCode::digit_3},
+    {SDL_SCANCODE_4, KeyCode::digit_4}, {SDL_SCANCODE_5, KeyCode::digit_5}, {SDL_SCANCODE_6, KeyCode::digit_6},
+    {SDL_SCANCODE_7, KeyCode::digit_7}, {SDL_SCANCODE_8, KeyCode::digit_8}, {SDL_SCANCODE_9, KeyCode::digit_9},
+    {SDL_SCANCODE_UP, KeyCode::up}, {SDL_SCANCODE_DOWN, KeyCode::down}, {SDL_SCANCODE_LEFT, KeyCode::left},
+    {SDL_SCANCODE_RIGHT, KeyCode::right}, {SDL_SCANCODE_PAGEUP, KeyCode::page_up},
+    {SDL_SCANCODE_PAGEDOWN, KeyCode::page_down}, {SDL_SCANCODE_HOME, KeyCode::home},
+    {SDL_SCANCODE_END, KeyCode::end}, {SDL_SCANCODE_INSERT, KeyCode::insert},
+    {SDL_SCANCODE_DELETE, KeyCode::remove}, {SDL_SCANCODE_BACKSPACE, KeyCode::backspace},
+    {SDL_SCANCODE_LSHIFT, KeyCode::left_shift}, {SDL_SCANCODE_RSHIFT, KeyCode::right_shift},
+    {SDL_SCANCODE_LCTRL, KeyCode::left_control}, {SDL_SCANCODE_RCTRL, KeyCode::right_control},
+    {SDL_SCANCODE_LALT, KeyCode::left_alt}, {SDL_SCANCODE_RALT, KeyCode::right_alt},
+    {SDL_SCANCODE_SPACE, KeyCode::space}, {SDL_SCANCODE_TAB, KeyCode::tab}, {SDL_SCANCODE_RETURN, KeyCode::enter},
+    {SDL_SCANCODE_ESCAPE, KeyCode::escape}, {SDL_SCANCODE_EQUALS, KeyCode::plus},
+    {SDL_SCANCODE_MINUS, KeyCode::minus}, {SDL_SCANCODE_COMMA, KeyCode::comma},
+    {SDL_SCANCODE_PERIOD, KeyCode::period}, {SDL_SCANCODE_SLASH, KeyCode::slash},
+    {SDL_SCANCODE_SEMICOLON, KeyCode::semicolon}, {SDL_SCANCODE_APOSTROPHE, KeyCode::apostrophe},
+    {SDL_SCANCODE_LEFTBRACKET, KeyCode::left_bracket}, {SDL_SCANCODE_RIGHTBRACKET, KeyCode::right_bracket},
+    {SDL_SCANCODE_BACKSLASH, KeyCode::backslash}, {SDL_SCANCODE_GRAVE, KeyCode::grave},
+    {SDL_SCANCODE_F1, KeyCode::f1}, {SDL_SCANCODE_F2, KeyCode::f2}, {SDL_SCANCODE_F3, KeyCode::f3},
+    {SDL_SCANCODE_F4, KeyCode::f4}, {SDL_SCANCODE_F5, KeyCode::f5}, {SDL_SCANCODE_F6, KeyCode::f6},
+    {SDL_SCANCODE_F7, KeyCode::f7}, {SDL_SCANCODE_F8, KeyCode::f8}, {SDL_SCANCODE_F9, KeyCode::f9},
+    {SDL_SCANCODE_F10, KeyCode::f10}, {SDL_SCANCODE_F11, KeyCode::f11}, {SDL_SCANCODE_F12, KeyCode::f12},
+    {SDL_SCANCODE_KP_ENTER, KeyCode::enter}, {SDL_SCANCODE_KP_PLUS, KeyCode::plus},
+    {SDL_SCANCODE_KP_MINUS, KeyCode::minus}
+    // clang-format on
+};
+
 KeyCode key_of(SDL_Scancode code) {
-    switch (code) {
-        case SDL_SCANCODE_W: return KeyCode::w;
-        case SDL_SCANCODE_A: return KeyCode::a;
-        case SDL_SCANCODE_S: return KeyCode::s;
-        case SDL_SCANCODE_D: return KeyCode::d;
-        case SDL_SCANCODE_C: return KeyCode::c;
-        case SDL_SCANCODE_E: return KeyCode::e;
-        case SDL_SCANCODE_N: return KeyCode::n;
-        case SDL_SCANCODE_R: return KeyCode::r;
-        case SDL_SCANCODE_Y: return KeyCode::y;
-        case SDL_SCANCODE_UP: return KeyCode::up;
-        case SDL_SCANCODE_DOWN: return KeyCode::down;
-        case SDL_SCANCODE_LEFT: return KeyCode::left;
-        case SDL_SCANCODE_RIGHT: return KeyCode::right;
-        case SDL_SCANCODE_PAGEUP: return KeyCode::page_up;
-        case SDL_SCANCODE_PAGEDOWN: return KeyCode::page_down;
-        case SDL_SCANCODE_HOME: return KeyCode::home;
-        case SDL_SCANCODE_LSHIFT: return KeyCode::left_shift;
-        case SDL_SCANCODE_RSHIFT: return KeyCode::right_shift;
-        case SDL_SCANCODE_LCTRL: return KeyCode::left_control;
-        case SDL_SCANCODE_RCTRL: return KeyCode::right_control;
-        case SDL_SCANCODE_LALT: return KeyCode::left_alt;
-        case SDL_SCANCODE_RALT: return KeyCode::right_alt;
-        case SDL_SCANCODE_SPACE: return KeyCode::space;
-        case SDL_SCANCODE_TAB: return KeyCode::tab;
-        case SDL_SCANCODE_RETURN:
-        case SDL_SCANCODE_KP_ENTER: return KeyCode::enter;
-        case SDL_SCANCODE_ESCAPE: return KeyCode::escape;
-        case SDL_SCANCODE_EQUALS:
-        case SDL_SCANCODE_KP_PLUS: return KeyCode::plus;
-        case SDL_SCANCODE_MINUS:
-        case SDL_SCANCODE_KP_MINUS: return KeyCode::minus;
-        case SDL_SCANCODE_F1: return KeyCode::f1;
-        case SDL_SCANCODE_F2: return KeyCode::f2;
-        case SDL_SCANCODE_F3: return KeyCode::f3;
-        case SDL_SCANCODE_F4: return KeyCode::f4;
-        case SDL_SCANCODE_F5: return KeyCode::f5;
-        case SDL_SCANCODE_F6: return KeyCode::f6;
-        case SDL_SCANCODE_F7: return KeyCode::f7;
-        case SDL_SCANCODE_F8: return KeyCode::f8;
-        case SDL_SCANCODE_F9: return KeyCode::f9;
-        case SDL_SCANCODE_F11: return KeyCode::f11;
-        case SDL_SCANCODE_F12: return KeyCode::f12;
-        default: return KeyCode::unknown;
-    }
+    const auto found = std::ranges::find(kKeyPlaces, code, &KeyPlace::code);
+    return found == std::end(kKeyPlaces) ? KeyCode::unknown : found->key;
 }
 
 MouseButton button_of(std::uint8_t button) {
@@ -106,7 +107,10 @@ std::optional<InputEvent> translate_window(const SDL_WindowEvent& event) {
     switch (event.event) {
         case SDL_WINDOWEVENT_FOCUS_GAINED: return FocusChange{true};
         case SDL_WINDOWEVENT_FOCUS_LOST: return FocusChange{false};
-        case SDL_WINDOWEVENT_SIZE_CHANGED: return WindowResize{};
+        case SDL_WINDOWEVENT_SIZE_CHANGED:
+        case SDL_WINDOWEVENT_EXPOSED:
+        case SDL_WINDOWEVENT_SHOWN:
+        case SDL_WINDOWEVENT_RESTORED: return WindowResize{};
         case SDL_WINDOWEVENT_CLOSE: return QuitRequest{};
         default: return {};
     }
