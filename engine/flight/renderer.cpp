@@ -90,6 +90,11 @@ public:
         return renderer_->render(frame, facts, snapshot, view);
     }
 
+    bool keeps_on_card() const override { return true; }
+    Result<GlPicture> render_on_card(int width, int height, const Snapshot& snapshot, const View& view) override {
+        return renderer_->render_on_card(width, height, snapshot, view);
+    }
+
     std::vector<ViewportShape> viewports() const override {
         std::vector<ViewportShape> shapes;
         for (StencilViewport& seen : renderer_->viewports())
@@ -205,6 +210,11 @@ Result<std::unique_ptr<Renderer>> make_dialled(const RendererChoice& choice, con
 }
 
 }  // namespace
+
+Result<GlPicture> Renderer::render_on_card(int, int, const Snapshot&, const View&) {
+    ENFILADE_CHECK(keeps_on_card());
+    return Error{"", "this renderer keeps no pictures on a graphics card"};
+}
 
 Result<RendererKind> parse_renderer(const std::string& name) {
     const auto& words = kWords<RendererKind>;

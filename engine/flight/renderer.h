@@ -41,6 +41,11 @@ public:
     /// An error where a graphics card fails; the frame may then hold anything.
     virtual Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) = 0;
 
+    /// Whether pictures may stay on the graphics card, in the context that was opened for this renderer.
+    virtual bool keeps_on_card() const { return false; }
+    /// As render(), for a renderer that keeps_on_card(): the picture holds until the next is drawn.
+    virtual Result<GlPicture> render_on_card(int width, int height, const Snapshot& snapshot, const View& view);
+
     /// The viewports of the last picture; empty where the renderer has none. Cost: allocates.
     virtual std::vector<ViewportShape> viewports() const { return {}; }
 

@@ -20,6 +20,13 @@ public:
     virtual void release() = 0;
 };
 
+/// A picture that stays where it was drawn: in the colour of a framebuffer, row 0 of the picture being its row 0.
+struct GlPicture {
+    unsigned framebuffer = 0;  ///< of the context it was drawn in
+    int width = 0, height = 0;
+    bool is_cut_short = false;  ///< as a frame's
+};
+
 /// Opens a context, or says in a sentence why there is none.
 using GlContextOpener = std::function<Result<std::unique_ptr<GlContext>>()>;
 

@@ -43,6 +43,8 @@ public:
     /// Copies the picture out; facts only where they were wanted. writes is 1 where something was drawn.
     void read(Frame& frame) const;
     void read(FrameFacts& facts) const;
+    /// Whose colour is the picture.
+    unsigned framebuffer() const { return framebuffer_.id(); }
 
 private:
     /// A stencil buffer aside; its depth is not used, but levels can only be copied between buffers of one format.

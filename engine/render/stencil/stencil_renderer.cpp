@@ -42,6 +42,8 @@ struct StencilRenderer::State {
     }
 
     Status prepare();
+    /// Into the target; what it holds of the picture is in the result.
+    Result<GlPicture> draw(int width, int height, bool with_facts, const Snapshot& snapshot, const View& view);
     Status draw(Frame& frame, FrameFacts* frame_facts, const Snapshot& snapshot, const View& view);
 };
 
@@ -82,31 +84,36 @@ Status StencilRenderer::State::prepare() {
     return gl_failure();
 }
 
-Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const Snapshot& snapshot, const View& view) {
-    const bool with_facts = frame_facts != nullptr;
-    const Projection projection(view, frame.width, frame.height);
+Result<GlPicture> StencilRenderer::State::draw(int width, int height, bool with_facts, const Snapshot& snapshot,
+                                               const View& view) {
+    const Projection projection(view, width, height);
     const RayField rays(view, projection);
     const Screen screen = view.tilt ? panorama_screen() : Screen(projection);
     const FrameInput input{map, facts, textures, snapshot};
     Plan plan = make_plan(input, screen, rays, view);
-    if (Status failed = objects->target.prepare(frame.width, frame.height, with_facts, times_kept(plan.deepest)))
-        return failed;
+    if (Status failed = objects->target.prepare(width, height, with_facts, times_kept(plan.deepest))) return *failed;
     objects->records.clear();
     const DrawInput scene{input, objects->store, screen, rays, objects->records, lights.where_lit()};
     mesh.clear();
     const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
-    if (Status failed = objects->records.upload()) return failed;
-    if (Status failed = objects->painter.prepare_for(mesh, rays.is_tilted)) return failed;
+    if (Status failed = objects->records.upload()) return *failed;
+    if (Status failed = objects->painter.prepare_for(mesh, rays.is_tilted)) return *failed;
     objects->target.clear();
     objects->painter.paint(objects->target, scene, plan, mesh, ranges, with_facts);
-    objects->target.read(frame);
-    if (with_facts) objects->target.read(*frame_facts);
-    frame.is_cut_short = plan.is_cut_short;
     counts = {plan.layers.size(),     0,           plan.rooms.size(), plan.cut, objects->painter.draws(),
               mesh.index_count() / 3, plan.deepest};
     for (const Layer& layer : plan.layers) counts.sectors += layer.sectors.size();
     rooms = std::move(plan.rooms);
     was_tilted = rays.is_tilted;
+    return GlPicture{objects->target.framebuffer(), width, height, plan.is_cut_short};
+}
+
+Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const Snapshot& snapshot, const View& view) {
+    const auto picture = draw(frame.width, frame.height, frame_facts != nullptr, snapshot, view);
+    if (!picture.ok()) return picture.error();
+    objects->target.read(frame);
+    if (frame_facts) objects->target.read(*frame_facts);
+    frame.is_cut_short = picture.value().is_cut_short;
     return gl_failure();
 }
 
@@ -132,6 +139,18 @@ Status StencilRenderer::render(Frame& frame, FrameFacts* facts, const Snapshot& 
     const Status failed = state.draw(frame, facts, snapshot, view);
     state.context->release();
     return failed;
+}
+
+Result<GlPicture> StencilRenderer::render_on_card(int width, int height, const Snapshot& snapshot, const View& view) {
+    State& state = *state_;
+    const std::size_t sectors = state.map.sectors.size();
+    ENFILADE_CHECK(view.sector.index < sectors && snapshot.sectors.size() == sectors);
+    if (Status failed = state.context->make_current()) return *failed;
+    auto picture = state.draw(width, height, false, snapshot, view);
+    const Status failed = gl_failure();
+    state.context->release();
+    if (failed) return *failed;
+    return picture;
 }
 
 StencilCounts StencilRenderer::counts() const { return state_->counts; }

@@ -78,6 +78,9 @@ public:
     /// view     : view.sector contains view.eye under the tie rule
     Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view);
 
+    /// The same picture, not copied: it holds until the next is drawn. An error as above.
+    Result<GlPicture> render_on_card(int width, int height, const Snapshot& snapshot, const View& view);
+
     StencilCounts counts() const;
 
     /// The last frame's looks into sectors. Allocates; for overlays and tests.
