@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "platform/input_event.h"
 #include "render/frame.h"
+#include "render/stencil/gl_context.h"
 
 namespace enfilade {
 
@@ -14,7 +15,12 @@ struct WindowOptions {
     std::string title;
     int width = 1280, height = 800;  ///< [px]; made smaller where the display is smaller
     bool fullscreen = false;
+    bool by_gpu = false;  ///< as Window::show_by_gpu; where that cannot be had, it is done without
 };
+
+/// Whether this machine has a graphics card of its own, as far as can be told without asking OpenGL: a machine without
+/// one shows pictures fastest by the CPU.
+bool has_gpu();
 
 /// A width and a height in pixels.
 struct PixelSize {
@@ -33,6 +39,24 @@ public:
 
     /// Shows the frame. A frame of another size than the window is scaled, its proportions kept, pixels staying sharp.
     virtual Status present(const Frame& frame) = 0;
+
+    /// From now on pictures are shown by OpenGL, or by copying them; the window is made anew. By OpenGL they wait for
+    /// the display, if it lets them. Contexts of gl() must be gone before. An error leaves a window that copies.
+    virtual Status show_by_gpu(bool by_gpu);
+    virtual bool is_shown_by_gpu() const { return false; }
+    /// By OpenGL: wait until the display is ready for the next picture, or do not.
+    virtual void wait_for_display(bool) {}
+    virtual bool waits_for_display() const { return false; }
+
+    /// The window's own OpenGL, for who draws what it shows. Only where it is shown by the GPU; must not outlive that.
+    virtual GlContextOpener gl() { return {}; }
+
+    /// Shows what was drawn by gl(), brightened, and the frame over it, which has the same size; its colours are
+    /// multiplied by their alpha. brightness : the exponent of the light is 1 / brightness
+    virtual Status present(const GlPicture& picture, const Frame& over, double brightness);
+
+    /// Nobody sees the window.
+    virtual bool is_hidden() const { return false; }
 
     /// Drawable size [px]: on a high-density display more than the window's size in points.
     virtual PixelSize size() const = 0;

@@ -1,12 +1,16 @@
-// The window, by SDL: frames are copied into the window's own surface, which is the fastest way for pictures that were
-// drawn by the CPU.
+// The window, by SDL. Frames are copied into the window's own surface, which is the fastest way for pictures that were
+// drawn by the CPU; or all pictures are shown by OpenGL, which can wait for the display, and needs no copy of what it
+// drew itself. SDL cannot do both in one window: it is made anew for the other.
 #include <SDL.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
+#include "platform/gl_context.h"
+#include "platform/gl_screen.h"
 #include "platform/sdl_events.h"
 #include "platform/window.h"
 
@@ -33,12 +37,12 @@ struct SurfaceFreer {
 using WindowHandle = std::unique_ptr<SDL_Window, WindowCloser>;
 using SurfaceHandle = std::unique_ptr<SDL_Surface, SurfaceFreer>;
 
-/// The largest rectangle with the frame's proportions in the middle of the surface [px].
-SDL_Rect fit(const Frame& frame, const SDL_Surface& surface) {
-    const double scale = std::min(double(surface.w) / frame.width, double(surface.h) / frame.height);
-    const int width = std::clamp(int(std::lround(frame.width * scale)), 1, surface.w);
-    const int height = std::clamp(int(std::lround(frame.height * scale)), 1, surface.h);
-    return {(surface.w - width) / 2, (surface.h - height) / 2, width, height};
+/// The largest rectangle with the picture's proportions in the middle of the window [px].
+SDL_Rect fit(int width, int height, PixelSize window) {
+    const double scale = std::min(double(window.width) / width, double(window.height) / height);
+    const int wide = std::clamp(int(std::lround(width * scale)), 1, window.width);
+    const int high = std::clamp(int(std::lround(height * scale)), 1, window.height);
+    return {(window.width - wide) / 2, (window.height - high) / 2, wide, high};
 }
 
 /// Black where the picture does not reach.
@@ -60,6 +64,91 @@ SurfaceHandle surface_over(const Frame& frame) {
     return over;
 }
 
+/// A window's OpenGL, and what shows pictures by it.
+class WindowGl {
+public:
+    /// The window was made for OpenGL.
+    static Result<std::unique_ptr<WindowGl>> open(SDL_Window* window, bool waits) {
+        std::unique_ptr<WindowGl> gl(new WindowGl(window));
+        if (gl->context_ == nullptr) return sdl_error("make an OpenGL context for the window");
+        if (Status failed = gl->screen_->prepare()) return *failed;
+        gl->wait(waits);
+        return gl;
+    }
+    WindowGl(const WindowGl&) = delete;
+    WindowGl& operator=(const WindowGl&) = delete;
+    ~WindowGl() {
+        if (context_ == nullptr) return;
+        make_current();
+        screen_.reset();
+        SDL_GL_DeleteContext(context_);
+    }
+
+    Status make_current() const {
+        if (SDL_GL_MakeCurrent(window_, context_) == 0) return {};
+        return sdl_error("get at its OpenGL context again, which was lost");
+    }
+    void release() const { SDL_GL_MakeCurrent(window_, nullptr); }
+
+    void wait(bool waits) {
+        make_current();
+        waits_ = SDL_GL_SetSwapInterval(waits ? 1 : 0) == 0 && waits;
+    }
+    bool waits() const { return waits_; }
+
+    template <class Show>
+    Status show(Show show) {
+        if (Status failed = make_current()) return failed;
+        const Status failed = show(*screen_);
+        if (!failed) SDL_GL_SwapWindow(window_);
+        return failed;
+    }
+
+private:
+    explicit WindowGl(SDL_Window* window) : window_(window), context_(SDL_GL_CreateContext(window)) {}
+
+    SDL_Window* window_;
+    SDL_GLContext context_;
+    std::unique_ptr<GlScreen> screen_ = std::make_unique<GlScreen>();
+    bool waits_ = false;
+};
+
+/// The window's context, for who draws in it.
+class BorrowedGl final : public GlContext {
+public:
+    explicit BorrowedGl(const WindowGl& gl) : gl_(gl) {}
+    Status make_current() override { return gl_.make_current(); }
+    void release() override { gl_.release(); }
+
+private:
+    const WindowGl& gl_;
+};
+
+struct WindowLook {
+    std::string title;
+    int x = SDL_WINDOWPOS_CENTERED, y = SDL_WINDOWPOS_CENTERED;
+    PixelSize points;
+    bool fullscreen = false;
+};
+
+void ask_for(GlApi api) {
+    const bool is_desktop = api == GlApi::desktop;
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK,
+                        is_desktop ? SDL_GL_CONTEXT_PROFILE_CORE : SDL_GL_CONTEXT_PROFILE_ES);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, is_desktop ? 3 : 0);
+}
+
+WindowHandle make_window(const WindowLook& look, bool for_gl) {
+    std::uint32_t flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
+    if (look.fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
+    if (for_gl) flags |= SDL_WINDOW_OPENGL;
+    WindowHandle window(
+        SDL_CreateWindow(look.title.c_str(), look.x, look.y, look.points.width, look.points.height, flags));
+    if (window) SDL_SetWindowMinimumSize(window.get(), 160, 100);
+    return window;
+}
+
 class SdlWindow final : public Window {
 public:
     SdlWindow(std::unique_ptr<Session> session, WindowHandle window)
@@ -75,19 +164,59 @@ public:
         }
     }
 
+    Status show_by_gpu(bool by_gpu) override {
+        if (by_gpu == (gl_ != nullptr)) return {};
+        gl_.reset();
+        if (!by_gpu) return remake(false);
+        Status failed;
+        for (const GlApi api : {GlApi::desktop, GlApi::es}) {
+            ask_for(api);
+            failed = remake(true);
+            if (!failed) return {};
+        }
+        static_cast<void>(remake(false));
+        return failed;
+    }
+    bool is_shown_by_gpu() const override { return gl_ != nullptr; }
+    void wait_for_display(bool waits) override {
+        waits_ = waits;
+        if (gl_) gl_->wait(waits);
+    }
+    bool waits_for_display() const override { return gl_ && gl_->waits(); }
+    GlContextOpener gl() override {
+        if (!gl_) return {};
+        return [this]() -> Result<std::unique_ptr<GlContext>> {
+            return std::unique_ptr<GlContext>(std::make_unique<BorrowedGl>(*gl_));
+        };
+    }
+
     Status present(const Frame& frame) override {
+        if (gl_) {
+            const PictureArea area = place(frame.width, frame.height);
+            return gl_->show([&](GlScreen& screen) { return screen.show(frame, area); });
+        }
         SDL_Surface* surface = SDL_GetWindowSurface(window_.get());  // a resize makes a new one
         if (surface == nullptr) return sdl_error("get at the window's pixels");
         const SurfaceHandle picture = surface_over(frame);
         if (!picture) return sdl_error("show the picture");
-        SDL_Rect target = fit(frame, *surface);
+        const PictureArea area = place(frame.width, frame.height);
+        SDL_Rect target{area.left, area.top, area.width, area.height};
         if (target.w != surface->w || target.h != surface->h) fill_bars(*surface, target);
-        remember_placement(frame, target, *surface);
         const bool same_size = target.w == frame.width && target.h == frame.height;
         const int failed = same_size ? SDL_BlitSurface(picture.get(), nullptr, surface, &target)
                                      : SDL_BlitScaled(picture.get(), nullptr, surface, &target);
         if (failed != 0 || SDL_UpdateWindowSurface(window_.get()) != 0) return sdl_error("show the picture");
         return {};
+    }
+
+    Status present(const GlPicture& picture, const Frame& over, double brightness) override {
+        ENFILADE_CHECK(gl_ != nullptr);
+        const PictureArea area = place(picture.width, picture.height);
+        return gl_->show([&](GlScreen& screen) { return screen.show(picture, over, brightness, area); });
+    }
+
+    bool is_hidden() const override {
+        return (SDL_GetWindowFlags(window_.get()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) != 0;
     }
 
     PixelSize size() const override {
@@ -119,18 +248,43 @@ public:
     }
 
 private:
-    void remember_placement(const Frame& frame, const SDL_Rect& target, const SDL_Surface& surface) {
-        int points_wide = surface.w, points_high = surface.h;
+    /// The window again, where and as it was. What happened to the old one is no news.
+    Status remake(bool for_gl) {
+        WindowLook look{SDL_GetWindowTitle(window_.get()), 0, 0, {}, fullscreen()};
+        SDL_GetWindowPosition(window_.get(), &look.x, &look.y);
+        SDL_GetWindowSize(window_.get(), &look.points.width, &look.points.height);
+        const bool was_grabbed = grabbed_;
+        grab_mouse(false);
+        WindowHandle fresh = make_window(look, for_gl);
+        if (!fresh) return sdl_error("open a window");
+        window_ = std::move(fresh);
+        SDL_PumpEvents();
+        SDL_FlushEvent(SDL_WINDOWEVENT);
+        grab_mouse(was_grabbed);
+        if (!for_gl) return {};
+        auto gl = WindowGl::open(window_.get(), waits_);
+        if (!gl.ok()) return gl.error();
+        gl_ = std::move(gl).value();
+        return {};
+    }
+
+    /// Where the picture goes, which is remembered for the mouse.
+    PictureArea place(int width, int height) {
+        const PixelSize window = size();
+        const SDL_Rect target = fit(width, height, window);
+        int points_wide = window.width, points_high = window.height;
         SDL_GetWindowSize(window_.get(), &points_wide, &points_high);
-        const double points_per_px = double(points_wide) / surface.w;
-        placement_ = {target.x * points_per_px, target.y * points_per_px, target.w * points_per_px / frame.width};
+        const double points_per_px = double(points_wide) / window.width;
+        placement_ = {target.x * points_per_px, target.y * points_per_px, target.w * points_per_px / width};
+        return {target.x, target.y, target.w, target.h, window.width, window.height};
     }
 
     std::unique_ptr<Session> session_;
     WindowHandle window_;
+    std::unique_ptr<WindowGl> gl_;  ///< none: pictures are copied
     Gamepads gamepads_;
     Placement placement_;
-    bool grabbed_ = false;
+    bool grabbed_ = false, waits_ = true;
 };
 
 /// Without a display SDL would choose a driver that draws where nobody looks. Only who asks for it gets that.
@@ -162,17 +316,37 @@ PixelSize no_larger_than_display(int width, int height) {
 
 }  // namespace
 
+Status Window::show_by_gpu(bool) { return Error{"window", "this window knows no OpenGL"}; }
+
+Status Window::present(const GlPicture&, const Frame&, double) {
+    ENFILADE_CHECK(is_shown_by_gpu());
+    return {};
+}
+
+bool has_gpu() {
+#ifdef __linux__
+    namespace fs = std::filesystem;
+    std::error_code none;
+    for (const auto& device : fs::directory_iterator("/dev/dri", none))
+        if (device.path().filename().string().starts_with("render")) return true;
+    return fs::exists("/dev/nvidiactl", none);
+#else
+    return true;
+#endif
+}
+
 Result<std::unique_ptr<Window>> open_window(const WindowOptions& options) {
     auto session = start_sdl();
     if (!session.ok()) return session.error();
-    const PixelSize size = no_larger_than_display(options.width, options.height);
-    std::uint32_t flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
-    if (options.fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
-    WindowHandle window(SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                                         size.width, size.height, flags));
-    if (!window) return sdl_error("open a window");
-    SDL_SetWindowMinimumSize(window.get(), 160, 100);
-    return std::unique_ptr<Window>(std::make_unique<SdlWindow>(std::move(session).value(), std::move(window)));
+    WindowLook look;
+    look.title = options.title;
+    look.points = no_larger_than_display(options.width, options.height);
+    look.fullscreen = options.fullscreen;
+    WindowHandle handle = make_window(look, false);
+    if (!handle) return sdl_error("open a window");
+    auto window = std::make_unique<SdlWindow>(std::move(session).value(), std::move(handle));
+    if (options.by_gpu) static_cast<void>(window->show_by_gpu(true));
+    return std::unique_ptr<Window>(std::move(window));
 }
 
 }  // namespace enfilade
