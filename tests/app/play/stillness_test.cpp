@@ -1,0 +1,92 @@
+// When a picture need not be drawn again.
+#include "app/play/stillness.h"
+
+#include <gtest/gtest.h>
+
+#include "support/map_builder.h"
+#include "world/world.h"
+
+namespace enfilade {
+namespace {
+
+/// Two rooms, one seen and one not; each test changes one thing.
+class TwoRooms : public ::testing::Test {
+protected:
+    void SetUp() override {
+        file_ = test::map_of({test::box_room("here", 0, 0, 4, 4), test::box_room("there", 4, 0, 8, 4)});
+    }
+
+    /// Whether the picture drawn at rest is still the same, `change` later.
+    template <class Change>
+    bool is_same_after(Change change) {
+        test::join_all(file_);
+        const Map map = test::built(file_);
+        Snapshot snapshot = at_rest(map);
+        View view;
+        view.sector = SectorId(0u);
+        view.eye = {2, 2};
+        view.eye_z = 1.5;
+        Stillness stillness(map);
+        stillness.drew(view, snapshot, {SectorId(0u)});
+        change(view, snapshot);
+        return stillness.is_same(view, snapshot);
+    }
+    bool is_same_later() {
+        return is_same_after([](View&, Snapshot& snapshot) { snapshot.time_s += 0.1; });
+    }
+
+    MapFile file_;
+};
+
+TEST_F(TwoRooms, StayTheSameWhereNothingHappens) { EXPECT_TRUE(is_same_later()); }
+
+TEST_F(TwoRooms, ChangeWithTheView) {
+    EXPECT_FALSE(is_same_after([](View& view, Snapshot&) { view.eye.x += 1.0 / 1024; }));
+    EXPECT_FALSE(is_same_after([](View& view, Snapshot&) { view.eye_z += 0.01; }));
+    EXPECT_FALSE(is_same_after([](View& view, Snapshot&) { view.forward = {0, 1}; }));
+    EXPECT_FALSE(is_same_after([](View& view, Snapshot&) { view.pitch_tangent = 0.1; }));
+    EXPECT_FALSE(is_same_after([](View& view, Snapshot&) { view.fov_degrees = 91; }));
+    EXPECT_FALSE(is_same_after([](View& view, Snapshot&) { view.tilt = Tilt{}; }));
+}
+
+TEST_F(TwoRooms, ChangeWithWhatMovesAndWhatIsTaken) {
+    EXPECT_FALSE(is_same_after([](View&, Snapshot& snapshot) {
+        snapshot.sectors[1].floor_z = 1;
+        snapshot.changed.emplace_back(1u);
+    }));
+    EXPECT_FALSE(is_same_after([](View&, Snapshot& snapshot) { snapshot.taken.emplace_back(0u); }));
+    EXPECT_FALSE(is_same_after([](View&, Snapshot& snapshot) { snapshot.pressed.emplace_back(0u); }));
+    EXPECT_FALSE(is_same_after([](View&, Snapshot& snapshot) { snapshot.way_back = WallId(0u); }));
+}
+
+TEST_F(TwoRooms, AreNeverTheSameWhereALightFlickersInSight) {
+    file_.sectors[0].light_effect.emplace();
+    EXPECT_FALSE(is_same_later());
+}
+
+TEST_F(TwoRooms, StayTheSameWhereALightFlickersOutOfSight) {
+    file_.sectors[1].light_effect.emplace();
+    EXPECT_TRUE(is_same_later());
+}
+
+TEST_F(TwoRooms, AreNeverTheSameWhereAFloorBobs) {
+    file_.sectors[0].floor.bob.emplace();
+    EXPECT_FALSE(is_same_later());
+}
+
+TEST(Stillness, IsNothingWhereNothingWasSeen) {
+    const Map map = test::built(test::map_of({test::box_room("here", 0, 0, 4, 4)}));
+    Stillness stillness(map);
+    View view;
+    view.sector = SectorId(0u);
+    EXPECT_FALSE(stillness.is_same(view, at_rest(map)));
+    stillness.drew(view, at_rest(map), {});
+    EXPECT_FALSE(stillness.is_same(view, at_rest(map)));
+    stillness.drew(view, at_rest(map), {SectorId(0u)});
+    EXPECT_TRUE(stillness.is_same(view, at_rest(map)));
+    stillness.forget();
+    EXPECT_FALSE(stillness.is_same(view, at_rest(map)));
+}
+
+}  // namespace
+}  // namespace enfilade
