@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <cstdlib>
 #include <sstream>
 
 #include "app/messages.h"
 #include "app/options.h"
+#include "app/play/settings.h"
 #include "base/output_file.h"
 #include "base/terminal.h"
 #include "formats/text_parts.h"
@@ -103,15 +105,27 @@ void declare_left_out(CLI::App& command, LeftOut& left_out) {
                      "Flickering and other effects of light stand: rooms and lamps have their own light");
 }
 
+/// Every setting is an option, for one time; switches have one to turn them off, too.
+void declare_settings(CLI::App& command, PlayRequest& request) {
+    for (const Setting& setting : all_settings()) {
+        const auto give = [&request, &setting](const std::string& text) {
+            request.settings.emplace_back(setting.name, text);
+        };
+        const auto turn = [give](std::int64_t times) { give(times > 0 ? "on" : "off"); };
+        const std::string name = option_of(setting), help(setting.help);
+        CLI::Option* const option = setting.is_flag
+                                        ? command.add_flag_function(name + ",!--no-" + name.substr(2), turn, help)
+                                        : command.add_option_function<std::string>(name, give, help);
+        option->group("Settings, for this time; otherwise they are as the menu has them");
+        if (!setting.is_flag) option->type_name(setting.step > 0 ? "N" : setting.name == "size" ? "WxH" : "NAME");
+    }
+}
+
 CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     CLI::App* command = enfilade.add_subcommand("play", "Walk through a map in a window");
     command->add_option("MAP", request.map, "The map file (.toml); if none is given, the tour of Enfilade");
-    command->add_option("--renderer", request.renderer, kRenderers)->type_name("NAME");
-    command->add_option("--size", request.size, "Size of the picture in pixels, scaled to the window")
-        ->type_name("WxH");
-    command->add_flag("--fullscreen", request.fullscreen, "Fill the screen");
     command->add_flag("--mute", request.mute, "No sounds");
-    declare_true_pitch(*command, request.true_pitch);
+    declare_settings(*command, request);
     command->add_option("--record", request.tape, "Write down all input, to play it again")->type_name("TAPE");
     command
         ->add_option("--save", request.save,
@@ -413,12 +427,19 @@ std::string fault_text(const CLI::App& enfilade, const CLI::ParseError& error) {
     return error.what();
 }
 
+/// Whether somebody could see a window.
+bool has_display() {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"})
+        if (const char* value = std::getenv(name); value && *value) return true;
+    return false;
+}
+
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
     CLI::App app("Rooms, portals and doorways that lead where they should not: a Doom-style engine.", "enfilade");
     app.set_version_flag("--version", "enfilade " ENFILADE_VERSION);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);
     app.footer("`enfilade COMMAND --help` tells more about each. Exit status: 0 done, 1 failed, 2 wrong usage.");
     PlayRequest play;
     RenderRequest render;
@@ -442,7 +463,13 @@ int run_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         return refuse_usage({"", fmt::format("{}; see `{} --help`", fault_text(app, error), command_at_fault(app))});
     }
+    if (app.get_subcommands().empty() && !has_display())
+        return refuse_usage(
+            {"", fmt::format("expected a command: {}; see `enfilade --help`. With a display, `enfilade` "
+                             "alone opens the title screen",
+                             fmt::join(kCommands, ", "))});
     remove_temporary_files_on({SIGHUP});
+    if (app.get_subcommands().empty()) return run_title();
     if (declared_play->parsed()) return run_play(play);  // its window turns the other signals into leaving the game
     remove_temporary_files_on({SIGINT, SIGTERM});
     if (declared_render->parsed()) return run_render(render);

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/messages.h"
@@ -17,10 +18,11 @@ namespace enfilade {
 inline constexpr const char *kText = "text", *kJson = "json", *kSarif = "sarif", *kJunit = "junit";
 
 struct PlayRequest {
-    std::string map, renderer = "column", size, tape, save, load;  ///< all but renderer: empty where not given
+    std::string map, tape, save, load;                            ///< empty where not given
+    std::vector<std::pair<std::string, std::string>> settings{};  ///< that were given: names, and values as typed
     std::vector<std::string> texture_folders;
     int skill = kUsualSkill;
-    bool fullscreen = false, true_pitch = false, mute = false;
+    bool mute = false;
 };
 
 struct RenderRequest {
@@ -80,6 +82,8 @@ struct AccuracyRequest {
 
 /// Each does its work, says on stderr what went wrong and returns an exit code (app/messages.h).
 int run_play(const PlayRequest& request);
+/// The title screen, for who names no command.
+int run_title();
 int run_render(const RenderRequest& request);
 int run_fly(const FlyRequest& request);
 int run_check(const CheckRequest& request);

@@ -87,7 +87,8 @@ std::uint32_t mix(std::uint32_t under, std::uint32_t over, std::uint32_t alpha, 
 std::uint32_t blend(std::uint32_t under, Color color) {
     const std::uint32_t alpha = color >> 24;
     if (alpha == 255) return color;
-    return 0xFF000000u | mix(under, color, alpha, 0) | mix(under, color, alpha, 8) | mix(under, color, alpha, 16);
+    return mix(under, 0xFF000000u, alpha, 24) | mix(under, color, alpha, 0) | mix(under, color, alpha, 8) |
+           mix(under, color, alpha, 16);
 }
 
 /// Cuts the part of the segment outside [low, high] in one coordinate (Liang, Barsky: "A New Concept and Method for

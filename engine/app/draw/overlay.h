@@ -55,7 +55,8 @@ struct Rect {
     bool contains(double x, double y) const { return x >= left && x < left + width && y >= top && y < top + height; }
 };
 
-/// Draws into a frame. Whatever lies outside is left out; any coordinates are safe.
+/// Draws into a frame: over a picture, or into one that is all 0, which becomes what has to be laid over a picture, its
+/// colours multiplied by their alpha. Whatever lies outside is left out; any coordinates are safe.
 class Overlay {
 public:
     /// Both must outlive the overlay. scale >= 1: how many pixels wide and high a pixel of the font and of a line is.

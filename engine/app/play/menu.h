@@ -1,87 +1,108 @@
-// The menu behind Escape: driven by keyboard, mouse or gamepad, drawn over the picture.
+// The menu of the title screen and behind Escape: pages of rows, driven by keyboard, mouse or gamepad, drawn over the
+// picture.
 #pragma once
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/draw/overlay.h"
+#include "app/play/settings.h"
 #include "platform/input_event.h"
 
 namespace enfilade {
 
-// What a player may change while playing.
+enum class MenuPage : std::uint8_t { title, pause, views, options, controls, help };
 
-struct PlaySettings {
-    double fov_degrees = 90;  ///< horizontal, kSmallestFov..kLargestFov
-    double mouse_speed = 1;   ///< factor, kSlowestMouse..kFastestMouse
-    bool fullscreen = false;
-    double volume = 1;             ///< of all sounds, 0..1
-    bool pauses_unfocused = true;  ///< the menu opens when the window loses the focus
-    bool true_pitch = false;  ///< looking up and down turns the picture where the renderer can, else its horizon shifts
+/// What choosing a row asks for.
+enum class MenuAction : std::uint8_t {
+    none,
+    resume,
+    restart,
+    save,
+    load,
+    control,   ///< MenuChoice::control, as if its key were pressed
+    go_on,     ///< with the game that was played last
+    maps,      ///< to the list of maps
+    to_title,  ///< out of the game
+    settings_changed,
+    quit
 };
 
-// The ends and steps of the menu's sliders.
-// Beyond these fields of view nobody finds the way: a keyhole, and all of it at the rim.
-inline constexpr double kSmallestFov = 10, kLargestFov = 160, kFovStep = 5;        ///< [degrees]
-inline constexpr double kSlowestMouse = 0.2, kFastestMouse = 5, kMouseStep = 0.2;  ///< [1]
-inline constexpr double kVolumeStep = 0.1;                                         ///< [1]
+struct MenuChoice {
+    MenuAction action = MenuAction::none;
+    Control control = Control::forward;
+    bool operator==(const MenuChoice&) const = default;
+};
 
-/// One step along a slider, staying on whole steps, low..high.
-inline double slide(double value, int steps, double step, double low, double high) {
-    return std::clamp((std::round(value / step) + steps) * step, low, high);
-}
+/// What rows say that is no setting.
+struct MenuFacts {
+    std::string last_map;  ///< the name of the map that one may go on in; empty: none
+};
 
-/// steps > 0: sees more.
-inline void widen_view(PlaySettings& settings, int steps) {
-    settings.fov_degrees = slide(settings.fov_degrees, steps, kFovStep, kSmallestFov, kLargestFov);
-}
+/// One row of a page. What it does, at most one of: a choice, a page, a setting, a binding; none of them: it is to
+/// read.
+struct MenuRow {
+    std::string label;
+    std::string value{};  ///< in a column of its own; may be empty
+    std::string hint{};   ///< shown below the page while the row is chosen
+    MenuChoice choice{};
+    std::optional<MenuPage> page{};
+    const Setting* setting = nullptr;
+    std::optional<Control> binding{};
+};
 
-/// What choosing in the menu asks the game to do.
-enum class MenuAction : std::uint8_t { none, resume, restart, settings_changed, quit };
+std::vector<MenuRow> rows_of(MenuPage page, const Settings& settings, const MenuFacts& facts);
+
+/// What all keys do, as pairs: the keys, and what they do.
+std::vector<std::pair<std::string, std::string>> key_lines(const Bindings& bindings);
 
 class Menu {
 public:
-    bool is_open() const { return open_; }
-    /// Opens with the first entry chosen.
-    void open();
-    void close() { open_ = false; }
+    bool is_open() const { return !path_.empty(); }
+    /// Opens a page with its first row chosen; leaving it closes the menu.
+    void open(MenuPage page) { path_ = {{page, 0}}, is_waiting_ = false; }
+    void close() { path_.clear(); }
+    void set_facts(MenuFacts facts) { facts_ = std::move(facts); }
 
-    /// Takes one event; changes settings where it moves a slider. Ignores everything while closed.
-    MenuAction handle(const InputEvent& event, PlaySettings& settings);
+    /// Takes one event; changes settings where it turns or binds one. Ignores everything while closed. Leaving the
+    /// first page asks to resume.
+    MenuChoice handle(const InputEvent& event, Settings& settings);
 
-    /// The scale at which all of the menu fits into a picture of this height.
-    static int scale_for(int height_px);
-
-    /// Remembers where the entries are, so that the mouse can point at them. Draws nothing while closed.
-    void draw(Overlay& overlay, const PlaySettings& settings);
+    /// Remembers where the rows are, so that the mouse can point at them. Draws nothing while closed.
+    void draw(Overlay& overlay, const Settings& settings);
 
 private:
-    enum class MenuEntry : std::uint8_t {
-        resume,
-        restart,
-        fov,
-        mouse_speed,
-        fullscreen,
-        true_pitch,
-        volume,
-        pause,
-        quit
+    struct Place {
+        MenuPage page;
+        int chosen;
     };
-    static constexpr int kEntries = 9;
+    struct Box {
+        Rect area;
+        int row;
+    };
 
-    MenuAction handle_key(KeyCode key, PlaySettings& settings);
-    MenuAction handle_button(GamepadButton button, PlaySettings& settings);
-    MenuAction handle_click(const MouseButtonChange& click, PlaySettings& settings);
-    MenuAction choose(PlaySettings& settings);
-    MenuAction adjust(int steps, PlaySettings& settings);
-    void move(int steps);
-    /// The entry under a point, or -1.
-    int entry_at(double x, double y) const;
-    static std::string label(MenuEntry entry, const PlaySettings& settings);
+    MenuChoice handle_key(KeyCode key, Settings& settings);
+    MenuChoice handle_button(GamepadButton button, Settings& settings);
+    MenuChoice handle_click(const MouseButtonChange& click, Settings& settings);
+    void push_stick(const GamepadAxisMotion& stick, const Settings& settings);
+    MenuChoice bind_key(const InputEvent& event, Settings& settings);
+    MenuChoice choose(Settings& settings);
+    MenuChoice adjust(int steps, Settings& settings);
+    MenuChoice unbind(Settings& settings);
+    MenuChoice leave();
+    void move(int steps, const Settings& settings);
+    /// The row under a point, or -1.
+    int row_at(double x, double y) const;
+    MenuRow chosen_row(const Settings& settings) const;
+    void draw_rows(Overlay& overlay, const std::vector<MenuRow>& rows, const Rect& area);
+    void draw_row(Overlay& overlay, const MenuRow& row, const Rect& area, bool is_chosen) const;
 
-    bool open_ = false;
-    int chosen_ = 0;
-    std::array<Rect, kEntries> boxes_{};
+    std::vector<Place> path_;  ///< of pages, the open one last; empty: closed
+    MenuFacts facts_;
+    bool is_waiting_ = false;  ///< for the key that shall be bound
+    bool is_stick_pushed_ = false;
+    std::vector<Box> boxes_;  ///< of the rows that were drawn last
 };
 
 }  // namespace enfilade

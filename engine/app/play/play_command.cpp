@@ -1,202 +1,115 @@
-// `enfilade play`: walk through a map in a window.
-#include <fmt/format.h>
-
+// `enfilade play`, and `enfilade` alone: walk through maps in a window.
 #include <algorithm>
-#include <filesystem>
 
 #include "app/commands.h"
 #include "app/file_kind.h"
 #include "app/messages.h"
-#include "app/open_map.h"
-#include "app/options.h"
 #include "app/play/play_loop.h"
 #include "app/play/saved_game.h"
+#include "app/play/title.h"
 #include "base/attempt.h"
-#include "base/parallel.h"
 #include "base/terminal.h"
-#include "platform/gl_context.h"
 
 namespace enfilade {
 namespace {
 
-// What becomes of the map that is played: it is edited, left, saved and come back to.
-
-/// More findings than fit a screen help nobody.
-constexpr std::size_t kMostLines = 12;
-
-std::vector<std::string> split_lines(const std::string& text) {
-    std::vector<std::string> lines;
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        lines.push_back(text.substr(at, end - at));
-        at = end + 1;
+/// The player's settings, with what the options say for this time.
+Result<SettingsStore> settings_for(const PlayRequest& request) {
+    SettingsStore store(settings_path());
+    Settings now = store.now();
+    for (const auto& [name, text] : request.settings) {
+        const Setting& setting = setting_named(name);
+        if (const Status wrong = setting.read(setting, text, now)) return Error{option_of(setting), wrong->what};
     }
-    return lines;
+    const auto is_given = [&](std::string_view name) {
+        return std::ranges::any_of(request.settings, [&](const auto& given) { return given.first == name; });
+    };
+    if (is_given("true_pitch") && now.true_pitch) {
+        if (is_given("renderer"))
+            if (Status refused = refuse_true_pitch(now.renderer, true)) return *refused;
+        now.renderer = RendererKind::stencil;
+    }
+    store.change_for_now(now);
+    return store;
 }
 
-Result<PlayOptions> options_of(const PlayRequest& request) {
-    PlayOptions options;
-    const auto renderer = parse_renderer(request.renderer);
-    if (!renderer.ok()) return renderer.error();
-    options.renderer = renderer.value();
-    if (Status refused = refuse_true_pitch(options.renderer, request.true_pitch)) return *refused;
-    options.true_pitch = request.true_pitch;
-    if (!request.size.empty()) {
-        const auto size = parse_size(request.size);
-        if (!size.ok()) return size.error();
-        options.size = size.value();
-    }
-    options.fullscreen = request.fullscreen;
-    options.tape = request.tape;
-    options.mute = request.mute;
-    return options;
-}
-
-Result<std::unique_ptr<Window>> window_for(const Game& game, const PlayOptions& options) {
+Result<std::unique_ptr<Window>> window_for(const std::string& title, const Settings& settings) {
     WindowOptions wanted;
-    wanted.title = "Enfilade - " + printable_line(game.map().name);
-    wanted.fullscreen = options.fullscreen;
-    if (options.size) {
-        wanted.width = options.size->width;
-        wanted.height = options.size->height;
+    wanted.title = title;
+    wanted.fullscreen = settings.fullscreen;
+    if (settings.size) {
+        wanted.width = settings.size->width;
+        wanted.height = settings.size->height;
     }
     return open_window(wanted);
 }
 
+/// Plays until the player leaves, and keeps where that was. True where the title screen is wanted next.
+Result<bool> play_in(Window& window, SettingsStore& store, Game& game, const PlayRequest& request) {
+    PlayOptions options;
+    options.mute = request.mute;
+    options.tape = request.tape;
+    options.save = request.save.empty() ? saved_game_of(game.path()) : request.save;
+    window.set_title("Enfilade - " + printable_line(game.map().name));
+    PlayLoop loop(game, window, store, options);
+    if (Status failed = loop.run()) return *failed;
+    keep_last_game(game);
+    return loop.is_left_for_title();
+}
+
+Result<std::unique_ptr<Game>> game_for(const TitleChoice& choice, const PlayRequest& request) {
+    auto game = Game::start(choice.map, request.texture_folders, request.skill);
+    if (game.ok() && choice.goes_on)
+        static_cast<void>(game.value()->load_saved(last_game_path()));  // a map that was changed begins anew
+    return game;
+}
+
+/// Title screen and game by turns, until the player quits.
+Status show_title(Window& window, SettingsStore& store, const PlayRequest& request) {
+    std::string note;
+    for (;;) {
+        window.set_title("Enfilade");
+        auto choice = TitleScreen(window, store, std::exchange(note, "")).run();
+        if (!choice.ok()) return choice.error();
+        if (choice.value().map.empty()) return {};
+        auto game = game_for(choice.value(), request);
+        if (!game.ok()) {
+            note = game.error().text();
+            continue;
+        }
+        const auto wants_title = play_in(window, store, *game.value(), request);
+        if (!wants_title.ok()) return wants_title.error();
+        if (!wants_title.value()) return {};
+    }
+}
+
 }  // namespace
 
-void PlayLoop::look_for_changes(std::int64_t now) {
-    if (now - looked_ns_ < kBetweenLooks) return;
-    looked_ns_ = now;
-    if (game_.map_changed()) reload();
-}
-
-void PlayLoop::reload() {
-    const bool was_recording = game_.is_recording();
-    Status refused;
-    if (Status broken = attempt([&] { refused = game_.reload(); })) refused = broken;
-    if (refused) {
-        std::vector<std::string> lines = split_lines(refused->text());
-        const std::size_t all = lines.size();
-        lines.resize(std::min(all, kMostLines));
-        if (all > kMostLines) lines.push_back(fmt::format("and {} more", all - kMostLines));
-        lines.emplace_back("The map before is kept until this is put right.");
-        return notices_.pin(std::move(lines));
-    }
-    free_camera_.reset();
-    draw_another_map();
-    begin_sounds();
-    notices_.pin({});
-    tell("The map was changed and loaded again.");
-    if (was_recording) tell("The recording ended with the map before.");
-}
-
-void PlayLoop::follow_events() {
-    follow_recording();
-    const World& world = game_.world();
-    if (world.tick < told_) told_ = world.tick;
-    if (world.message && world.message->tick > told_) {
-        told_ = world.message->tick;
-        const std::string text = message_text(game_.map(), *world.message);
-        if (!text.empty()) tell(text);
-    }
-    if (world.left_by) leave_map();
-}
-
-/// The next map lies beside this one; where there is none, one begins again.
-void PlayLoop::leave_map() {
-    namespace fs = std::filesystem;
-    const std::string left = game_.map().name, next = game_.map()[*game_.world().left_by].leads_to;
-    const std::string path = next_map_path(game_.path(), next);
-    std::error_code unknown;
-    free_camera_.reset();
-    told_ = 0;
-    if (next.empty() || !fs::exists(path, unknown)) {
-        game_.restart();
-        return tell(next.empty() ? fmt::format("You left {}.", left)
-                                 : fmt::format("You left {}; the next map, {}, is not here.", left, next));
-    }
-    Status failed;
-    if (Status broken = attempt([&] { failed = game_.enter(path); })) failed = broken;
-    if (failed) {
-        game_.restart();
-        return notices_.pin(split_lines(failed->text()));
-    }
-    options_.save = saved_game_of(game_.path());
-    draw_another_map();
-    begin_sounds();
-    tell(fmt::format("{} lies behind you. This is {}.", left, game_.map().name));
-}
-
-void PlayLoop::save_game() {
-    const Status failed = game_.save(options_.save);
-    tell(failed ? failed->what : "Saved. F9 comes back here; the two games before are kept beside it.");
-}
-
-void PlayLoop::load_game() {
-    free_camera_.reset();
-    const Status failed = game_.load_saved(options_.save);
-    told_ = game_.world().tick;
-    tell(failed ? failed->text() : "Back where you saved.");
-}
-
-void PlayLoop::follow_recording() {
-    if (Status failed = game_.take_recording_fault()) tell("The recording ends here: " + failed->text());
-}
-
-Error PlayLoop::save_what_was_played(const Error& why) {
-    Status unsaved;
-    if (Status broken = attempt([&] {
-            game_.end_recording();
-            unsaved = game_.save(options_.save);
-        }))
-        unsaved = broken;
-    if (unsaved) return {"", fmt::format("{}; the game could not be saved: {}", why.text(), unsaved->text())};
-    return {"", fmt::format("{}; the game was saved, and `enfilade play {} --load {}` goes on with it", why.text(),
-                            game_.path(), options_.save)};
-}
-
-void PlayLoop::begin_sounds() {
-    if (options_.mute) return;
-    const Status broken = attempt([&] {
-        for (const std::string& fault : sounds_.begin(game_.map(), game_.path())) tell(fault);
-    });
-    if (broken) play_without_sound(*broken);
-}
-
-void PlayLoop::hear() {
-    const Status broken = attempt([&] {
-        if (menu_.is_open() || rewinding_)
-            sounds_.fall_silent();
-        else
-            sounds_.hear(game_.map(), game_.world(), settings_.volume);
-    });
-    if (broken) play_without_sound(*broken);
-}
-
-void PlayLoop::play_without_sound(const Error& why) {
-    sounds_.end();
-    options_.mute = true;
-    tell("There is no sound from here on: " + why.text());
-}
-
 int run_play(const PlayRequest& request) {
-    const auto options = options_of(request);
-    if (!options.ok()) return refuse_usage(options.error());
+    auto store = settings_for(request);
+    if (!store.ok()) return refuse_usage(store.error());
     auto game = Game::start(request.map.empty() ? shipped_map("enfilade.toml") : request.map, request.texture_folders,
                             request.skill);
     if (!game.ok()) return fail(game.error());
     if (!request.load.empty())
         if (Status failed = game.value()->load_saved(request.load)) return fail(*failed);
-    auto window = window_for(*game.value(), options.value());
+    auto window = window_for("Enfilade - " + printable_line(game.value()->map().name), store.value().now());
     if (!window.ok()) return fail(window.error());
-    auto renderer = make_renderer({options.value().renderer, {}, hardware_threads(), open_gl_for_play},
-                                  game.value()->map(), game.value()->textures());
-    if (!renderer.ok()) return fail(renderer.error());
-    PlayOptions chosen = options.value();
-    chosen.save = request.save.empty() ? saved_game_of(game.value()->path()) : request.save;
-    PlayLoop loop(*game.value(), *window.value(), chosen, std::move(renderer).value());
-    if (Status failed = loop.run()) return fail(*failed);
+    const auto wants_title = play_in(*window.value(), store.value(), *game.value(), request);
+    if (!wants_title.ok()) return fail(wants_title.error());
+    if (!wants_title.value()) return kDone;
+    game.value().reset();
+    if (Status failed = show_title(*window.value(), store.value(), request)) return fail(*failed);
+    return kDone;
+}
+
+int run_title() {
+    const PlayRequest request;
+    auto store = settings_for(request);
+    if (!store.ok()) return refuse_usage(store.error());
+    auto window = window_for("Enfilade", store.value().now());
+    if (!window.ok()) return fail(window.error());
+    if (Status failed = show_title(*window.value(), store.value(), request)) return fail(*failed);
     return kDone;
 }
 

@@ -18,17 +18,40 @@ constexpr double kWelcomeSeconds = 6;
 /// While R is held time runs backwards this fast [ticks a tick].
 constexpr std::size_t kRewindSpeed = 2;
 
+/// Where nothing moves, events are looked for this often; where nobody sees the window, that often [1/s].
+constexpr double kIdleHz = 30, kHiddenHz = 10;
+/// So long after the last event that is so [ns].
+constexpr std::int64_t kUntilIdle = kSecond / 2;
+/// A display that is waited for sets the pace; the limit only keeps those from racing that do not wait after all.
+constexpr double kSpareForDisplay = 1.25;
+
+bool is_tap(const InputEvent& event) {
+    if (const auto* click = std::get_if<MouseButtonChange>(&event)) return click->down;
+    if (const auto* button = std::get_if<GamepadButtonChange>(&event)) return button->down;
+    const auto* const key = std::get_if<KeyChange>(&event);
+    return key && key->down && !key->repeat;
+}
+
+std::optional<Control> control_of(const Bindings& bindings, KeyCode key) {
+    const auto found = std::ranges::find_if(bindings, [&](const ControlKeys& keys) {
+        return key != KeyCode::unknown && std::ranges::count(keys, key) > 0;
+    });
+    if (found == bindings.end()) return {};
+    return static_cast<Control>(found - bindings.begin());
+}
+
 }  // namespace
 
-PlayLoop::PlayLoop(Game& game, Window& window, const PlayOptions& options, std::unique_ptr<Renderer> renderer)
+PlayLoop::PlayLoop(Game& game, Window& window, SettingsStore& store, const PlayOptions& options,
+                   std::unique_ptr<Renderer> renderer)
     : game_(game),
       window_(window),
+      store_(store),
       options_(options),
       renderer_(std::move(renderer)),
-      outside_renderer_(std::make_unique<OutsideRenderer>(game.map(), game.textures())) {
-    settings_.fullscreen = options.fullscreen;
-    settings_.true_pitch = options.true_pitch;
-}
+      outside_renderer_(std::make_unique<OutsideRenderer>(game.map(), game.textures())),
+      stillness_(game.map()),
+      drawn_by_(store.now().renderer) {}
 
 Status PlayLoop::run() {
     Status ended;
@@ -37,28 +60,48 @@ Status PlayLoop::run() {
     return ended ? Status(save_what_was_played(*ended)) : Status();
 }
 
+void PlayLoop::begin() {
+    started_ns_ = passed_until_ns_ = ticked_until_ns_ = looked_ns_ = acted_ns_ = now_ns();
+    hurt_ns_ = died_ns_ = started_ns_ - kSecond;
+    last_health_ = game_.world().health;
+    input_.obey(settings());
+    if (!renderer_) use_or_replace(settings().renderer);
+    window_.grab_mouse(true);
+    notices_.say("F1: keys   Esc: menu   Tab: map", 0, kWelcomeSeconds);
+    for (const std::string& note : store_.notes()) notices_.say(note, 0, 2 * kWelcomeSeconds);
+    begin_sounds();
+}
+
 Status PlayLoop::play() {
     if (!options_.tape.empty())
         if (Status failed = game_.record(options_.tape)) return failed;
-    started_ns_ = passed_until_ns_ = ticked_until_ns_ = looked_ns_ = now_ns();
-    window_.grab_mouse(true);
-    notices_.say("F1: keys   Esc: menu   Tab: map", 0, kWelcomeSeconds);
-    begin_sounds();
-    const auto frame_time = static_cast<std::int64_t>(kSecond / window_.refresh_hz());
+    begin();
     std::vector<InputEvent> events;
-    while (!quit_) {
-        const std::int64_t now = now_ns();
+    while (!quit_ && !to_title_) {
+        set_pace(now_ns());
+        sleep_until_ns(pacing_.begin());
+        const std::int64_t now = began_ns_ = now_ns();
         events.clear();
         window_.poll(events);
+        if (!events.empty()) is_changed_ = true, acted_ns_ = now;
         for (const InputEvent& event : events) handle(event);
         look_for_changes(now);
         pass_time(now);
         hear();
         if (Status failed = show(now)) return failed;
-        sleep_until_ns(now + frame_time);
+        pacing_.go_on(now_ns());
     }
+    if (const Status failed = store_.save()) tell(failed->text());
     game_.end_recording();
     return game_.take_recording_fault();
+}
+
+void PlayLoop::set_pace(std::int64_t now) {
+    double hz = settings().frame_limit > 0 ? settings().frame_limit : window_.refresh_hz();
+    if (window_.waits_for_display() && hz >= window_.refresh_hz()) hz = window_.refresh_hz() * kSpareForDisplay;
+    if (is_paused() && now - acted_ns_ > kUntilIdle) hz = std::min(hz, kIdleHz);
+    if (window_.is_hidden()) hz = std::min(hz, kHiddenHz);
+    pacing_.set_period(static_cast<std::int64_t>(kSecond / hz));
 }
 
 double PlayLoop::now_s() const { return static_cast<double>(now_ns() - started_ns_) / kSecond; }
@@ -71,43 +114,76 @@ void PlayLoop::handle(const InputEvent& event) {
     if (std::holds_alternative<QuitRequest>(event)) quit_ = true;
     if (const auto* focus = std::get_if<FocusChange>(&event)) change_focus(focus->focused);
     if (const auto* motion = std::get_if<MouseMotion>(&event)) mouse_ = *motion;
-    if (const auto* key = std::get_if<KeyChange>(&event); key && key->key == KeyCode::f1 && key->down && !key->repeat)
-        keys_open_ = !keys_open_;
-    if (menu_.is_open()) return obey(menu_.handle(event, settings_));
-    input_.handle(event, settings_.mouse_speed, window_.mouse_grabbed());
-    if (const auto* key = std::get_if<KeyChange>(&event); key && key->key == KeyCode::r) rewinding_ = key->down;
-    if (const auto* key = std::get_if<KeyChange>(&event); key && key->down && !key->repeat) handle_key(key->key);
+    const auto key = as_key(event);
+    const auto control = key ? control_of(settings().bindings, key->key) : std::optional<Control>();
+    if (control == Control::show_keys && is_tap(event)) keys_open_ = !keys_open_;
+    if (menu_.is_open()) {
+        Settings changed = settings();
+        const MenuChoice choice = menu_.handle(event, changed);
+        if (choice.action == MenuAction::settings_changed) return change_settings(changed);
+        return obey(choice);
+    }
+    if (end_ && is_tap(event)) return enter_next_map();
+    if (move_automap(event)) return;
+    input_.handle(event, window_.mouse_grabbed());
+    if (control == Control::rewind) rewinding_ = key->down;
+    if (control && is_tap(event)) press(*control);
+    if (const auto* typed = std::get_if<KeyChange>(&event); typed && typed->key == KeyCode::escape && is_tap(event))
+        open_menu();
     if (const auto* button = std::get_if<GamepadButtonChange>(&event); button && button->down)
-        handle_gamepad(button->button);
+        press_gamepad(button->button);
     if (const auto* click = std::get_if<MouseButtonChange>(&event); click && click->down) window_.grab_mouse(true);
     if (const auto* wheel = std::get_if<MouseWheel>(&event)) turn_wheel(wheel->steps > 0 ? 1 : -1);
 }
 
-void PlayLoop::handle_key(KeyCode key) {
-    switch (key) {
-        case KeyCode::escape: return open_menu();
-        case KeyCode::tab: return game_.automap().toggle();
-        case KeyCode::plus: return zoom(1);
-        case KeyCode::minus: return zoom(-1);
-        case KeyCode::f2: change_renderer(); return;
-        case KeyCode::f3: readout_open_ = !readout_open_; return;
-        case KeyCode::f4: return outside_.show_next();
-        case KeyCode::f8: return fly_or_land();
-        case KeyCode::f7: pixel_text_open_ = !pixel_text_open_; return;
-        case KeyCode::f6: return outside_.change_side();
-        case KeyCode::f5: return save_game();
-        case KeyCode::f9: return load_game();
-        case KeyCode::f11: settings_.fullscreen = !settings_.fullscreen; return apply_settings();
-        case KeyCode::f12: screenshot_wanted_ = true; return;
+void PlayLoop::press(Control control) {
+    is_changed_ = true;
+    switch (control) {
+        case Control::automap: return game_.automap().toggle();
+        case Control::zoom_in: return zoom(1);
+        case Control::zoom_out: return zoom(-1);
+        case Control::change_renderer: {
+            Settings other = settings();
+            other.renderer = drawn_by_ == RendererKind::stencil ? RendererKind::column : RendererKind::stencil;
+            return change_settings(other);
+        }
+        case Control::readout: readout_open_ = !readout_open_; return;
+        case Control::outside: return outside_.show_next();
+        case Control::outside_side: return outside_.change_side();
+        case Control::fly: return fly_or_land();
+        case Control::pixel: pixel_text_open_ = !pixel_text_open_; return;
+        case Control::save: return save_game();
+        case Control::load: return load_game();
+        case Control::fullscreen: {
+            Settings other = settings();
+            other.fullscreen = !other.fullscreen;
+            return change_settings(other);
+        }
+        case Control::screenshot: screenshot_wanted_ = true; return;
         default: return;
     }
+}
+
+bool PlayLoop::move_automap(const InputEvent& event) {
+    if (!game_.automap().is_open()) return false;
+    const auto* const key = std::get_if<KeyChange>(&event);
+    const auto* const button = std::get_if<GamepadButtonChange>(&event);
+    const auto is = [&](KeyCode code, GamepadButton pad) {
+        return (key && key->key == code) || (button && button->button == pad);
+    };
+    const int right = int{is(KeyCode::right, GamepadButton::right)} - int{is(KeyCode::left, GamepadButton::left)};
+    const int up = int{is(KeyCode::up, GamepadButton::up)} - int{is(KeyCode::down, GamepadButton::down)};
+    if (key && key->down && key->key == KeyCode::home) game_.automap().follow();
+    if (right == 0 && up == 0) return false;
+    if ((key && key->down) || (button && button->down)) game_.automap().pan(right, up);
+    return true;
 }
 
 void PlayLoop::change_focus(bool focused) {
     window_.grab_mouse(focused && !menu_.is_open());
     if (focused) return;
     rewinding_ = false;
-    if (settings_.pauses_unfocused && !menu_.is_open()) open_menu();
+    if (settings().pause_when_away && !menu_.is_open()) open_menu();
 }
 
 void PlayLoop::fly_or_land() {
@@ -119,8 +195,11 @@ void PlayLoop::fly_or_land() {
 
 void PlayLoop::turn_wheel(int steps) {
     if (!input_.held(KeyCode::left_control) && !input_.held(KeyCode::right_control)) return zoom(steps);
-    widen_view(settings_, -steps);
-    notices_.update("fov", fmt::format("Field of view: {:.0f} degrees", settings_.fov_degrees), now_s());
+    const Setting& fov = setting_named("fov");
+    Settings wider = settings();
+    fov.turn(fov, -steps, wider);
+    change_settings(wider);
+    notices_.update("fov", fmt::format("Field of view: {:.0f} degrees", wider.fov_degrees), now_s());
 }
 
 void PlayLoop::zoom(int steps) {
@@ -130,43 +209,56 @@ void PlayLoop::zoom(int steps) {
         outside_.zoom(steps);
 }
 
-void PlayLoop::handle_gamepad(GamepadButton button) {
+void PlayLoop::press_gamepad(GamepadButton button) {
     if (button == GamepadButton::start) return open_menu();
     if (button == GamepadButton::back) game_.automap().toggle();
 }
 
-void PlayLoop::obey(MenuAction action) {
-    switch (action) {
-        case MenuAction::none: return;
+void PlayLoop::obey(const MenuChoice& choice) {
+    switch (choice.action) {
         case MenuAction::resume: return close_menu();
-        case MenuAction::restart: free_camera_.reset(), game_.restart(); return close_menu();
-        case MenuAction::settings_changed: return apply_settings();
+        case MenuAction::restart: free_camera_.reset(), end_.reset(), game_.restart(); return close_menu();
+        case MenuAction::save: save_game(); return close_menu();
+        case MenuAction::load: load_game(); return close_menu();
+        case MenuAction::control: close_menu(); return press(choice.control);
+        case MenuAction::to_title: to_title_ = true; return;
         case MenuAction::quit: quit_ = true; return;
+        default: return;
     }
 }
 
 void PlayLoop::open_menu() {
     input_.release_all();
     rewinding_ = false;  // letting go of R is told to the menu
-    menu_.open();
+    menu_.open(MenuPage::pause);
     window_.grab_mouse(false);
 }
 
 void PlayLoop::close_menu() {
     menu_.close();
     window_.grab_mouse(true);
+    if (const Status failed = store_.save()) tell(failed->text());
 }
 
-void PlayLoop::apply_settings() {
-    if (window_.fullscreen() != settings_.fullscreen) window_.set_fullscreen(settings_.fullscreen);
+void PlayLoop::change_settings(Settings changed) {
+    const Settings before = settings();
+    if (changed.true_pitch && !before.true_pitch) changed.renderer = RendererKind::stencil;
+    store_.change(changed);
+    is_changed_ = true;
+    input_.obey(changed);
+    if (window_.fullscreen() != changed.fullscreen) window_.set_fullscreen(changed.fullscreen);
+    if (changed.renderer == before.renderer && changed.samples == before.samples && changed.vsync == before.vsync)
+        return;
+    use_or_replace(changed.renderer);
+    if (changed.renderer != before.renderer) tell("Drawn by the " + name_of(drawn_by_) + " renderer.");
 }
 
 void PlayLoop::pass_time(std::int64_t now) {
-    if (menu_.is_open()) ticked_until_ns_ += now - passed_until_ns_;
+    if (is_paused()) ticked_until_ns_ += now - passed_until_ns_;
     passed_until_ns_ = now;
     ticked_until_ns_ = std::max(ticked_until_ns_, now - kMostToCatchUp);
     if (!rewinding_) rewound_ticks_ = 0;
-    for (; now - ticked_until_ns_ >= kTick; ticked_until_ns_ += kTick) {
+    for (; now - ticked_until_ns_ >= kTick && !end_; ticked_until_ns_ += kTick) {
         const TickInput input =
             input_.take_tick(free_camera_ ? free_camera_->eye().pitch_steps : game_.player().pitch_steps);
         if (rewinding_) {
@@ -179,6 +271,7 @@ void PlayLoop::pass_time(std::int64_t now) {
         }
     }
     follow_events();
+    follow_health(now);
 }
 
 }  // namespace enfilade

@@ -3,11 +3,14 @@
 #include <optional>
 #include <string>
 
-#include "app/options.h"
+#include "app/play/end_screen.h"
 #include "app/play/game.h"
 #include "app/play/menu.h"
 #include "app/play/outside_view.h"
+#include "app/play/pacing.h"
 #include "app/play/readout.h"
+#include "app/play/settings_file.h"
+#include "app/play/stillness.h"
 #include "app/sounds.h"
 #include "flight/renderer.h"
 #include "platform/window.h"
@@ -15,43 +18,53 @@
 namespace enfilade {
 
 struct PlayOptions {
-    RendererKind renderer = RendererKind::column;
-    std::optional<PictureSize> size;  ///< of the picture, scaled to the window; none: as large as the window
-    bool fullscreen = false;
-    bool true_pitch = false;  ///< the stencil renderer turns its picture when the player looks up or down
-    bool mute = false;        ///< no sound device is opened
-    std::string tape;         ///< where to record to; empty: nowhere
-    std::string save;         ///< where F5 saves to and F9 loads from
+    bool mute = false;  ///< no sound device is opened
+    std::string tape;   ///< where to record to; empty: nowhere
+    std::string save;   ///< where F5 saves to and F9 loads from
 };
 
-/// Plays until the player quits. Fixed ticks; drawing is interpolated between them and as often as the display shows.
+/// Plays until the player leaves. Fixed ticks; drawing is interpolated between them and as often as the settings say,
+/// and left out where it would show nothing new.
 class PlayLoop {
 public:
-    /// renderer: of the game's map.
-    PlayLoop(Game& game, Window& window, const PlayOptions& options, std::unique_ptr<Renderer> renderer);
+    /// renderer: of the game's map; null: one is made, as the settings say.
+    PlayLoop(Game& game, Window& window, SettingsStore& store, const PlayOptions& options,
+             std::unique_ptr<Renderer> renderer = nullptr);
 
     /// Runs until the end; an error where the window fails or the tape cannot be written. Where the game cannot go on,
     /// it is saved first, and the error says where.
     Status run();
+
+    /// Whether it ended because the player wants to see the title screen.
+    bool is_left_for_title() const { return to_title_; }
 
 private:
     /// All of run() but what has to be done when it breaks off.
     Status play();
     /// Why the game cannot go on, and where it was saved.
     Error save_what_was_played(const Error& why);
+    void begin();
     void handle(const InputEvent& event);
     /// Away from the window the game stands still, if the player wishes.
     void change_focus(bool focused);
-    void handle_key(KeyCode key);
-    void handle_gamepad(GamepadButton button);
+    void press(Control control);
+    void press_gamepad(GamepadButton button);
+    /// Whether the event moved the automap, which is open.
+    bool move_automap(const InputEvent& event);
     /// With Control the field of view, else zoom(). steps > 0: nearer.
     void turn_wheel(int steps);
     /// The automap's zoom while it is open, else that of the view from outside.
     void zoom(int steps);
-    void obey(MenuAction action);
+    void obey(const MenuChoice& choice);
     void open_menu();
     void close_menu();
-    void apply_settings();
+    /// They hold from now on, and are kept.
+    void change_settings(Settings settings);
+    const Settings& settings() const { return store_.now(); }
+    /// Whether the world stands still: in the menu, and when a map lies behind one.
+    bool is_paused() const { return menu_.is_open() || end_.has_value(); }
+    /// As long as nobody does anything, there is less to look for.
+    void set_pace(std::int64_t now);
     void look_for_changes(std::int64_t now);
     void reload();
     /// Opens the sound device if the map calls for it.
@@ -63,14 +76,21 @@ private:
     void load_game();
     /// Tells what has come to be known, and goes on in the next map where this one was left.
     void follow_events();
+    void follow_health(std::int64_t now);
+    /// Shows how it went, and from there goes on.
     void leave_map();
+    void enter_next_map();
     /// From the column to the stencil renderer or back; false, with a notice, where there is no OpenGL.
     bool change_renderer();
-    /// Draws the map that is played now by a renderer of this kind.
+    /// Draws the map that is played now by a renderer of this kind; none is left where it cannot be had.
     Status use_renderer(RendererKind kind);
+    /// The same; where it cannot be had, with a notice, by the column renderer.
+    void use_or_replace(RendererKind kind);
     /// After another map was loaded: by a renderer of the same kind or, with a notice, by the column renderer.
     void draw_another_map();
     View view_now(double part) const;
+    /// With the bob of one who walks, and lower where one is dead.
+    void sway(View& view, double part) const;
     /// Leaves the body, or comes back to it.
     void fly_or_land();
     /// Whether the eye is somewhere that renderers can look from: always, unless one flies.
@@ -80,14 +100,28 @@ private:
     Status try_to_draw(double part);
     /// Draws the view, by the other renderer where this one fails.
     Status draw_view(double part);
-    /// Lets as many ticks pass as time has; none while the menu is open, and the picture then stands still, too.
+    /// Whether the picture may stay on the graphics card.
+    bool is_on_card(double part);
+    /// Lets as many ticks pass as time has; none while paused, and the picture then stands still, too.
     void pass_time(std::int64_t now);
     /// The automap learns what is in the picture.
     void remember_seen(std::int64_t now);
+    PixelSize picture_size() const;
+    /// Whether a picture would show anything new.
+    bool is_worth_showing(double part);
+    void note_drawn(double part);
     Status show(std::int64_t now);
+    /// Waits until the picture is due, and shows it.
+    Status present();
     void draw_over(double part);
+    void draw_automap(Overlay& overlay, const View& view);
+    /// What is written at the lower edge, and over the middle.
+    void draw_words(Overlay& overlay, const View& view, double part);
+    /// The row at which it begins.
+    int draw_facts(Overlay& overlay, const View& view, double part);
     /// F7: what is in the middle of the picture, or under the mouse where that is free; over the menu while it is open.
-    void draw_pixel_text(Overlay& overlay, const View& view, double part);
+    /// bottom : the row above which it is written; the row at which it begins
+    int draw_pixel_text(Overlay& overlay, const View& view, double part, int bottom);
     void take_screenshot();
     /// Says so where the recording could not be written on.
     void follow_recording();
@@ -101,26 +135,36 @@ private:
 
     Game& game_;
     Window& window_;
+    SettingsStore& store_;
     PlayOptions options_;
     std::unique_ptr<Renderer> renderer_;                 ///< of the map that is played; null: none could be made
     std::unique_ptr<OutsideRenderer> outside_renderer_;  ///< of the same map
+    std::optional<Stillness> stillness_;                 ///< of the same map
+    RendererKind drawn_by_ = RendererKind::column;
     Font font_;
-    Frame frame_;
-    PlaySettings settings_;
+    Frame frame_;                       ///< the picture; while that stays on the card, what lies over it
+    std::optional<GlPicture> on_card_;  ///< the picture, if it stayed there
     PlayerInput input_;
     Menu menu_;
+    std::optional<MapEnd> end_;  ///< while it is shown
     Notices notices_;
     OutsideView outside_;
     std::optional<FreeCamera> free_camera_;  ///< while one flies
     bool was_cut_short_ = false;             ///< the last picture was
     Soundscape sounds_;
     FrameTimes times_;
-    std::int64_t started_ns_ = 0, passed_until_ns_ = 0, ticked_until_ns_ = 0, looked_ns_ = 0, remembered_ns_ = 0;
+    Pacing pacing_;
+    std::optional<View> last_view_;  ///< of the last picture
+    std::int64_t started_ns_ = 0, passed_until_ns_ = 0, ticked_until_ns_ = 0, looked_ns_ = 0, remembered_ns_ = 0,
+                 acted_ns_ = 0, hurt_ns_ = 0, died_ns_ = 0, began_ns_ = 0;
+    double hurt_ = 0;                ///< how much, when one last was, 0..1
+    int last_health_ = kFullHealth;  ///< when it was last looked at
     std::uint64_t told_ = 0;         ///< tick of the message that was told last
     std::size_t rewound_ticks_ = 0;  ///< since R is held
     bool rewinding_ = false;
     MouseMotion mouse_;  ///< the last one
-    bool keys_open_ = false, readout_open_ = false, pixel_text_open_ = false, screenshot_wanted_ = false, quit_ = false;
+    bool keys_open_ = false, readout_open_ = false, pixel_text_open_ = false, screenshot_wanted_ = false, quit_ = false,
+         to_title_ = false, is_changed_ = true;
 };
 
 }  // namespace enfilade

@@ -44,18 +44,48 @@ std::int32_t clamped(std::int64_t steps) {
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(steps, INT32_MIN, INT32_MAX));
 }
 
+/// A mouse button as the key that bindings know; unknown for those they do not.
+KeyCode key_of(MouseButton button) {
+    switch (button) {
+        case MouseButton::left: return KeyCode::mouse_left;
+        case MouseButton::middle: return KeyCode::mouse_middle;
+        case MouseButton::right: return KeyCode::mouse_right;
+        case MouseButton::other: break;
+    }
+    return KeyCode::unknown;
+}
+
 }  // namespace
 
-void PlayerInput::handle(const InputEvent& event, double mouse_speed, bool mouse_looks) {
-    if (const auto* key = std::get_if<KeyChange>(&event)) {
+std::optional<KeyChange> as_key(const InputEvent& event) {
+    if (const auto* key = std::get_if<KeyChange>(&event)) return *key;
+    if (const auto* click = std::get_if<MouseButtonChange>(&event))
+        return KeyChange{key_of(click->button), click->down, false};
+    return {};
+}
+
+void PlayerInput::obey(const Settings& settings) {
+    bindings_ = settings.bindings;
+    mouse_speed_ = settings.mouse_speed;
+    invert_ = settings.invert_mouse;
+}
+
+bool PlayerInput::held(Control control) const {
+    return std::ranges::any_of(keys_for(bindings_, control),
+                               [&](KeyCode key) { return key != KeyCode::unknown && held(key); });
+}
+
+void PlayerInput::handle(const InputEvent& event, bool mouse_looks) {
+    if (const auto key = as_key(event)) {
         hold(key->key, key->down);
-        if (key->key == KeyCode::home && key->down) center_ = true;
+        if (key->down && std::ranges::count(keys_for(bindings_, Control::look_ahead), key->key) > 0) center_ = true;
         control_zooms_ = control_zooms_ && control_held();
     } else if (std::holds_alternative<MouseWheel>(event)) {
         control_zooms_ = control_held();
     } else if (const auto* motion = std::get_if<MouseMotion>(&event); motion && mouse_looks) {
-        mouse_yaw_ += motion->dx * mouse_speed * kDegreesPerPixel * kStepsPerDegree;
-        mouse_pitch_ -= motion->dy * mouse_speed * kDegreesPerPixel * kStepsPerDegree;
+        const double steps_per_pixel = mouse_speed_ * kDegreesPerPixel * kStepsPerDegree;
+        mouse_yaw_ += motion->dx * steps_per_pixel;
+        mouse_pitch_ -= motion->dy * steps_per_pixel * upward();
     } else if (const auto* button = std::get_if<GamepadButtonChange>(&event)) {
         hold(button->button, button->down);
     } else if (const auto* stick = std::get_if<GamepadAxisMotion>(&event)) {
@@ -69,30 +99,43 @@ void PlayerInput::handle(const InputEvent& event, double mouse_speed, bool mouse
     tapped_ |= pressed();
 }
 
-void PlayerInput::release_all() { *this = {}; }
-
-double PlayerInput::part_of_pace() const { return held(KeyCode::left_alt) || held(KeyCode::right_alt) ? kSlowly : 1; }
-
-double PlayerInput::forward() const {
-    const int keys = int{held(KeyCode::w) || held(KeyCode::up)} - int{held(KeyCode::s) || held(KeyCode::down)};
-    return keys - pushed(axis(GamepadAxis::left_y));
+void PlayerInput::release_all() {
+    PlayerInput fresh;
+    fresh.bindings_ = bindings_;
+    fresh.mouse_speed_ = mouse_speed_;
+    fresh.invert_ = invert_;
+    *this = fresh;
 }
 
-double PlayerInput::strafe() const { return balance(KeyCode::d, KeyCode::a) + pushed(axis(GamepadAxis::left_x)); }
+double PlayerInput::part_of_pace() const { return held(Control::slowly) ? kSlowly : 1; }
+
+double PlayerInput::forward() const {
+    return balance(Control::forward, Control::back) - pushed(axis(GamepadAxis::left_y));
+}
+
+double PlayerInput::strafe() const {
+    return balance(Control::step_right, Control::step_left) + pushed(axis(GamepadAxis::left_x));
+}
 
 LookSteps PlayerInput::held_look() const {
     const double key_turn = pressed() & kButtonRun ? kKeyTurnRunning : kKeyTurn;
-    return {steps_per_tick(balance(KeyCode::right, KeyCode::left) * key_turn +
+    return {steps_per_tick(balance(Control::turn_right, Control::turn_left) * key_turn +
                            curved(axis(GamepadAxis::right_x)) * kStickTurn),
-            steps_per_tick(balance(KeyCode::page_up, KeyCode::page_down) * kKeyLook -
-                           curved(axis(GamepadAxis::right_y)) * kStickLook)};
+            steps_per_tick(balance(Control::look_up, Control::look_down) * kKeyLook -
+                           curved(axis(GamepadAxis::right_y)) * kStickLook * upward())};
+}
+
+bool PlayerInput::crouches() const {
+    return std::ranges::any_of(keys_for(bindings_, Control::crouch), [&](KeyCode key) {
+        const bool is_control = key == KeyCode::left_control || key == KeyCode::right_control;
+        return key != KeyCode::unknown && held(key) && !(is_control && control_zooms_);
+    });
 }
 
 std::uint8_t PlayerInput::pressed() const {
-    const bool run = held(KeyCode::left_shift) || held(KeyCode::right_shift) || held(GamepadButton::left_shoulder) ||
-                     held(GamepadButton::left_stick);
-    const bool crouch = held(KeyCode::c) || (control_held() && !control_zooms_) || held(GamepadButton::b);
-    const bool use = held(KeyCode::e) || held(KeyCode::space) || held(GamepadButton::a) || held(GamepadButton::x);
+    const bool run = held(Control::run) || held(GamepadButton::left_shoulder) || held(GamepadButton::left_stick);
+    const bool crouch = crouches() || held(GamepadButton::b);
+    const bool use = held(Control::use) || held(GamepadButton::a) || held(GamepadButton::x);
     return static_cast<std::uint8_t>((run ? kButtonRun : 0) | (crouch ? kButtonCrouch : 0) | (use ? kButtonUse : 0));
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 
+#include "app/play/settings.h"
 #include "platform/input_event.h"
 #include "render/view.h"
 #include "world/input.h"
@@ -16,18 +18,24 @@ struct LookSteps {
     std::int64_t pitch = 0;
 };
 
+/// Keys, and the buttons of the mouse as keys; none for all other events.
+std::optional<KeyChange> as_key(const InputEvent& event);
+
 /// Keeps its own account of what is held down, from events alone.
 ///
-/// WASD and up/down walk, left/right turn, Page Up/Down look up and down, Home looks ahead; Shift runs, Alt walks
-/// slowly (a part of the pace, as a stick that is pushed half way: nothing that a tape would have to know), C or
-/// Control crouches, unless the wheel turns while Control is held, which zooms; E or Space uses. Gamepad: left stick
-/// walks, right stick looks, left shoulder or stick runs, B crouches, A or X uses.
+/// Keys do what the settings bind them to. Walking slowly is a part of the pace, as a stick that is pushed half way:
+/// nothing that a tape would have to know. Control, where it crouches, does not while the wheel turns, which zooms.
+/// Gamepad: left stick walks, right stick looks, left shoulder or stick runs, B crouches, A or X uses.
 class PlayerInput {
 public:
-    /// mouse_speed: factor on the turn per pixel. The mouse turns the head only where `mouse_looks`.
-    void handle(const InputEvent& event, double mouse_speed, bool mouse_looks);
+    /// From now on keys and mouse are as these settings say.
+    void obey(const Settings& settings);
+
+    /// The mouse turns the head only where `mouse_looks`.
+    void handle(const InputEvent& event, bool mouse_looks);
 
     bool held(KeyCode key) const { return keys_[static_cast<std::size_t>(key)]; }
+    bool held(Control control) const;
 
     /// Everything is let go, e.g. because a menu opened.
     void release_all();
@@ -46,23 +54,29 @@ private:
     bool held(GamepadButton button) const { return buttons_[static_cast<std::size_t>(button)]; }
     double axis(GamepadAxis axis) const { return axes_[static_cast<std::size_t>(axis)]; }
     /// 1, 0 or -1.
-    int balance(KeyCode plus, KeyCode minus) const { return int{held(plus)} - int{held(minus)}; }
+    int balance(Control plus, Control minus) const { return int{held(plus)} - int{held(minus)}; }
+    /// 1, or -1 where looking up and down is turned round.
+    double upward() const { return invert_ ? -1 : 1; }
 
     /// The part of the pace that is asked for, 0..1.
     double part_of_pace() const;
     double forward() const;
     double strafe() const;
     LookSteps held_look() const;
+    bool crouches() const;
     std::uint8_t pressed() const;
     bool control_held() const { return held(KeyCode::left_control) || held(KeyCode::right_control); }
 
+    Bindings bindings_ = usual_bindings();
+    double mouse_speed_ = 1;
+    bool invert_ = false;
     std::array<bool, kKeyCount> keys_{};
     std::array<bool, 16> buttons_{};
     std::array<double, 8> axes_{};
     double mouse_yaw_ = 0, mouse_pitch_ = 0;  ///< not yet used up [2^-32 turn]
     LookSteps mouse_tick_;                    ///< the mouse's share of the last tick
     std::uint8_t tapped_ = 0;                 ///< InputButton bits that were down at some time since the last tick
-    bool center_ = false;                     ///< Home was pressed
+    bool center_ = false;                     ///< it was asked to look ahead
     bool control_zooms_ = false;              ///< the wheel has turned since Control was pressed
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 #include "app/draw/overlay.h"
 #include "world/input.h"
@@ -11,13 +12,19 @@ namespace enfilade {
 namespace {
 
 constexpr Color kInk = 0xFFFFFFFF, kAlarm = 0xFF4040FF, kKeysPanel = 0xD0202020;
-constexpr int kLowHealth = 25;  ///< from here on the health is shown in red [points]
+constexpr Color kBlood = 0x0000B0;
+constexpr double kStrongestFlash = 150;  ///< of 255
+constexpr int kLowHealth = 25;           ///< from here on the health is shown in red [points]
 
-void draw_centred(Overlay& overlay, std::string_view text, Color color) {
-    overlay.rimmed_text((overlay.width() - overlay.text_width(text)) / 2, overlay.height() / 3, text, color);
+/// In the middle of a dark panel, readable on any wall.
+void draw_panel(Overlay& overlay, std::string_view text, Color color) {
+    const int line = overlay.line_height(), width = overlay.text_width(text), left = (overlay.width() - width) / 2;
+    const int top = overlay.height() / 3;
+    overlay.fill({left - line, top - line / 2, width + 2 * line, 2 * line}, kKeysPanel);
+    overlay.rimmed_text(left, top, text, color);
 }
 
-std::string keys_text(const Map& map, const World& world) {
+std::string carried_keys(const Map& map, const World& world) {
     std::string text;
     for (std::size_t i = 0; i < map.keys.size(); ++i)
         if (world.keys >> i & 1) text += (text.empty() ? "Keys: " : ", ") + map.keys[i];
@@ -38,26 +45,38 @@ std::string message_text(const Map& map, const PlayerMessage& message) {
     return "";
 }
 
-void draw_status(Overlay& overlay, const Map& map, const World& world) {
+void draw_status(Overlay& overlay, const Map& map, const World& world, int bottom) {
     const int margin = overlay.line_height() / 2;
-    int y = overlay.height() - margin;
+    int y = bottom;
     const auto line = [&](const std::string& text, Color color) {
         y -= overlay.line_height();
         overlay.rimmed_text(margin, y, text, color);
     };
     if (world.health < kFullHealth)
         line(fmt::format("Health {}", world.health), world.health <= kLowHealth ? kAlarm : kInk);
-    if (world.keys != 0) line(keys_text(map, world), kInk);
+    if (world.keys != 0) line(carried_keys(map, world), kInk);
 }
 
-void draw_flight(Overlay& overlay, const std::string& text) {
-    overlay.rimmed_text((overlay.width() - overlay.text_width(text)) / 2, overlay.height() / 6, text, kInk);
+void draw_flight(Overlay& overlay, const std::string& text, int top) {
+    overlay.rimmed_text((overlay.width() - overlay.text_width(text)) / 2, std::max(top, overlay.height() / 6), text,
+                        kInk);
 }
 
-void draw_death(Overlay& overlay) { draw_centred(overlay, "You died. Press E to start again.", kAlarm); }
+void draw_hurt(Overlay& overlay, double strength) {
+    const auto alpha = static_cast<Color>(std::lround(std::clamp(strength, 0.0, 1.0) * kStrongestFlash));
+    if (alpha > 0) overlay.fill({0, 0, overlay.width(), overlay.height()}, alpha << 24 | kBlood);
+}
+
+void draw_death(Overlay& overlay, const Bindings& bindings) {
+    const auto keys = [&](Control control) { return keys_text(keys_for(bindings, control)); };
+    draw_panel(
+        overlay,
+        fmt::format("You died. {}: start again. {}, held: back in time.", keys(Control::use), keys(Control::rewind)),
+        kAlarm);
+}
 
 void draw_rewind(Overlay& overlay, std::size_t ticks_back) {
-    draw_centred(overlay, fmt::format("<< {:.1f} s", static_cast<double>(ticks_back) / kTickRate), kInk);
+    draw_panel(overlay, fmt::format("<< {:.1f} s", static_cast<double>(ticks_back) / kTickRate), kInk);
 }
 
 namespace {
@@ -102,8 +121,8 @@ FrameTimes::Summary FrameTimes::summary() const {
     return {double(sum) * 1e-6 / double(kept), double(worst) * 1e-6, double(kept - 1) / span_s};
 }
 
-void draw_readout(Overlay& overlay, const FrameTimes& times, const ReadoutFacts& facts,
-                  const std::vector<ViewportShape>& viewports) {
+int draw_readout(Overlay& overlay, const FrameTimes& times, const ReadoutFacts& facts,
+                 const std::vector<ViewportShape>& viewports) {
     for (const ViewportShape& shape : viewports) draw_outline(overlay, shape);
     const auto summary = times.summary();
     const std::string lines[] = {
@@ -114,58 +133,33 @@ void draw_readout(Overlay& overlay, const FrameTimes& times, const ReadoutFacts&
         fmt::format("yaw {:.1f}  pitch {:.1f}", facts.yaw_degrees, facts.pitch_degrees),
     };
     const int left = overlay.line_height() / 2;
-    int y = overlay.height() - left - int(std::size(lines)) * overlay.line_height();
-    for (const std::string& line : lines) {
-        overlay.rimmed_text(left, y, line, kInk);
-        y += overlay.line_height();
-    }
+    const int top = overlay.height() - left - int(std::size(lines)) * overlay.line_height();
+    for (std::size_t i = 0; i < std::size(lines); ++i)
+        overlay.rimmed_text(left, top + int(i) * overlay.line_height(), lines[i], kInk);
+    return top;
 }
 
-namespace {
-
-/// Of kKeys, each a line: the keys, and what they do.
-constexpr std::size_t kKeyColumns = 15;
-constexpr std::string_view kKeys[][2] = {
-    {"W A S D, mouse", "walk, look around"},
-    {"Shift, Alt", "run; walk slowly"},
-    {"C or Ctrl", "crouch"},
-    {"E or Space", "use"},
-    {"Tab, + -", "map, its zoom"},
-    {"R, held", "go back in time"},
-    {"F5, F9", "save; load"},
-    {"F2", "column or stencil renderer"},
-    {"F3", "times, place, viewports"},
-    {"F4, F6, + -", "from outside; side; zoom"},
-    {"F7", "what a pixel shows"},
-    {"F8", "fly through walls; come back"},
-    {"Ctrl and wheel", "field of view"},
-    {"F11, F12", "full screen; save a picture"},
-    {"Esc", "menu"},
-};
-
-}  // namespace
-
-int scale_for_keys(int height_px) {
-    constexpr int kLines = static_cast<int>(std::size(kKeys)) + 2;  // and a rim
-    return std::clamp(height_px / (kLines * Font::kHeight * 5 / 4), 1, comfortable_scale(height_px));
+int scale_for_lines(std::size_t lines, int height_px) {
+    const int with_rim = static_cast<int>(lines) + 2;
+    return std::clamp(height_px / (with_rim * Font::kHeight * 5 / 4), 1, comfortable_scale(height_px));
 }
 
-void draw_keys(Overlay& overlay) {
-    std::vector<std::string> lines;
-    for (const auto& [keys, what] : kKeys) lines.push_back(fmt::format("{:<{}} {}", keys, kKeyColumns, what));
-    int width = 0;
-    for (const std::string& line : lines) width = std::max(width, overlay.text_width(line));
+void draw_keys(Overlay& overlay, const std::vector<std::pair<std::string, std::string>>& lines) {
+    int keys_width = 0, width = 0;
+    for (const auto& [keys, what] : lines) keys_width = std::max(keys_width, overlay.text_width(keys + "  "));
+    for (const auto& [keys, what] : lines) width = std::max(width, keys_width + overlay.text_width(what));
     const int pitch = overlay.line_height(), height = pitch * static_cast<int>(lines.size() + 1);
     const Rect panel{(overlay.width() - width - pitch) / 2, (overlay.height() - height) / 2, width + pitch, height};
     overlay.fill(panel, kKeysPanel);
     int y = panel.top + pitch / 2;
-    for (const std::string& line : lines) {
-        overlay.rimmed_text(panel.left + pitch / 2, y, line, kInk);
+    for (const auto& [keys, what] : lines) {
+        overlay.rimmed_text(panel.left + pitch / 2, y, keys, kInk);
+        overlay.rimmed_text(panel.left + pitch / 2 + keys_width, y, what, kInk);
         y += pitch;
     }
 }
 
-void draw_pointed(Overlay& overlay, int x, int y, const std::string& text) {
+int draw_pointed(Overlay& overlay, int x, int y, const std::string& text, int bottom) {
     constexpr int kGap = 3, kArm = 8;  // of the cross, whose middle stays free [px]
     const auto arm = [&](int dx, int dy) {
         for (int i = kGap; i < kArm; ++i) overlay.dot(x + i * dx, y + i * dy, kInk);
@@ -174,11 +168,11 @@ void draw_pointed(Overlay& overlay, int x, int y, const std::string& text) {
     const int margin = overlay.line_height() / 2;
     const std::vector<std::string> lines =
         wrapped(text, std::size_t(std::max(8, (overlay.width() - 2 * margin) / overlay.text_width(" "))));
-    int row = overlay.height() - margin - int(lines.size()) * overlay.line_height();
-    for (const std::string& line : lines) {
-        overlay.rimmed_text((overlay.width() - overlay.text_width(line)) / 2, row, line, kInk);
-        row += overlay.line_height();
-    }
+    const int top = bottom - int(lines.size()) * overlay.line_height();
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        overlay.rimmed_text((overlay.width() - overlay.text_width(lines[i])) / 2, top + int(i) * overlay.line_height(),
+                            lines[i], kInk);
+    return top;
 }
 
 namespace {
@@ -189,14 +183,21 @@ constexpr Color kPanel = 0xD0101060;
 
 void Notices::say(std::string text, double now_s, double seconds) {
     notices_.push_back({std::move(text), now_s + seconds, {}});
+    is_new_ = true;
 }
 
 void Notices::update(std::string_view about, std::string text, double now_s, double seconds) {
     std::erase_if(notices_, [&](const Notice& notice) { return notice.about == about; });
     notices_.push_back({std::move(text), now_s + seconds, std::string(about)});
+    is_new_ = true;
 }
 
-void Notices::draw(Overlay& overlay, double now_s) {
+bool Notices::have_changed(double now_s) const {
+    return is_new_ || std::ranges::any_of(notices_, [&](const Notice& notice) { return notice.until_s <= now_s; });
+}
+
+int Notices::draw(Overlay& overlay, double now_s) {
+    is_new_ = false;
     std::erase_if(notices_, [&](const Notice& notice) { return notice.until_s <= now_s; });
     const int margin = overlay.line_height() / 2;
     const auto most = std::size_t(std::max(8, (overlay.width() - 4 * margin) / (Font::kWidth * overlay.scale())));
@@ -206,7 +207,7 @@ void Notices::draw(Overlay& overlay, double now_s) {
             overlay.rimmed_text(margin, y, piece, kInk);
             y += overlay.line_height();
         }
-    if (pinned_.empty()) return;
+    if (pinned_.empty()) return y;
     std::vector<std::string> lines;
     for (const std::string& line : pinned_)
         for (std::string& piece : wrapped(line, most)) lines.push_back(std::move(piece));
@@ -214,6 +215,7 @@ void Notices::draw(Overlay& overlay, double now_s) {
     overlay.fill(panel, kPanel);
     for (std::size_t i = 0; i < lines.size(); ++i)
         overlay.text(2 * margin, y + margin / 2 + int(i) * overlay.line_height(), lines[i], kInk);
+    return y + panel.height;
 }
 
 }  // namespace enfilade

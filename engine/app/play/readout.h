@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/draw/overlay.h"
+#include "app/play/settings.h"
 #include "flight/renderer.h"
 #include "map/map.h"
 #include "world/world.h"
@@ -18,20 +20,24 @@ namespace enfilade {
 /// The message as a sentence; empty where it is shown otherwise.
 std::string message_text(const Map& map, const PlayerMessage& message);
 
-/// In the lower left corner: health, once it is less than full, and the keys one has. Nothing in a map without either.
-void draw_status(Overlay& overlay, const Map& map, const World& world);
+/// At the left, above the row `bottom`: health, once it is less than full, and the keys one has. Nothing in a map
+/// without either.
+void draw_status(Overlay& overlay, const Map& map, const World& world, int bottom);
 
-/// Above the middle: where one flies.
-void draw_flight(Overlay& overlay, const std::string& text);
+/// Above the middle, not above the row `top`: where one flies.
+void draw_flight(Overlay& overlay, const std::string& text, int top);
 
-/// Across the middle: that one is dead, or how far back one has gone [ticks].
-void draw_death(Overlay& overlay);
+/// A red shade over everything. strength : 0..1
+void draw_hurt(Overlay& overlay, double strength);
+
+/// Across the middle: that one is dead, and which keys help; or how far back one has gone [ticks].
+void draw_death(Overlay& overlay, const Bindings& bindings);
 void draw_rewind(Overlay& overlay, std::size_t ticks_back);
 
-/// F1: what all keys do, in the middle, on a panel.
-void draw_keys(Overlay& overlay);
-/// The scale at which that fits into a picture of this height.
-int scale_for_keys(int height_px);
+/// F1: what all keys do, in the middle, on a panel. lines : keys, and what they do
+void draw_keys(Overlay& overlay, const std::vector<std::pair<std::string, std::string>>& lines);
+/// The scale at which so many lines fit into a picture of this height.
+int scale_for_lines(std::size_t lines, int height_px);
 
 /// The last second or so of frame times.
 class FrameTimes {
@@ -57,11 +63,12 @@ struct ReadoutFacts {
     double x = 0, y = 0, eye_z = 0, yaw_degrees = 0, pitch_degrees = 0;
 };
 
-void draw_readout(Overlay& overlay, const FrameTimes& times, const ReadoutFacts& facts,
-                  const std::vector<ViewportShape>& viewports);
+/// The row at which it begins, from the lower edge.
+int draw_readout(Overlay& overlay, const FrameTimes& times, const ReadoutFacts& facts,
+                 const std::vector<ViewportShape>& viewports);
 
-/// A small cross around a pixel, and at the foot of the picture what is there, wrapped.
-void draw_pointed(Overlay& overlay, int x, int y, const std::string& text);
+/// A small cross around a pixel, and above the row `bottom` what is there, wrapped; the row at which that begins.
+int draw_pointed(Overlay& overlay, int x, int y, const std::string& text, int bottom);
 
 // Short messages on the screen: "saved enfilade-0003.png", or what is wrong with a map that was just saved.
 
@@ -74,9 +81,13 @@ public:
     void update(std::string_view about, std::string text, double now_s, double seconds = 3);
 
     /// A panel that stays until it is replaced; empty lines take it away.
-    void pin(std::vector<std::string> lines) { pinned_ = std::move(lines); }
+    void pin(std::vector<std::string> lines) { pinned_ = std::move(lines), is_new_ = true; }
 
-    void draw(Overlay& overlay, double now_s);
+    /// Whether they look different from when they were drawn last.
+    bool have_changed(double now_s) const;
+
+    /// The row below them.
+    int draw(Overlay& overlay, double now_s);
 
 private:
     struct Notice {
@@ -86,6 +97,7 @@ private:
     };
     std::vector<Notice> notices_;
     std::vector<std::string> pinned_;
+    bool is_new_ = false;
 };
 
 }  // namespace enfilade

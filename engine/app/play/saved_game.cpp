@@ -6,7 +6,10 @@
 #include <filesystem>
 
 #include "app/pictures.h"
+#include "app/play/game.h"
+#include "base/files.h"
 #include "base/hash.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 
@@ -30,23 +33,75 @@ Status TapeRecorder::finish(std::uint64_t final_hash) {
     return file_.commit();
 }
 
-namespace {
-
 namespace fs = std::filesystem;
 
-fs::path data_folder() {
-    if (const char* data = std::getenv("XDG_DATA_HOME"); data && *data) return fs::path(data) / "enfilade";
-    if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".local/share/enfilade";
+std::string data_folder() {
+    if (const char* data = std::getenv("XDG_DATA_HOME"); data && *data) return (fs::path(data) / "enfilade").string();
+    if (const char* home = std::getenv("HOME"); home && *home)
+        return (fs::path(home) / ".local/share/enfilade").string();
     return ".";
 }
-
-}  // namespace
 
 std::string saved_game_of(const std::string& map_path) {
     std::error_code unknown;
     const fs::path map = fs::weakly_canonical(map_path, unknown);
     const std::uint64_t folder = hash_of_text(map.parent_path().string());
-    return (data_folder() / fmt::format("{}-{:08x}.save", map.stem().string(), folder & 0xFFFFFFFFu)).string();
+    return (fs::path(data_folder()) / fmt::format("{}-{:08x}.save", map.stem().string(), folder & 0xFFFFFFFFu))
+        .string();
+}
+
+namespace {
+
+std::string last_map_path() { return (fs::path(data_folder()) / "last_map").string(); }
+
+}  // namespace
+
+std::string last_game_path() { return (fs::path(data_folder()) / "last_game.save").string(); }
+
+void keep_last_game(const Game& game) {
+    std::error_code unknown;
+    fs::create_directories(data_folder(), unknown);
+    fs::remove(last_game_path(), unknown);
+    static_cast<void>(game.save(last_game_path()));
+    static_cast<void>(write_file(last_map_path(), std::string_view(fs::absolute(game.path(), unknown).string())));
+}
+
+std::string last_map() {
+    const auto bytes = read_file(last_map_path());
+    std::error_code unknown;
+    const std::string path = bytes.ok() ? std::string(as_text(bytes.value())) : "";
+    return fs::is_regular_file(path, unknown) ? path : "";
+}
+
+namespace {
+
+/// Of a line XDG_PICTURES_DIR="$HOME/Pictures".
+std::string folder_in(std::string_view user_dirs, const std::string& home) {
+    constexpr std::string_view kName = "XDG_PICTURES_DIR=\"";
+    LineReader lines(user_dirs);
+    while (const auto line = lines.next()) {
+        if (!line->text.starts_with(kName)) continue;
+        std::string path(line->text.substr(kName.size()));
+        path = path.substr(0, path.find('"'));
+        return path.starts_with("$HOME") ? home + path.substr(5) : path;
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string pictures_folder() {
+    std::error_code unknown;
+    if (const char* named = std::getenv("XDG_PICTURES_DIR"); named && fs::is_directory(named, unknown)) return named;
+    const char* const home = std::getenv("HOME");
+    if (!home || !*home) return ".";
+    const char* const config = std::getenv("XDG_CONFIG_HOME");
+    const fs::path folder = config && *config ? fs::path(config) : fs::path(home) / ".config";
+    const auto bytes = read_file((folder / "user-dirs.dirs").string());
+    const std::string named = bytes.ok() ? folder_in(as_text(bytes.value()), home) : "";
+    for (const std::string& path : {named, std::string(home) + "/Pictures"})
+        if (!path.empty() && fs::is_directory(path, unknown)) return path;
+    return ".";
 }
 
 namespace {

@@ -35,7 +35,25 @@ private:
 /// folder it lies in; in the working folder where there is no home.
 std::string saved_game_of(const std::string& map_path);
 
-// F12: the picture on the screen as a file in the current folder.
+/// $XDG_DATA_HOME/enfilade, or ~/.local/share/enfilade; the working folder where there is no home.
+std::string data_folder();
+
+class Game;
+
+// What "Continue" goes on with: the map that was played last, and the game as it was left.
+
+/// Keeps both. Nothing is kept of what cannot be saved; the map then begins anew.
+void keep_last_game(const Game& game);
+/// The map; empty where there is none, or it has gone.
+std::string last_map();
+/// The saved game.
+std::string last_game_path();
+
+// F12: the picture on the screen as a file in the user's folder for pictures.
+
+/// $XDG_PICTURES_DIR, as the environment or the user's user-dirs.dirs says, or ~/Pictures; the working folder where
+/// neither is there.
+std::string pictures_folder();
 
 /// Writes the frame as the first of enfilade-0001.png, enfilade-0002.png, … that `folder` does not have yet; gives the
 /// file's name.

@@ -28,7 +28,9 @@ public:
     /// The same with another program.
     Ended run_other(const std::string& program, const std::vector<std::string>& arguments,
                     const std::string& environment = "") const {
-        std::string command = "cd '" + dir_.path() + "' && " + environment + " '" + program + "'";
+        const std::string own =
+            " XDG_CONFIG_HOME='" + home_.path("config") + "' XDG_DATA_HOME='" + home_.path("data") + "' ";
+        std::string command = "cd '" + dir_.path() + "' && " + own + environment + " '" + program + "'";
         for (const std::string& argument : arguments) command += " '" + argument + "'";
         const int status = std::system((command + " >out.txt 2>err.txt </dev/null").c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text("out.txt"), text("err.txt")};
@@ -52,8 +54,11 @@ public:
         (void)write_file(path(name), std::string_view(text));
     }
 
+    /// Where the program keeps what belongs to its user: "config/enfilade/settings.toml".
+    std::string home(const std::string& name) const { return home_.path(name); }
+
 private:
-    testing::TempDir dir_;
+    testing::TempDir dir_, home_;
 };
 
 /// A sound map of two rooms with a door; without pictures, so with warnings. The player looks through the door.

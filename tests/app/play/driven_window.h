@@ -62,14 +62,21 @@ public:
     /// The picture that was shown as the n-th, counted from 1.
     const Frame& picture(int number) const { return pictures_.at(std::size_t(number - 1)); }
 
+    /// What was not shown anew is still there: it counts as one more picture.
     void poll(std::vector<InputEvent>& events) override {
+        if (!is_fresh_ && !pictures_.empty()) pictures_.push_back(Frame(pictures_.back()));
+        is_fresh_ = false;
         for (const auto& call : calls_[int(pictures_.size())]) call();
         window_->poll(events);
     }
     Status present(const Frame& frame) override {
         pictures_.push_back(frame);
+        ++shown_;
+        is_fresh_ = true;
         return window_->present(frame);
     }
+    /// How many pictures were shown anew.
+    int shown() const { return shown_; }
     PixelSize size() const override { return window_->size(); }
     void grab_mouse(bool grab) override { window_->grab_mouse(grab); }
     bool mouse_grabbed() const override { return window_->mouse_grabbed(); }
@@ -82,6 +89,8 @@ private:
     std::unique_ptr<Window> window_;
     std::map<int, std::vector<std::function<void()>>> calls_;
     std::vector<Frame> pictures_;
+    int shown_ = 0;
+    bool is_fresh_ = false;
 };
 
 }  // namespace enfilade::testing

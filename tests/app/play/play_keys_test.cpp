@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include "app/play/driven_window.h"
@@ -23,15 +24,24 @@ protected:
         game_ = Game::start(dir_.path("map.toml"), {}).value();
         options_.save = dir_.path("a.save");
         options_.mute = true;
-        options_.size = PictureSize{320, 200};
+        Settings settings;
+        settings.size = PictureSize{320, 200};
+        settings.vsync = false;
+        store_.change_for_now(settings);
     }
 
     void play_until(int pictures) {
         window_.quit_after(pictures);
         auto renderer = make_renderer({}, game_->map(), game_->textures());
-        PlayLoop loop(*game_, window_, options_, std::move(renderer).value());
+        PlayLoop loop(*game_, window_, store_, options_, std::move(renderer).value());
         const Status failed = loop.run();
         EXPECT_FALSE(failed) << failed->text();
+    }
+
+    /// In a page of the menu that was just opened.
+    void choose_after(int pictures, int row) {
+        for (int i = 0; i < row; ++i) window_.press_after(pictures, SDL_SCANCODE_DOWN);
+        window_.press_after(pictures, SDL_SCANCODE_RETURN);
     }
 
     /// Pixels of the n-th picture that lie below the notices and left of the inset.
@@ -47,6 +57,7 @@ protected:
     testing::TempDir dir_;
     std::unique_ptr<Game> game_;
     PlayOptions options_;
+    SettingsStore store_;
     testing::DrivenWindow window_;
 };
 
@@ -145,9 +156,10 @@ TEST_F(KeysOfPlay, LetTheGameStandStillWithoutTheFocusUnlessThePlayerWishesOther
     window_.after(5, [&] { window_.lose_focus(); });
     window_.after(6, [&] { lost = game_->world().tick; });
     window_.after(60, [&] { later = game_->world().tick; });
-    window_.press_after(60, SDL_SCANCODE_UP);
-    window_.press_after(60, SDL_SCANCODE_UP);
+    choose_after(60, 5);                       // Options
+    window_.press_after(60, SDL_SCANCODE_UP);  // its last row
     window_.press_after(60, SDL_SCANCODE_RIGHT);
+    window_.press_after(60, SDL_SCANCODE_ESCAPE);
     window_.press_after(60, SDL_SCANCODE_ESCAPE);
     window_.after(70, [&] { window_.lose_focus(), lost_again = game_->world().tick; });
     window_.after(140, [&] { at_last = game_->world().tick; });
@@ -189,10 +201,73 @@ TEST_F(KeysOfPlay, EndTheFlightWhereTheGameBeginsAgain) {
     window_.after(6, [&] { window_.key(SDL_SCANCODE_W, true); });
     window_.after(60, [&] { window_.key(SDL_SCANCODE_W, false); });
     window_.press_after(61, SDL_SCANCODE_ESCAPE);
-    window_.press_after(62, SDL_SCANCODE_DOWN);
-    window_.press_after(62, SDL_SCANCODE_RETURN);
+    choose_after(62, 3);  // Restart map
     play_until(70);
     EXPECT_EQ(own_view(69), own_view(4));
+}
+
+TEST_F(KeysOfPlay, ShowNoPictureTwice) {
+    int before = 0, after = 0;
+    window_.after(100, [&] { before = window_.shown(); });
+    window_.after(200, [&] { after = window_.shown(); });
+    play_until(201);
+    EXPECT_EQ(after, before);
+    EXPECT_GT(before, 0);
+}
+
+TEST_F(KeysOfPlay, ShowEveryStepOfOneWhoWalks) {
+    int before = 0, after = 0;
+    window_.after(99, [&] { window_.key(SDL_SCANCODE_W, true); });
+    window_.after(100, [&] { before = window_.shown(); });
+    window_.after(160, [&] { after = window_.shown(); });
+    play_until(161);
+    EXPECT_GT(after, before + 40);
+}
+
+TEST_F(KeysOfPlay, ShowTheMenuOnceAndThenAtEveryKey) {
+    int before = 0, unchanged = 0, moved = 0;
+    window_.press_after(20, SDL_SCANCODE_ESCAPE);
+    window_.after(25, [&] { before = window_.shown(); });
+    window_.after(40, [&] { unchanged = window_.shown(); });
+    window_.press_after(40, SDL_SCANCODE_DOWN);
+    window_.after(45, [&] { moved = window_.shown(); });
+    play_until(46);
+    EXPECT_EQ(unchanged, before);
+    EXPECT_EQ(moved, before + 1);
+}
+
+TEST_F(KeysOfPlay, AreThoseOfTheSettings) {
+    Settings settings = store_.now();
+    bind(settings.bindings, Control::outside, KeyCode::k);
+    store_.change_for_now(settings);
+    window_.press_after(5, SDL_SCANCODE_K);
+    play_until(10);
+    EXPECT_EQ(at(window_.picture(9), 192, 79), kRim);
+}
+
+TEST_F(KeysOfPlay, SaveASettingThatTheMenuChanged) {
+    store_ = SettingsStore(dir_.path("settings.toml"));
+    window_.press_after(5, SDL_SCANCODE_ESCAPE);
+    choose_after(6, 5);  // Options
+    for (int i = 0; i < 3; ++i) window_.press_after(6, SDL_SCANCODE_DOWN);
+    window_.press_after(6, SDL_SCANCODE_RIGHT);
+    window_.press_after(7, SDL_SCANCODE_ESCAPE);
+    window_.press_after(7, SDL_SCANCODE_ESCAPE);
+    play_until(10);
+    EXPECT_EQ(SettingsStore(dir_.path("settings.toml")).now().scale, 2);
+    EXPECT_EQ(window_.picture(9).width, 160) << "half of the window";
+}
+
+TEST_F(KeysOfPlay, BrightenThePicture) {
+    Settings settings = store_.now();
+    window_.after(10, [&] {
+        settings.brightness = 2;
+        store_.change_for_now(settings);
+        window_.press_after(11, SDL_SCANCODE_F15);  // any event
+    });
+    play_until(20);
+    const std::uint32_t before = own_view(9)[0] & 255, after = own_view(19)[0] & 255;
+    EXPECT_EQ(after, std::uint32_t(std::lround(255 * std::sqrt(before / 255.0))));
 }
 
 }  // namespace

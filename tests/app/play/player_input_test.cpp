@@ -10,17 +10,18 @@ constexpr double kStepsPerDegree = 4294967296.0 / 360;
 
 class PlayerInputFromEvents : public ::testing::Test {
 protected:
-    void press(KeyCode key) { input_.handle(KeyChange{key, true, false}, 1, true); }
-    void release(KeyCode key) { input_.handle(KeyChange{key, false, false}, 1, true); }
-    void press(GamepadButton button) { input_.handle(GamepadButtonChange{button, true}, 1, true); }
-    void push(GamepadAxis axis, double value) { input_.handle(GamepadAxisMotion{axis, value}, 1, true); }
+    void press(KeyCode key) { input_.handle(KeyChange{key, true, false}, true); }
+    void release(KeyCode key) { input_.handle(KeyChange{key, false, false}, true); }
+    void press(GamepadButton button) { input_.handle(GamepadButtonChange{button, true}, true); }
+    void push(GamepadAxis axis, double value) { input_.handle(GamepadAxisMotion{axis, value}, true); }
     void move_mouse(double dx, double dy, bool looks = true) {
-        input_.handle(MouseMotion{dx, dy, 0, 0}, speed_, looks);
+        input_.obey(settings_);
+        input_.handle(MouseMotion{dx, dy, 0, 0}, looks);
     }
     TickInput tick() { return input_.take_tick(0); }
 
     PlayerInput input_;
-    double speed_ = 1;
+    Settings settings_;
 };
 
 TEST_F(PlayerInputFromEvents, AsksForNothingByItself) { EXPECT_EQ(tick(), TickInput{}); }
@@ -64,7 +65,7 @@ TEST_F(PlayerInputFromEvents, UsesOnceForATapThatIsOverBeforeTheTick) {
 TEST_F(PlayerInputFromEvents, StandsUpWhileControlAndTheWheelZoom) {
     press(KeyCode::left_control);
     EXPECT_EQ(tick().buttons, kButtonCrouch);
-    input_.handle(MouseWheel{1}, 1, true);
+    input_.handle(MouseWheel{1}, true);
     EXPECT_EQ(tick().buttons, 0);
     press(KeyCode::c);
     EXPECT_EQ(tick().buttons, kButtonCrouch);
@@ -97,7 +98,7 @@ TEST_F(PlayerInputFromEvents, LooksUpWhereTheMouseMovesAway) {
 TEST_F(PlayerInputFromEvents, TurnsFasterWithAFasterMouse) {
     move_mouse(16, 0);
     const auto slow = tick().yaw_steps;
-    speed_ = 2;
+    settings_.mouse_speed = 2;
     move_mouse(16, 0);
     EXPECT_NEAR(tick().yaw_steps, 2.0 * slow, 1);
 }
@@ -159,14 +160,14 @@ TEST_F(PlayerInputFromEvents, LooksWithTheRightStick) {
 TEST_F(PlayerInputFromEvents, LetsGoOfAGamepadThatIsPulledOut) {
     push(GamepadAxis::left_y, -1);
     press(GamepadButton::b);
-    input_.handle(GamepadLost{}, 1, true);
+    input_.handle(GamepadLost{}, true);
     EXPECT_EQ(tick(), TickInput{});
 }
 
 TEST_F(PlayerInputFromEvents, LetsGoOfEverythingWithoutTheFocus) {
     press(KeyCode::w);
     move_mouse(10, 10);
-    input_.handle(FocusChange{false}, 1, true);
+    input_.handle(FocusChange{false}, true);
     EXPECT_EQ(tick(), TickInput{});
 }
 

@@ -1,0 +1,187 @@
+#include "app/play/settings_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/files.h"
+#include "formats/text_parts.h"
+#include "formats/toml.h"
+
+namespace enfilade {
+namespace {
+
+constexpr std::string_view kKeysTable = "keys";
+constexpr std::size_t kMostNotes = 4;
+
+constexpr std::string_view kHead =
+    "# What Enfilade remembers for you. The menu writes this file when you change something there; you may also edit\n"
+    "# it while the game is closed. A key that is missing is as usual. `enfilade play --help` has each as an option.\n";
+
+void note(SettingsReading& reading, TextPlace place, Severity severity, std::string code, std::string sentence) {
+    reading.findings.push_back({place, severity, std::move(code), std::move(sentence)});
+}
+
+/// The value as TOML text again, and as the text a setting reads.
+std::string toml_text(const TomlNode& node) {
+    switch (node.kind()) {
+        case TomlKind::string: return string_text(node.text());
+        case TomlKind::integer:
+        case TomlKind::real: return number_text(node.number());
+        case TomlKind::boolean: return node.boolean() ? "true" : "false";
+        case TomlKind::array: {
+            std::string text = "[";
+            for (std::size_t i = 0; i < node.size(); ++i) text += (i == 0 ? "" : ", ") + toml_text(node.at(i));
+            return text + "]";
+        }
+        case TomlKind::table: {
+            std::string text = "{ ";
+            for (const TomlEntry& entry : node.entries())
+                text += (text.size() > 2 ? ", " : "") + string_text(entry.key) + " = " + toml_text(entry.value);
+            return text + " }";
+        }
+        default: return "\"\"";
+    }
+}
+
+std::string plain_text(const TomlNode& node) {
+    return node.kind() == TomlKind::string ? std::string(node.text()) : toml_text(node);
+}
+
+void read_keys_of(SettingsReading& reading, const TomlEntry& entry, Control control) {
+    const std::string expected = "expected up to two names of keys, such as [\"W\", \"Up\"]";
+    const TomlNode& list = entry.value;
+    if (list.kind() != TomlKind::array || list.size() > 2)
+        return note(reading, list.place(), Severity::error, "wrong-type", expected);
+    ControlKeys keys{};
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const TomlNode name = list.at(i);
+        if (name.kind() == TomlKind::string) keys[i] = key_named(name.text());
+        if (keys[i] == KeyCode::unknown)
+            return note(reading, name.place(), Severity::error, "unknown-word",
+                        expected + "; found " + toml_text(name));
+    }
+    reading.settings.bindings[static_cast<std::size_t>(control)] = keys;
+}
+
+void read_bindings(SettingsReading& reading, const TomlEntry& table) {
+    if (table.value.kind() != TomlKind::table)
+        return note(reading, table.value.place(), Severity::error, "wrong-type", "expected a table of keys, [keys]");
+    for (const TomlEntry& entry : table.value.entries()) {
+        if (const auto control = control_named(entry.key)) {
+            read_keys_of(reading, entry, *control);
+            continue;
+        }
+        std::vector<std::string_view> known;
+        for (int i = 0; i < kControls; ++i) known.push_back(info_of(static_cast<Control>(i)).name);
+        note(reading, entry.key_place, Severity::warning, "unknown-key",
+             "nothing can be bound to " + quoted(entry.key) + nearest_suggestion(entry.key, known) +
+                 "; it is left out when the file is next written");
+    }
+}
+
+void read_setting(SettingsReading& reading, const TomlEntry& entry, const Setting& setting) {
+    if (const Status wrong = setting.read(setting, plain_text(entry.value), reading.settings))
+        note(reading, entry.value.place(), Severity::error, "wrong-value",
+             quoted(entry.key) + ": " + wrong->what + "; it is as usual until this is put right");
+}
+
+void keep_unknown(SettingsReading& reading, const TomlEntry& entry) {
+    std::vector<std::string_view> known{kKeysTable};
+    for (const Setting& setting : all_settings()) known.push_back(setting.name);
+    note(reading, entry.key_place, Severity::warning, "unknown-key",
+         "there is no setting " + quoted(entry.key) + nearest_suggestion(entry.key, known) + "; it is kept as it is");
+    reading.unknown += string_text(entry.key) + " = " + toml_text(entry.value) + "\n";
+}
+
+}  // namespace
+
+SettingsReading read_settings(std::string_view text) {
+    SettingsReading reading;
+    const auto document = TomlDocument::parse(text, {}, reading.findings);
+    if (!document) return reading;
+    for (const TomlEntry& entry : document->root().entries()) {
+        const auto settings = all_settings();
+        const auto setting = std::ranges::find(settings, entry.key, &Setting::name);
+        if (entry.key == kKeysTable)
+            read_bindings(reading, entry);
+        else if (setting != settings.end())
+            read_setting(reading, entry, *setting);
+        else
+            keep_unknown(reading, entry);
+    }
+    return reading;
+}
+
+std::string write_settings(const Settings& settings, std::string_view unknown) {
+    std::string text(kHead);
+    for (const Setting& setting : all_settings()) {
+        const std::string value = setting.text(setting, settings);
+        const std::string written = setting.is_flag   ? std::string(value == "on" ? "true" : "false")
+                                    : setting.is_word ? string_text(value)
+                                                      : value;
+        text += fmt::format("\n# {}\n{} = {}\n", setting.help, setting.name, written);
+    }
+    if (!unknown.empty()) text += "\n# Not known to this version of Enfilade.\n" + std::string(unknown);
+    text += "\n# Up to two keys for each thing that keys do; Esc always opens the menu.\n[keys]\n";
+    for (int i = 0; i < kControls; ++i) {
+        const auto control = static_cast<Control>(i);
+        std::vector<std::string> keys;
+        for (const KeyCode key : keys_for(settings.bindings, control))
+            if (key != KeyCode::unknown) keys.emplace_back(name_of(key));
+        text += fmt::format("{} = {}\n", info_of(control).name, value_text(keys));
+    }
+    return text;
+}
+
+std::string settings_path() {
+    namespace fs = std::filesystem;
+    if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config)
+        return (fs::path(config) / "enfilade/settings.toml").string();
+    if (const char* home = std::getenv("HOME"); home && *home)
+        return (fs::path(home) / ".config/enfilade/settings.toml").string();
+    return "";
+}
+
+SettingsStore::SettingsStore(std::string path) : path_(std::move(path)) {
+    std::error_code unknown;
+    if (path_.empty() || !std::filesystem::exists(path_, unknown)) return;
+    const auto bytes = read_file(path_);
+    SettingsReading reading;
+    if (bytes.ok())
+        reading = read_settings(as_text(bytes.value()));
+    else
+        note(reading, {}, Severity::error, "unreadable", bytes.error().what);
+    is_damaged_ = has_errors(reading.findings);
+    for (const Finding& finding : reading.findings)
+        if (notes_.size() < kMostNotes) notes_.push_back(to_text(path_, finding));
+    if (is_damaged_) notes_.push_back("What could not be read of the settings is as usual.");
+    now_ = kept_ = std::move(reading.settings);
+    unknown_ = std::move(reading.unknown);
+}
+
+void SettingsStore::change(const Settings& settings) {
+    keep_changes(now_, settings, kept_);
+    now_ = settings;
+    is_changed_ = true;
+}
+
+Status SettingsStore::save() {
+    if (!is_changed_ || path_.empty()) return {};
+    std::error_code failed;
+    std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), failed);
+    if (failed) return Error{path_, "the folder for the settings cannot be made: " + failed.message()};
+    if (is_damaged_) {
+        const auto bytes = read_file(path_);
+        if (bytes.ok())
+            if (Status unkept = write_file(path_ + ".damaged", std::span<const std::byte>(bytes.value())))
+                return unkept;
+    }
+    if (Status unwritten = write_file(path_, std::string_view(write_settings(kept_, unknown_)))) return unwritten;
+    is_changed_ = is_damaged_ = false;
+    return {};
+}
+
+}  // namespace enfilade
