@@ -23,7 +23,8 @@ uniform sampler2D picture, over;
 uniform float power;
 uniform bool with_over;
 void main() {
-    vec3 light = pow(texture(picture, place).rgb, vec3(power));
+    vec3 light = texture(picture, place).rgb;
+    if (power != 1.0) light = pow(light, vec3(power));
     vec4 front = with_over ? texture(over, place) : vec4(0.0);
     color = vec4(front.rgb + light * (1.0 - front.a), 1.0);
 })";

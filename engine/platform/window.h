@@ -18,8 +18,9 @@ struct WindowOptions {
     bool by_gpu = false;  ///< as Window::show_by_gpu; where that cannot be had, it is done without
 };
 
-/// Whether this machine has a graphics card of its own, as far as can be told without asking OpenGL: a machine without
-/// one shows pictures fastest by the CPU.
+/// Whether this machine has a graphics card of its own, as far as can be told without asking OpenGL. One without it
+/// shows pictures fastest by the CPU, those of OpenGL, too: 20 in a second against 7 by Mesa's llvmpipe. ENFILADE_GPU
+/// in the environment, "on" or "off", says otherwise.
 bool has_gpu();
 
 /// A width and a height in pixels.

@@ -324,6 +324,7 @@ Status Window::present(const GlPicture&, const Frame&, double) {
 }
 
 bool has_gpu() {
+    if (const char* wish = std::getenv("ENFILADE_GPU")) return std::string_view(wish) != "off";
 #ifdef __linux__
     namespace fs = std::filesystem;
     std::error_code none;

@@ -65,6 +65,8 @@ public:
     int width() const { return frame_.width; }
     int height() const { return frame_.height; }
     int scale() const { return scale_; }
+    /// The same picture, to draw in so many times as large.
+    Overlay scaled(int times) const { return Overlay(frame_, font_, scale_ * times); }
     int line_height() const { return Font::kHeight * scale_; }
     int text_width(std::string_view text) const { return length_of(text) * Font::kWidth * scale_; }
 

@@ -16,7 +16,7 @@ struct Palette {
     Color wall, step, opening, link, mirror, door, thing, item;
 };
 constexpr Palette kUsual{0xFFE0E0E0, 0xFF50A0C0, 0xFF606060, 0xFFFF80C0,
-                         0xFFFFE080, 0xFF40A0FF, 0xFF808080, 0xFF40E0E0};
+                         0xFFFFE080, 0xFF4060FF, 0xFF808080, 0xFF40E0E0};
 /// Eight that eyes of all kinds tell apart (Okabe, Ito: "Color Universal Design", 2008).
 constexpr Palette kSafe{0xFFFFFFFF, 0xFFE9B456, 0xFF606060, 0xFFA779CC, 0xFF42E4F0, 0xFF009FE6, 0xFF909090, 0xFF739E00};
 

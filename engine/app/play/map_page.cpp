@@ -19,6 +19,9 @@ std::string about(const ListedMap& map) {
     return {};
 }
 
+/// A map is about as wide as a name of so many letters.
+constexpr int kNameLetters = 19;
+
 /// The whole picture into the area, each of its pixels taken from the nearest.
 void draw_picture(Overlay& overlay, const Frame& picture, const Rect& area) {
     for (int y = 0; y < area.height; ++y)
@@ -48,7 +51,7 @@ MapPageAction MapPage::handle(const InputEvent& event) {
     if (const auto* key = std::get_if<KeyChange>(&event)) return key->down ? press(key->key) : MapPageAction::none;
     if (const auto* button = std::get_if<GamepadButtonChange>(&event))
         return button->down ? press(button->button) : MapPageAction::none;
-    if (const auto* motion = std::get_if<MouseMotion>(&event))
+    if (const auto* motion = std::get_if<MouseMotion>(&event); motion && (motion->dx != 0 || motion->dy != 0))
         if (const int map = map_at(motion->x, motion->y); map >= 0) chosen_ = map;
     if (const auto* wheel = std::get_if<MouseWheel>(&event)) move(wheel->steps > 0 ? -columns_ : columns_);
     if (const auto* click = std::get_if<MouseButtonChange>(&event); click && click->down) {
@@ -107,7 +110,7 @@ void MapPage::draw(Overlay& overlay, MapPictures& pictures, const std::string& n
     overlay.fill({0, 0, overlay.width(), overlay.height()}, kShade);
     const int line = overlay.line_height(), gap = line / 2;
     overlay.rimmed_text((overlay.width() - overlay.text_width("MAPS")) / 2, line, "MAPS", kTitleInk);
-    columns_ = std::max(1, (overlay.width() - 2 * gap) / (kPictureWidth * overlay.scale() + gap));
+    columns_ = std::max(1, (overlay.width() - 2 * gap) / (overlay.text_width("M") * kNameLetters + gap));
     const int width = (overlay.width() - 2 * gap) / columns_ - gap;
     const int height = width * kPictureHeight / kPictureWidth + 2 * line;
     const int rows = std::max(1, (overlay.height() - 6 * line) / (height + gap));

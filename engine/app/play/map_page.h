@@ -43,7 +43,7 @@ private:
     std::vector<ListedMap> maps_;
     std::vector<Box> boxes_;  ///< of the maps that were drawn last
     int chosen_ = 0, columns_ = 1;
-    bool is_open_ = false, is_stick_pushed_ = false;
+    bool is_open_ = false;
 };
 
 }  // namespace enfilade

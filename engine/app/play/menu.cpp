@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/play/player_input.h"
 
 namespace enfilade {
 namespace {
 
-constexpr Color kShade = 0xC0000000, kPanel = 0xA0141C28, kInk = 0xFFC8C8C8, kValueInk = 0xFFA8D8E8,
-                kChosenInk = 0xFFFFFFFF, kChosenBar = 0xC0305890, kTitleInk = 0xFFFFFFFF, kHintInk = 0xFFA8A8A8;
+constexpr Color kShade = 0xC0000000, kTitleShade = 0x70000000, kPanel = 0xB0141C28, kInk = 0xFFC8C8C8,
+                kValueInk = 0xFFA8D8E8, kChosenInk = 0xFFFFFFFF, kChosenBar = 0xC0305890, kTitleInk = 0xFFFFFFFF,
+                kHintInk = 0xFFA8A8A8;
 
 std::string title_of(MenuPage page) {
     switch (page) {
@@ -41,10 +43,15 @@ MenuChoice Menu::handle(const InputEvent& event, Settings& settings) {
         return button->down ? handle_button(button->button, settings) : MenuChoice();
     if (const auto* click = std::get_if<MouseButtonChange>(&event)) return handle_click(*click, settings);
     if (const auto* stick = std::get_if<GamepadAxisMotion>(&event)) push_stick(*stick, settings);
-    if (const auto* motion = std::get_if<MouseMotion>(&event))
-        if (const int row = row_at(motion->x, motion->y); row >= 0) path_.back().chosen = row;
+    if (const auto* motion = std::get_if<MouseMotion>(&event)) point_at(*motion);
     if (const auto* wheel = std::get_if<MouseWheel>(&event)) move(wheel->steps > 0 ? -1 : 1, settings);
     return {};
+}
+
+/// Where the pointer appears when it is let go is nobody's choice: only one that moves on points at anything.
+void Menu::point_at(const MouseMotion& motion) {
+    const int row = row_at(motion.x, motion.y);
+    if (std::exchange(is_pointing_, true) && row >= 0) path_.back().chosen = row;
 }
 
 /// A stick that is pushed moves by one row until it is let go.
@@ -155,11 +162,13 @@ MenuRow Menu::chosen_row(const Settings& settings) const {
 
 void Menu::draw(Overlay& overlay, const Settings& settings) {
     if (!is_open()) return;
-    overlay.fill({0, 0, overlay.width(), overlay.height()}, kShade);
+    const bool is_title = path_.back().page == MenuPage::title;
+    overlay.fill({0, 0, overlay.width(), overlay.height()}, is_title ? kTitleShade : kShade);
     const std::vector<MenuRow> rows = rows_of(path_.back().page, settings, facts_);
     const int line = overlay.line_height();
-    draw_centered(overlay, line, title_of(path_.back().page), kTitleInk);
-    const int width = std::min(overlay.width() - line, overlay.text_width("M") * 62);
+    draw_title(overlay);
+    const bool has_values = std::ranges::any_of(rows, [](const MenuRow& row) { return !row.value.empty(); });
+    const int width = std::min(overlay.width() - line, overlay.text_width("M") * (has_values ? 62 : 30));
     const Rect area{(overlay.width() - width) / 2, 3 * line, width, overlay.height() - 7 * line};
     draw_rows(overlay, rows, area);
     const std::string hint =
@@ -169,6 +178,14 @@ void Menu::draw(Overlay& overlay, const Settings& settings) {
         draw_centered(overlay, y, piece, kHintInk);
         y += line;
     }
+}
+
+/// The name of the program three times as large as all else.
+void Menu::draw_title(Overlay& overlay) const {
+    const std::string title = title_of(path_.back().page);
+    if (path_.back().page != MenuPage::title) return draw_centered(overlay, overlay.line_height(), title, kTitleInk);
+    Overlay large = overlay.scaled(3);
+    draw_centered(large, overlay.height() / 8, title, kTitleInk);
 }
 
 /// As many rows as fit, the chosen one among them, in the middle of the area.

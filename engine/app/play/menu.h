@@ -61,7 +61,7 @@ class Menu {
 public:
     bool is_open() const { return !path_.empty(); }
     /// Opens a page with its first row chosen; leaving it closes the menu.
-    void open(MenuPage page) { path_ = {{page, 0}}, is_waiting_ = false; }
+    void open(MenuPage page) { path_ = {{page, 0}}, is_waiting_ = is_pointing_ = false; }
     void close() { path_.clear(); }
     void set_facts(MenuFacts facts) { facts_ = std::move(facts); }
 
@@ -95,6 +95,8 @@ private:
     /// The row under a point, or -1.
     int row_at(double x, double y) const;
     MenuRow chosen_row(const Settings& settings) const;
+    void point_at(const MouseMotion& motion);
+    void draw_title(Overlay& overlay) const;
     void draw_rows(Overlay& overlay, const std::vector<MenuRow>& rows, const Rect& area);
     void draw_row(Overlay& overlay, const MenuRow& row, const Rect& area, bool is_chosen) const;
 
@@ -102,7 +104,8 @@ private:
     MenuFacts facts_;
     bool is_waiting_ = false;  ///< for the key that shall be bound
     bool is_stick_pushed_ = false;
-    std::vector<Box> boxes_;  ///< of the rows that were drawn last
+    bool is_pointing_ = false;  ///< the pointer has moved since the menu was opened
+    std::vector<Box> boxes_;    ///< of the rows that were drawn last
 };
 
 }  // namespace enfilade

@@ -57,7 +57,7 @@ Status PlayLoop::use_renderer(RendererKind kind) {
     const Status broken = attempt([&] {
         renderer_.reset();  // its context goes before the window's
         on_card_.reset();
-        const bool wants_gpu = kind == RendererKind::stencil || (settings().vsync && has_gpu());
+        const bool wants_gpu = has_gpu() && (kind == RendererKind::stencil || settings().vsync);
         window_.wait_for_display(settings().vsync);
         static_cast<void>(window_.show_by_gpu(wants_gpu));
         const GlContextOpener open_gl = window_.is_shown_by_gpu() ? window_.gl() : GlContextOpener(open_gl_for_play);

@@ -149,6 +149,15 @@ TEST_F(OpenMenu, ChoosesTheRowThatIsClicked) {
     EXPECT_EQ(click(5, 5), MenuAction::none);
 }
 
+TEST_F(OpenMenu, FollowsAPointerThatMovesAndNotOneThatIsJustThere) {
+    const double middle = 3 * 13 + (400 - 7 * 13) / 2.0;
+    const auto point = [&](int row) { menu_.handle(MouseMotion{0, 1, 320, middle + (row - 5) * 18 + 5}, settings_); };
+    point(1);
+    EXPECT_EQ(press(KeyCode::enter), MenuAction::resume);
+    point(2);
+    EXPECT_EQ(press(KeyCode::enter), MenuAction::load);
+}
+
 TEST_F(OpenMenu, ShowsTheChosenRowWhereNotAllFit) {
     frame_.resize(320, 200);
     go_to(MenuPage::controls, "Save a picture");

@@ -1,0 +1,122 @@
+// The window that OpenGL shows pictures in, on SDL's offscreen driver. On a machine without OpenGL these tests fail.
+#include <SDL.h>
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "platform/window.h"
+
+namespace enfilade {
+namespace {
+
+constexpr std::uint32_t kRed = 0xFF0000FF, kBlue = 0xFFFF0000, kGray = 0xFF404040;  // 0xAABBGGRR
+
+class GlWindow : public testing::Test {
+protected:
+    GlWindow() {
+        setenv("SDL_VIDEODRIVER", "offscreen", 1);
+        setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+        auto opened = open_window({"test", 320, 200, false, true});
+        EXPECT_TRUE(opened.ok()) << opened.error().text();
+        window_ = std::move(opened).value();
+    }
+    ~GlWindow() override { unsetenv("SDL_VIDEODRIVER"); }
+
+    static Frame filled(int width, int height, std::uint32_t color) {
+        Frame frame;
+        frame.resize(width, height);
+        std::fill(frame.pixels.begin(), frame.pixels.end(), color);
+        return frame;
+    }
+
+    /// What the window shows there, counted from its upper left corner; 0xAABBGGRR.
+    std::uint32_t shown(int x, int y) {
+        const auto context = window_->gl()().value();
+        EXPECT_FALSE(context->make_current());
+        std::uint32_t pixel = 0;
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glReadPixels(x, 199 - y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+        return pixel | 0xFF000000u;
+    }
+
+    std::unique_ptr<Window> window_;
+};
+
+TEST_F(GlWindow, ShowsAFrameTheRightWayUp) {
+    ASSERT_TRUE(window_->is_shown_by_gpu());
+    Frame frame = filled(320, 200, kBlue);
+    std::fill_n(frame.pixels.begin(), 320 * 100, kRed);
+    ASSERT_FALSE(window_->present(frame));
+    EXPECT_EQ(shown(160, 10), kRed);
+    EXPECT_EQ(shown(160, 190), kBlue);
+}
+
+TEST_F(GlWindow, KeepsTheFramesProportionsBetweenBlackBars) {
+    ASSERT_FALSE(window_->present(filled(100, 100, kRed)));
+    EXPECT_EQ(shown(10, 100), 0xFF000000u);
+    EXPECT_EQ(shown(160, 100), kRed);
+    EXPECT_EQ(shown(310, 100), 0xFF000000u);
+}
+
+/// A picture that is drawn by the window's own OpenGL: its upper half red, its lower half gray.
+class PictureOnTheCard : public GlWindow {
+protected:
+    PictureOnTheCard() {
+        const auto context = window_->gl()().value();
+        EXPECT_FALSE(context->make_current());
+        unsigned buffer = 0;
+        glGenFramebuffers(1, &picture_.framebuffer);
+        glGenRenderbuffers(1, &buffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer);
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 320, 200);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
+        glClearColor(0.25f, 0.25f, 0.25f, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, 320, 100);  // row 0 of the picture is row 0 here
+        glClearColor(1, 0, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        picture_.width = 320;
+        picture_.height = 200;
+    }
+    GlPicture picture_;
+};
+
+TEST_F(PictureOnTheCard, IsShownTheRightWayUp) {
+    ASSERT_FALSE(window_->present(picture_, filled(320, 200, 0), 1));
+    EXPECT_EQ(shown(160, 10), kRed);
+    EXPECT_EQ(shown(160, 190), kGray);
+}
+
+TEST_F(PictureOnTheCard, IsCoveredByWhatLiesOverIt) {
+    Frame over = filled(320, 200, 0);
+    over.pixels[0] = kBlue;
+    over.pixels[1] = 0x80800000;  // half blue
+    ASSERT_FALSE(window_->present(picture_, over, 1));
+    EXPECT_EQ(shown(0, 0), kBlue);
+    EXPECT_EQ(shown(1, 0), 0xFF80007Fu);
+    EXPECT_EQ(shown(2, 0), kRed);
+}
+
+TEST_F(PictureOnTheCard, IsBrightenedAndWhatLiesOverItIsNot) {
+    Frame over = filled(320, 200, 0);
+    over.pixels[199 * 320] = kGray;
+    ASSERT_FALSE(window_->present(picture_, over, 2));
+    EXPECT_EQ(shown(160, 190), 0xFF808080u) << "the root of a quarter";
+    EXPECT_EQ(shown(0, 199), kGray);
+}
+
+TEST_F(GlWindow, CanBeMadeAnewForTheOtherWay) {
+    ASSERT_FALSE(window_->show_by_gpu(false));
+    EXPECT_FALSE(window_->is_shown_by_gpu());
+    EXPECT_FALSE(window_->present(filled(320, 200, kRed)));
+    EXPECT_EQ(window_->size(), (PixelSize{320, 200}));
+    ASSERT_FALSE(window_->show_by_gpu(true));
+    ASSERT_FALSE(window_->present(filled(320, 200, kBlue)));
+    EXPECT_EQ(shown(160, 100), kBlue);
+}
+
+}  // namespace
+}  // namespace enfilade
