@@ -68,7 +68,7 @@ Status GlScreen::prepare() {
     return {};
 }
 
-void GlScreen::Canvas::resize(int new_width, int new_height) {
+void GlScreen::CardTexture::resize(int new_width, int new_height) {
     texture.create();
     glBindTexture(GL_TEXTURE_2D, texture.id());
     if (width == new_width && height == new_height) return;
@@ -81,7 +81,7 @@ void GlScreen::Canvas::resize(int new_width, int new_height) {
         glTexParameteri(GL_TEXTURE_2D, name, GL_CLAMP_TO_EDGE);
 }
 
-void GlScreen::Canvas::upload(const Frame& frame) {
+void GlScreen::CardTexture::upload(const Frame& frame) {
     resize(frame.width, frame.height);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, frame.pixels.data());

@@ -27,7 +27,7 @@ public:
 
 private:
     /// A texture of this size, made anew where it has another.
-    struct Canvas {
+    struct CardTexture {
         stencil::GlTexture texture;
         int width = 0, height = 0;
         void resize(int new_width, int new_height);
@@ -38,7 +38,7 @@ private:
     stencil::GlProgram program_;
     stencil::GlVertexArray no_vertices_;
     stencil::GlFramebuffer copy_;
-    Canvas picture_, over_;
+    CardTexture picture_, over_;
     int brightness_at_ = -1, with_over_at_ = -1;
 };
 

@@ -20,7 +20,7 @@ std::string about(const ListedMap& map) {
 }
 
 /// A map is about as wide as a name of so many letters.
-constexpr int kNameLetters = 19;
+constexpr int kNameLetters = 16;
 
 /// The whole picture into the area, each of its pixels taken from the nearest.
 void draw_picture(Overlay& overlay, const Frame& picture, const Rect& area) {
@@ -101,7 +101,7 @@ void MapPage::move(int steps) {
 }
 
 int MapPage::map_at(double x, double y) const {
-    const auto under = std::ranges::find_if(boxes_, [&](const Box& box) { return box.area.contains(x, y); });
+    const auto under = std::ranges::find_if(boxes_, [&](const MapBox& box) { return box.area.contains(x, y); });
     return under == boxes_.end() ? -1 : under->map;
 }
 

@@ -29,7 +29,7 @@ public:
     void draw(Overlay& overlay, MapPictures& pictures, const std::string& note);
 
 private:
-    struct Box {
+    struct MapBox {
         Rect area;
         int map;
     };
@@ -41,7 +41,7 @@ private:
     void draw_map(Overlay& overlay, const ListedMap& map, const Rect& area, bool is_chosen, MapPictures& pictures);
 
     std::vector<ListedMap> maps_;
-    std::vector<Box> boxes_;  ///< of the maps that were drawn last
+    std::vector<MapBox> boxes_;  ///< of the maps that were drawn last
     int chosen_ = 0, columns_ = 1;
     bool is_open_ = false;
 };

@@ -151,7 +151,7 @@ void Menu::move(int steps, const Settings& settings) {
 }
 
 int Menu::row_at(double x, double y) const {
-    const auto under = std::ranges::find_if(boxes_, [&](const Box& box) { return box.area.contains(x, y); });
+    const auto under = std::ranges::find_if(boxes_, [&](const RowBox& box) { return box.area.contains(x, y); });
     return under == boxes_.end() ? -1 : under->row;
 }
 

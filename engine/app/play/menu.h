@@ -73,11 +73,11 @@ public:
     void draw(Overlay& overlay, const Settings& settings);
 
 private:
-    struct Place {
+    struct OpenPage {
         MenuPage page;
         int chosen;
     };
-    struct Box {
+    struct RowBox {
         Rect area;
         int row;
     };
@@ -100,12 +100,12 @@ private:
     void draw_rows(Overlay& overlay, const std::vector<MenuRow>& rows, const Rect& area);
     void draw_row(Overlay& overlay, const MenuRow& row, const Rect& area, bool is_chosen) const;
 
-    std::vector<Place> path_;  ///< of pages, the open one last; empty: closed
+    std::vector<OpenPage> path_;  ///< of pages, the open one last; empty: closed
     MenuFacts facts_;
     bool is_waiting_ = false;  ///< for the key that shall be bound
     bool is_stick_pushed_ = false;
-    bool is_pointing_ = false;  ///< the pointer has moved since the menu was opened
-    std::vector<Box> boxes_;    ///< of the rows that were drawn last
+    bool is_pointing_ = false;   ///< the pointer has moved since the menu was opened
+    std::vector<RowBox> boxes_;  ///< of the rows that were drawn last
 };
 
 }  // namespace enfilade

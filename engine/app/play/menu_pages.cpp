@@ -48,11 +48,11 @@ std::vector<MenuRow> pause_rows() {
 
 /// Ways to look at the world, by name: not everybody finds them behind function keys.
 std::vector<MenuRow> view_rows(const Settings& settings) {
-    struct Way {
+    struct LookRow {
         Control control;
         const char* hint;
     };
-    constexpr Way kWays[] = {
+    constexpr LookRow kWays[] = {
         {Control::outside, "The rooms one sees, from outside: in a corner, in full, not at all."},
         {Control::outside_side, "That view from above, or from behind."},
         {Control::fly, "An eye leaves the body and flies, also through walls; again: back."},
@@ -62,7 +62,7 @@ std::vector<MenuRow> view_rows(const Settings& settings) {
         {Control::change_renderer, "The other way to draw the same picture: by the CPU, or by OpenGL."},
         {Control::screenshot, "The picture as a file in your folder for pictures."}};
     std::vector<MenuRow> rows;
-    for (const Way& way : kWays) {
+    for (const LookRow& way : kWays) {
         MenuRow& row =
             rows.emplace_back(action(std::string(info_of(way.control).label), MenuAction::control, way.hint));
         row.choice.control = way.control;
