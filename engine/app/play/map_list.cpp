@@ -149,7 +149,11 @@ std::vector<ListedMap> find_maps() {
     std::ranges::stable_partition(maps, [](const ListedMap& map) { return map.path.ends_with("/enfilade.toml"); });
     add_maps(fs::path(data_folder()) / "maps", MapOrigin::own, maps);
     const auto converted = converted_wads();
-    for (const auto& [wad, folder] : converted) add_maps(folder, MapOrigin::converted, maps);
+    for (const auto& [wad, folder] : converted) {
+        const auto before = static_cast<std::ptrdiff_t>(maps.size());
+        add_maps(folder, MapOrigin::converted, maps);
+        std::for_each(maps.begin() + before, maps.end(), [&](ListedMap& map) { map.name = wad + " " + map.name; });
+    }
     for (const fs::path& wad : wads_on_this_machine())
         if (!converted.contains(wad_of(wad.stem())))
             maps.push_back({wad.string(), wad.filename().string(), MapOrigin::wad});

@@ -72,7 +72,7 @@ void draw_death(Overlay& overlay, const Bindings& bindings) {
     draw_panel(
         overlay,
         fmt::format("You died. {}: start again. {}, held: back in time.", keys(Control::use), keys(Control::rewind)),
-        kAlarm);
+        kInk);
 }
 
 void draw_rewind(Overlay& overlay, std::size_t ticks_back) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+
 #include "base/files.h"
 #include "formats/png.h"
 #include "support/temp_dir.h"
@@ -30,6 +33,42 @@ TEST(Screenshot, HoldsThePicture) {
 }
 
 TEST(Screenshot, SaysWhyItCannotBeWritten) { EXPECT_FALSE(save_screenshot(red_pixel(), "/no/such/folder").ok()); }
+
+/// The environment of one test.
+class Pictures : public ::testing::Test {
+protected:
+    Pictures() {
+        unsetenv("XDG_PICTURES_DIR");
+        unsetenv("XDG_CONFIG_HOME");
+        setenv("HOME", home_.path().c_str(), 1);
+    }
+    ~Pictures() override {
+        unsetenv("XDG_PICTURES_DIR");
+        setenv("HOME", before_.c_str(), 1);
+    }
+    void make(const std::string& folder) const { std::filesystem::create_directories(home_.path(folder)); }
+
+    testing::TempDir home_;
+    std::string before_ = std::getenv("HOME") ? std::getenv("HOME") : "";
+};
+
+TEST_F(Pictures, GoWhereOneIsWithoutAFolderForThem) { EXPECT_EQ(pictures_folder(), "."); }
+
+TEST_F(Pictures, GoIntoTheUsersFolder) {
+    make("Pictures");
+    EXPECT_EQ(pictures_folder(), home_.path("Pictures"));
+}
+
+TEST_F(Pictures, GoWhereTheDesktopHasThem) {
+    make("Pictures");
+    make("Bilder");
+    make(".config");
+    (void)write_file(home_.path(".config/user-dirs.dirs"),
+                     std::string_view("# names\nXDG_MUSIC_DIR=\"$HOME/Musik\"\nXDG_PICTURES_DIR=\"$HOME/Bilder\"\n"));
+    EXPECT_EQ(pictures_folder(), home_.path("Bilder"));
+    setenv("XDG_PICTURES_DIR", home_.path("Pictures").c_str(), 1);
+    EXPECT_EQ(pictures_folder(), home_.path("Pictures"));
+}
 
 }  // namespace
 }  // namespace enfilade

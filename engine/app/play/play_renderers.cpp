@@ -1,0 +1,108 @@
+// By which renderer the view is drawn, and what is done where one fails.
+#include <algorithm>
+
+#include "app/play/play_loop.h"
+#include "base/attempt.h"
+#include "base/parallel.h"
+#include "base/terminal.h"
+#include "platform/gl_context.h"
+
+namespace enfilade {
+namespace {
+
+/// From outside the rooms one sees those that are so near [m].
+constexpr double kSeenFromOutside = 200;
+
+}  // namespace
+
+bool PlayLoop::change_renderer() {
+    const RendererKind before = drawn_by_;
+    const auto other = before == RendererKind::stencil ? RendererKind::column : RendererKind::stencil;
+    if (const Status failed = use_renderer(other)) return tell(failed->text()), false;
+    tell("Drawn by the " + name_of(other) + " renderer.");
+    return true;
+}
+
+Status PlayLoop::use_renderer(RendererKind kind) {
+    Status failed;
+    const Status broken = attempt([&] {
+        renderer_.reset();  // its context goes before the window's
+        on_card_.reset();
+        const bool wants_gpu = has_gpu() && (kind == RendererKind::stencil || settings().vsync);
+        window_.wait_for_display(settings().vsync);
+        static_cast<void>(window_.show_by_gpu(wants_gpu));
+        const GlContextOpener open_gl = window_.is_shown_by_gpu() ? window_.gl() : GlContextOpener(open_gl_for_play);
+        const int most = kMaxPictureSide / std::max({1, picture_size().width, picture_size().height});
+        Dials dials;
+        dials.samples = std::clamp(static_cast<int>(settings().samples), 1, std::max(most, 1));
+        auto renderer = make_renderer({kind, dials, hardware_threads(), open_gl}, game_.map(), game_.textures());
+        if (!renderer.ok()) failed = renderer.error();
+        if (!failed) renderer_ = std::move(renderer).value();
+    });
+    if (broken || failed) return broken ? broken : failed;
+    drawn_by_ = kind;
+    is_changed_ = true;
+    return {};
+}
+
+void PlayLoop::use_or_replace(RendererKind kind) {
+    const Status failed = use_renderer(kind);
+    if (!failed) return;
+    tell(failed->text());
+    if (const Status still = use_renderer(RendererKind::column)) tell(still->text());
+}
+
+void PlayLoop::draw_another_map() {
+    renderer_.reset();
+    outside_renderer_ = std::make_unique<OutsideRenderer>(game_.map(), game_.textures());
+    stillness_.emplace(game_.map());
+    window_.set_title("Enfilade - " + printable_line(game_.map().name));
+    use_or_replace(drawn_by_);
+}
+
+bool PlayLoop::is_in_room(double part) {
+    return !free_camera_ || free_camera_->whereabouts(game_.snapshot(part)) == Whereabouts::in_room;
+}
+
+void PlayLoop::draw_surroundings(double part) {
+    const View camera = view_of(free_camera_->eye(), input_.ahead(part), settings().fov_degrees, 1, false);
+    const View body = game_.view(1, {}, settings().fov_degrees);
+    OutsideLook look;
+    look.camera = &camera;
+    look.reach_m = kSeenFromOutside;
+    look.seen_width = frame_.width;
+    look.seen_height = frame_.height;
+    outside_renderer_->render(frame_, game_.snapshot(part), body, look, hardware_threads());
+}
+
+bool PlayLoop::is_on_card(double part) {
+    return window_.is_shown_by_gpu() && renderer_ && renderer_->keeps_on_card() && !screenshot_wanted_ &&
+           outside_.shown() == OutsideView::Shown::nowhere && is_in_room(part);
+}
+
+Status PlayLoop::try_to_draw(double part) {
+    Status failed;
+    on_card_.reset();
+    const Status broken = attempt([&] {
+        if (!is_in_room(part)) return draw_surroundings(part);
+        if (!renderer_) return void(failed = Error{"", "there is nothing to draw the map with"});
+        if (!is_on_card(part))
+            return void(failed = renderer_->render(frame_, nullptr, game_.snapshot(part), view_now(part)));
+        auto picture = renderer_->render_on_card(frame_.width, frame_.height, game_.snapshot(part), view_now(part));
+        if (!picture.ok()) return void(failed = picture.error());
+        on_card_ = picture.value();
+        frame_.is_cut_short = on_card_->is_cut_short;
+        std::ranges::fill(frame_.pixels, 0);
+    });
+    return broken ? broken : failed;
+}
+
+/// A graphics card or a renderer that fails is no reason to stop playing.
+Status PlayLoop::draw_view(double part) {
+    const Status failed = try_to_draw(part);
+    if (!failed) return {};
+    tell(failed->text());
+    return change_renderer() ? try_to_draw(part) : failed;
+}
+
+}  // namespace enfilade
