@@ -78,6 +78,7 @@ TEST_F(RendererInHall, DrawsTheSameWithAnyNumberOfThreads) {
         EXPECT_EQ(picture(kind, 3).pixels, picture(kind, 1).pixels) << name_of(kind);
 }
 
+// hard case G12
 TEST_F(RendererInHall, GivesAPixelTheMeanOfItsSamplesAsTheReferenceDoes) {
     turn_to(20);  // looking along x the edges of texels are in line with columns
     for (const int samples : {2, 3, 8}) {

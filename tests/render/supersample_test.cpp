@@ -39,6 +39,7 @@ TEST(LightMean, MixesEachChannelByItself) {
     EXPECT_EQ(mean.color(2), 0xFF00BCBCu);  // half of full light is the value 188
 }
 
+// hard case G12
 TEST(TakeMeans, GivesEachPixelThoseItCovers) {
     Frame fine, frame;
     fine.resize(4, 2);

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <queue>
 
@@ -10,6 +11,7 @@
 #include "space/mosaic.h"
 #include "space/trace.h"
 #include "support/map_builder.h"
+#include "support/trials.h"
 
 namespace enfilade {
 namespace {
@@ -70,6 +72,50 @@ TEST(Hearing, AroundACornerHasTwoLegs) {
     const SoundWay way = heard(map, {SectorId(0u), {1, 7}}, {SectorId(0u), {7, 1}});
     EXPECT_NEAR(way.length_m, 2 * distance({1, 7}, {2, 2}), kRounding);
     expect_from(way, Vec2{2, 2} - Vec2{1, 7});
+}
+
+/// The same L in two parts, the part below y = 2 moved away: joined by an invisible line where it was, else by a link.
+MapFile bend_in_parts(Vec2 away) {
+    const auto lower = [&](double x, double y) { return Vec2{x, y} + away; };
+    MapFile file = map_of({room("upper", {{0, 0}, {8, 0}, {8, 2}, {2, 2}, {0, 2}}),
+                           room("lower", {lower(0, 2), lower(2, 2), lower(2, 8), lower(0, 8)})});
+    if (away == Vec2{})
+        join_all(file);
+    else
+        link(file, "upper", {2, 2}, {0, 2}, "lower", lower(0, 2), lower(2, 2));
+    return file;
+}
+
+// hard cases I6, I7, I10, I12
+TEST(Hearing, IsTheSameInAWorldMovedTurnedMirroredOrCut) {
+    const Vec2 by{-16384, 4096}, away{100, -50};
+    const auto bent = [](auto move) {
+        MapFile file = map_of({bent_room()});
+        for (Vec2& v : file.sectors[0].loops[0].vertices) v = move(v);
+        return file;
+    };
+    const auto stay = [](Vec2 v) { return v; };
+    const auto shift = [&](Vec2 v) { return v + by; };
+    const auto transpose = [](Vec2 v) { return Vec2{v.y, v.x}; };
+    MapFile turned_over = bent(transpose);
+    std::reverse(turned_over.sectors[0].loops[0].vertices.begin(), turned_over.sectors[0].loops[0].vertices.end());
+    const Map whole = built(bent(stay)), moved = built(bent(shift)), turned = built(bent(right_of)),
+              mirrored = built(turned_over), cut = built(bend_in_parts({})), linked = built(bend_in_parts(away));
+    const SectorId only(0u), lower(1u);
+    Random random(6);
+    for (int i = 0; i < 500; ++i) {
+        const Vec2 ear{random.uniform(2, 8), random.uniform(0, 2)}, source{random.uniform(0, 2), random.uniform(2, 8)};
+        const Vec2 p = snap_to_point_grid(ear), q = snap_to_point_grid(source);
+        const double far = heard(whole, {only, p}, {only, q}).length_m;
+        ASSERT_GE(far, 0);
+        ASSERT_NEAR(heard(moved, {only, shift(p)}, {only, shift(q)}).length_m, far, kRounding);
+        ASSERT_NEAR(heard(turned, {only, right_of(p)}, {only, right_of(q)}).length_m, far, kRounding);
+        ASSERT_NEAR(heard(mirrored, {only, transpose(p)}, {only, transpose(q)}).length_m, far, kRounding);
+        ASSERT_NEAR(heard(cut, {only, p}, {lower, q}).length_m, far, kRounding);
+        ASSERT_NEAR(heard(linked, {only, p}, {lower, q + away}).length_m, far, kRounding);
+        ASSERT_NEAR(heard(whole, {only, q}, {only, p}).length_m, far, kRounding) << "and back";
+    }
+    count_trials(500 * 7, "sounds");
 }
 
 TEST(Hearing, GoesRoundAPillarOnTheShorterSide) {
