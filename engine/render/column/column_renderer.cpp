@@ -39,7 +39,7 @@ void start_frame(FrameState& state, const Map& map, const View& view, ColumnRang
     state.pool.take_all_back();
     state.stack.clear();
     state.projections.start_frame();
-    state.masked.clear();
+    state.masked.clear(columns.end, height);
     state.poses.assign(1, pose_of(view));
     state.deepest = 0;
     state.cut = 0;

@@ -7,9 +7,10 @@
 
 namespace enfilade::column {
 
-void MaskedColumns::clear() {
+void MaskedColumns::clear(int width, int height) {
     painters_.clear();
     columns_.clear();
+    rows_left_.assign(static_cast<std::size_t>(width), kMostOverdraw * height);
 }
 
 int MaskedColumns::add(const WallPainter& painter) {
@@ -156,7 +157,7 @@ bool ThingColumns::is_met(const RoomView& view, const ThingBoard& board, int x) 
 void ThingColumns::note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked) const {
     const ThingBoard& board = boards_[i];
     const OpenRows open = view.viewport.rows_at(x);
-    if (x < board.begin || x >= board.end || open.is_closed()) return;
+    if (x < board.begin || x >= board.end || open.is_closed() || masked.is_full(x)) return;
     if (!is_met(view, board, x)) return;
     const double from_left = (view.scene.screen.slopes[x] * board.depth - board.left_v) / board.width;
     const WallHit hit{board.depth, std::clamp(board.mirrored ? 1 - from_left : from_left, 0.0, kLastPlace)};

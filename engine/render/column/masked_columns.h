@@ -30,16 +30,30 @@ inline RelativeHeights within(const RelativeHeights& room, double bottom, double
 
 class MaskedColumns {
 public:
-    void clear();
+    /// For a picture of this size [px].
+    void clear(int width, int height);
 
     /// A picture that columns may be noted of.
     int add(const WallPainter& painter);
 
     /// Rows of column x that show the picture. Of two that share a pixel the nearer one is to be noted first: a
     /// viewport is drawn before those seen through its portals, so its own pictures come before theirs.
+    /// Those beyond kMostOverdraw, the farthest of what shares the column, are left out.
     void note(int painter, int x, OpenRows rows, const WallHit& hit) {
-        if (!rows.is_closed()) columns_.push_back({painter, x, rows, hit});
+        if (rows.is_closed() || is_full(x)) return;
+        columns_.push_back({painter, x, rows, hit});
+        rows_left_[static_cast<std::size_t>(x)] -= rows.bottom - rows.top;
     }
+
+    /// Nothing more is to be noted of column x.
+    bool is_full(int x) const { return rows_left_[static_cast<std::size_t>(x)] <= 0; }
+
+    /// How many columns of pictures were noted.
+    std::size_t count() const { return columns_.size(); }
+
+    /// How often a column is painted over from end to end at most: no honest map stacks so many pictures, and one that
+    /// stacks more takes no more time and memory for it.
+    static constexpr int kMostOverdraw = 256;
 
     /// Lays all of them over the picture, the last noted first.
     void draw(const ColumnScene& scene) const;
@@ -54,6 +68,7 @@ private:
 
     std::vector<WallPainter> painters_;
     std::vector<MaskedColumn> columns_;
+    std::vector<int> rows_left_;  ///< by column: that may be noted yet
 };
 
 // Which columns and rows of a viewport show panels, and in which order.
