@@ -128,6 +128,7 @@ private:
                           std::move(*result.fault),
                           result.sector,
                           {.seed = seed}};
+        if (is_faulty(world)) world = shrunk(std::move(world));
         const std::string folder = fs::absolute("fault-" + std::to_string(seed)).string();
         const Status unsaved = save(world, folder);
         std::printf("\n%s: %s\n", map.c_str(), world.fault.what.c_str());
