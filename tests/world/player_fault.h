@@ -29,7 +29,7 @@ public:
         const Clearance free = is_free ? clearance(at, body, around(at, body).sectors) : over_own_floor(at, body);
         if (!is_at_most(free.floor_z, player.feet_z)) return "the feet are below the floor";
         if (!is_at_most(player.height, free.ceiling_z - player.feet_z)) return "the head is above the ceiling";
-        if (player.eye_z > (is_free ? body.ceiling_z : free.ceiling_z)) return "the eye is above the ceiling";
+        if (!is_at_most(player.eye_z, is_free ? body.ceiling_z : free.ceiling_z)) return "the eye is above the ceiling";
         const Eye eye = eye_between_ticks(map, world, 0.5);
         if (!contains(map, eye.place.sector, eye.place.point)) return "the eye between ticks is outside of its sector";
         return "";
