@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "world/world.h"
 
@@ -24,12 +25,13 @@ public:
         const Body body = body_of(at, player);
         const bool is_free = body.radius == kBodyRadius;
         if (was_free_ && !is_free && !was_sent(map, world)) return "the body got into a wall";
-        was_free_ = is_free;
+        const bool stays_free = std::exchange(was_free_, is_free) && is_free;
         // Who is squeezed between walls is lifted and lowered by one step a tick, and only then gets at what is behind.
-        const Clearance free = is_free ? clearance(at, body, around(at, body).sectors) : over_own_floor(at, body);
+        const Clearance free = stays_free ? clearance(at, body, around(at, body).sectors) : over_own_floor(at, body);
         if (!is_at_most(free.floor_z, player.feet_z)) return "the feet are below the floor";
         if (!is_at_most(player.height, free.ceiling_z - player.feet_z)) return "the head is above the ceiling";
-        if (!is_at_most(player.eye_z, is_free ? body.ceiling_z : free.ceiling_z)) return "the eye is above the ceiling";
+        if (!is_at_most(player.eye_z, stays_free ? body.ceiling_z : free.ceiling_z))
+            return "the eye is above the ceiling";
         const Eye eye = eye_between_ticks(map, world, 0.5);
         if (!contains(map, eye.place.sector, eye.place.point)) return "the eye between ticks is outside of its sector";
         return "";
