@@ -84,8 +84,8 @@ bool is_on_light_step(const Map& map, double depth) {
 /// Whether two colours differ by no more than what shines through the texel. What lies behind may show either of two
 /// texels, of which the facts of the pixel say nothing.
 bool is_what_shines_through(TexelPosition p, const Texture& texture, std::uint32_t a, std::uint32_t b) {
-    const auto texel = [](float tile, std::uint32_t size) {
-        return std::min(static_cast<std::uint32_t>(static_cast<double>(tile) * size), size - 1);
+    const auto texel = [](double tile, std::uint32_t size) {
+        return std::min(static_cast<std::uint32_t>(tile * size), size - 1);
     };
     const int alpha = static_cast<int>(texture.at(texel(p.u, texture.width), texel(p.v, texture.height)) >> 24);
     for (const int shift : {0, 8, 16}) {
