@@ -5,7 +5,6 @@
 
 #include "app/accuracy/report.h"
 #include "app/accuracy/true_texels.h"
-#include "app/file_kind.h"
 #include "render/reference/reference_renderer.h"
 #include "space/trace.h"
 
@@ -16,7 +15,11 @@ using ::testing::HasSubstr;
 
 constexpr int kWidth = 80, kHeight = 50;
 
-OpenMap shipped(const char* name) { return std::move(*open_map(shipped_map(name), {}, {})); }
+OpenMap shipped(const char* name) {
+    auto map = open_map(std::string(ENFILADE_SOURCE_DIR "/maps/") + name, {}, {});
+    ENFILADE_CHECK(map.has_value());
+    return std::move(*map);
+}
 
 /// Things, panels, and pictures with holes in doorways.
 bool is_looked_through(const Map& map, PixelSurface id) {
