@@ -14,11 +14,12 @@ using ::testing::Not;
 TEST(CommandLine, ExplainsItself) {
     const Ended ended = Program().run({"--help"});
     EXPECT_EQ(ended.exit_code, 0);
-    for (const char* command : {"play", "render", "fly", "check", "bench"}) EXPECT_THAT(ended.out, HasSubstr(command));
+    for (const char* command : {"play", "render", "fly", "check", "bench", "accuracy"})
+        EXPECT_THAT(ended.out, HasSubstr(command));
 }
 
 TEST(CommandLine, ExplainsEveryCommand) {
-    for (const char* command : {"play", "render", "fly", "check", "bench"}) {
+    for (const char* command : {"play", "render", "fly", "check", "bench", "accuracy"}) {
         const Ended ended = Program().run({command, "--help"});
         EXPECT_EQ(ended.exit_code, 0) << command;
         EXPECT_THAT(ended.out, HasSubstr("--textures")) << command;

@@ -72,6 +72,15 @@ TEST_F(Fly, ShowsTheThingsOfTheSkill) {
     EXPECT_NE(program_.text("usual/000000.png"), program_.text("hard/000000.png"));
 }
 
+TEST_F(Fly, DrawsByTheDialsThatAreGiven) {
+    fly({"--out", "exact"});
+    EXPECT_EQ(fly({"--out", "wide", "--samples", "2", "--dial", "light=bands"}).exit_code, 0);
+    EXPECT_NE(program_.text("wide/000005.png"), program_.text("exact/000005.png"));
+    EXPECT_EQ(fly({"--out", "promised", "--accuracy", "exact"}).exit_code, 0);
+    EXPECT_EQ(program_.text("promised/000005.png"), program_.text("exact/000005.png"));
+    for (const char* option : {"--dial", "--accuracy"}) EXPECT_EQ(fly({"--out", "f", option, "nonsense"}).exit_code, 2);
+}
+
 TEST_F(Fly, HoldsOnlyWholeFramesToTheRecord) {
     fly({"--record"});
     for (const char* option : {"--no-things", "--still-light"}) {
