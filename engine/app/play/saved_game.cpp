@@ -100,7 +100,7 @@ std::string pictures_folder() {
     const auto bytes = read_file((folder / "user-dirs.dirs").string());
     const std::string named = bytes.ok() ? folder_in(as_text(bytes.value()), home) : "";
     for (const std::string& path : {named, std::string(home) + "/Pictures"})
-        if (!path.empty() && fs::is_directory(path, unknown)) return path;
+        if (!path.empty() && fs::is_directory(path, unknown)) return fs::path(path).lexically_normal().string();
     return ".";
 }
 
