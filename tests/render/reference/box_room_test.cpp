@@ -11,6 +11,8 @@
 namespace enfilade::test {
 namespace {
 
+constexpr double kRounding = 1e-12;  // of texels' places [tiles]
+
 /// Depths and places are sums and products of a few numbers below 100: errors stay below 1e-13 [m].
 constexpr double kRounding = 1e-12;
 
@@ -70,9 +72,8 @@ TEST_F(BoxRoom, LaysTilesOfTheFloorFromTheOriginOfTheWorld) {
         for (int y = 0; y < kHeight; ++y) {
             if (picture_.id(x, y) != floor_id(box_)) continue;
             const double z = -kEyeZ / climb(y);
-            ASSERT_FLOAT_EQ(picture_.texel(x, y).u, static_cast<float>(fraction(kEyeX + z))) << x << ", " << y;
-            ASSERT_FLOAT_EQ(picture_.texel(x, y).v, static_cast<float>(fraction(kEyeY + slope(x) * z)))
-                << x << ", " << y;
+            ASSERT_NEAR(picture_.texel(x, y).u, fraction(kEyeX + z), kRounding) << x << ", " << y;
+            ASSERT_NEAR(picture_.texel(x, y).v, fraction(kEyeY + slope(x) * z), kRounding) << x << ", " << y;
         }
 }
 
@@ -81,7 +82,7 @@ TEST_F(BoxRoom, CountsWallTilesFromTheWallsStart) {
         for (int y = 0; y < kHeight; ++y) {
             if (!shows_wall_ahead(x, y)) continue;
             const double along = kEyeY + slope(x) * (4 - kEyeX) + 4;
-            ASSERT_FLOAT_EQ(picture_.texel(x, y).u, static_cast<float>(fraction(along))) << x << ", " << y;
+            ASSERT_NEAR(picture_.texel(x, y).u, fraction(along), kRounding) << x << ", " << y;
         }
 }
 
@@ -89,8 +90,7 @@ TEST_F(BoxRoom, HangsWallTilesFromTheCeiling) {
     for (int x = 0; x < kWidth; ++x)
         for (int y = 0; y < kHeight; ++y) {
             if (!shows_wall_ahead(x, y)) continue;
-            ASSERT_FLOAT_EQ(picture_.texel(x, y).v, static_cast<float>(fraction(3 - height_at_wall(x, y))))
-                << x << ", " << y;
+            ASSERT_NEAR(picture_.texel(x, y).v, fraction(3 - height_at_wall(x, y)), kRounding) << x << ", " << y;
         }
 }
 

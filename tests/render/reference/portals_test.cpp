@@ -11,6 +11,8 @@
 namespace enfilade::test {
 namespace {
 
+constexpr double kRounding = 1e-12;  // of texels' places [tiles]
+
 constexpr double kRounding = 1e-12;  ///< of sums and products of a few numbers below 100 [m]
 
 /// Two rooms of 4 m x 4 m in a row along x, the first from 0 to 3 m high.
@@ -78,10 +80,10 @@ TEST_F(Doorway, StandsTheLowerStepOnItsTopEdgeAndHangsTheUpperFromTheOpening) {
     for (int y = 0; y < kHeight; ++y) {
         const double h = height(y, kDoorDepth);
         if (picture.id(kMiddle, y) == step(rooms, WallPart::lower)) {
-            ASSERT_FLOAT_EQ(picture.texel(kMiddle, y).v, static_cast<float>(fraction(1 - h))) << y;
+            ASSERT_NEAR(picture.texel(kMiddle, y).v, fraction(1 - h), kRounding) << y;
         }
         if (picture.id(kMiddle, y) == step(rooms, WallPart::upper)) {
-            ASSERT_FLOAT_EQ(picture.texel(kMiddle, y).v, static_cast<float>(fraction(2 - h))) << y;
+            ASSERT_NEAR(picture.texel(kMiddle, y).v, fraction(2 - h), kRounding) << y;
         }
     }
 }

@@ -42,9 +42,9 @@ TEST(ThingSeen, IsAsDeepAsItsPlace) {
 TEST(ThingSeen, ShowsItsPicturesLeftOnTheLeft) {
     const Rooms rooms(room_with(thing_at({6, 4})));
     const Picture picture = rooms.look(look_from(rooms.map, {2, 4}, 1, 0));
-    EXPECT_FLOAT_EQ(picture.texel(24, 16).u, 0.5f / 16);
-    EXPECT_FLOAT_EQ(picture.texel(24, 16).v, 0.5f / 16);
-    EXPECT_FLOAT_EQ(picture.texel(39, 31).u, 15.5f / 16);
+    EXPECT_DOUBLE_EQ(picture.texel(24, 16).u, 0.5 / 16);
+    EXPECT_DOUBLE_EQ(picture.texel(24, 16).v, 0.5 / 16);
+    EXPECT_DOUBLE_EQ(picture.texel(39, 31).u, 15.5 / 16);
 }
 
 TEST(ThingSeen, InAMirrorIsMirrored) {
@@ -56,7 +56,7 @@ TEST(ThingSeen, InAMirrorIsMirrored) {
     // Its image stands at (10, 6), 8 m ahead and 2 m to the right: columns 144 to 176 of those 16 a metre.
     EXPECT_EQ(picture.id(144, 96), thing);
     EXPECT_NE(picture.id(143, 96), thing);
-    EXPECT_FLOAT_EQ(picture.texel(144, 96).u, 1 - 0.5f / 32);
+    EXPECT_DOUBLE_EQ(picture.texel(144, 96).u, 1 - 0.5 / 32);
 }
 
 TEST(ThingSeen, IsHiddenBelowTheFloor) {
