@@ -21,7 +21,7 @@ protected:
 
     FlightScene scene() const { return {*flight_, map_, textures_}; }
     DrawPlan plan(int first, int last, std::size_t workers) const {
-        return {RendererKind::column, 1, 64, 40, first, last, workers, {}};
+        return {RendererKind::column, {}, 64, 40, first, last, workers, {}};
     }
     std::vector<std::uint64_t> hashes(int first, int last, std::size_t workers) const {
         std::vector<std::uint64_t> all(static_cast<std::size_t>(last - first + 1));

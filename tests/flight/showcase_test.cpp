@@ -20,7 +20,7 @@ protected:
     /// Of the frames from first to last, drawn one after the other.
     Hashes in_order(const Flight& flight, int first, int last) const {
         Hashes all;
-        const DrawPlan plan{RendererKind::column, 1, kWidth, kHeight, first, last, 1, {}};
+        const DrawPlan plan{RendererKind::column, {}, kWidth, kHeight, first, last, 1, {}};
         EXPECT_FALSE(draw_frames_in_order(scene(flight), plan, [&](int, const Frame& frame, std::size_t) {
             all.push_back(hash_of(frame));
             return Status{};

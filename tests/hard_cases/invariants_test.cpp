@@ -191,7 +191,6 @@ TEST(CuttingARoomInFour, ChangesNoPixel) {
 
 /// By bits, because a compiler may believe that there are no such numbers.
 bool is_number(double x) { return (std::bit_cast<std::uint64_t>(x) >> 52 & 0x7FF) != 0x7FF; }
-bool is_number(float x) { return (std::bit_cast<std::uint32_t>(x) >> 23 & 0xFF) != 0xFF; }
 
 class EveryScene : public testing::TestWithParam<NamedScene> {};
 

@@ -11,8 +11,6 @@
 namespace enfilade::test {
 namespace {
 
-constexpr double kRounding = 1e-12;  // of texels' places [tiles]
-
 /// Depths and places are sums and products of a few numbers below 100: errors stay below 1e-13 [m].
 constexpr double kRounding = 1e-12;
 

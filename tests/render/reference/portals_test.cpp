@@ -11,8 +11,6 @@
 namespace enfilade::test {
 namespace {
 
-constexpr double kRounding = 1e-12;  // of texels' places [tiles]
-
 constexpr double kRounding = 1e-12;  ///< of sums and products of a few numbers below 100 [m]
 
 /// Two rooms of 4 m x 4 m in a row along x, the first from 0 to 3 m high.
