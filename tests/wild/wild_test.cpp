@@ -46,6 +46,7 @@ void try_world(const MapFile& file, const TrialPlan& plan) {
     if (auto fault = first_fault({map, textures}, plan)) FAIL() << report(file, map, std::move(*fault), plan);
 }
 
+// hard cases I1, I2, I11, R6, T8
 TEST(WildWorlds, HaveNoFault) {
     const std::uint64_t worlds = kIsLong ? 100'000 : 250;
     for (std::uint64_t seed = first_seed(); seed < first_seed() + worlds && !HasFatalFailure(); ++seed)
