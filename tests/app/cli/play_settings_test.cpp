@@ -54,6 +54,7 @@ TEST_F(PlaySettings, AreOptionsAllAtOnce) {
                               "--automap-colors",
                               "safe",
                               "--no-pause-when-away",
+                              "--pause-when-away",
                               "--renderer",
                               "column",
                               "--no-true-pitch",
