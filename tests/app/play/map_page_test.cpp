@@ -25,9 +25,10 @@ protected:
         setenv("XDG_DATA_HOME", home_.path("data").c_str(), 1);
         setenv("XDG_CACHE_HOME", home_.path("cache").c_str(), 1);
         setenv("DOOMWADDIR", home_.path("wads").c_str(), 1);
+        setenv("ENFILADE_SHARE", ENFILADE_SOURCE_DIR, 1);  // where maps/ is, wherever the test program lies
     }
     ~Maps() override {
-        for (const char* name : {"XDG_DATA_HOME", "XDG_CACHE_HOME", "DOOMWADDIR"}) unsetenv(name);
+        for (const char* name : {"XDG_DATA_HOME", "XDG_CACHE_HOME", "DOOMWADDIR", "ENFILADE_SHARE"}) unsetenv(name);
     }
 
     std::string write(const std::string& path, const std::string& text) const {
