@@ -162,8 +162,9 @@ void PlayLoop::change_settings(Settings changed) {
     is_changed_ = true;
     input_.obey(changed);
     if (window_.fullscreen() != changed.fullscreen) window_.set_fullscreen(changed.fullscreen);
-    if (changed.renderer == before.renderer && changed.samples == before.samples && changed.vsync == before.vsync)
-        return;
+    const bool is_drawn_alike =
+        changed.renderer == before.renderer && dials_of(changed, changed.renderer) == dials_of(before, before.renderer);
+    if (is_drawn_alike && changed.vsync == before.vsync) return;
     use_or_replace(changed.renderer);
     if (changed.renderer != before.renderer) tell("Drawn by the " + name_of(drawn_by_) + " renderer.");
 }

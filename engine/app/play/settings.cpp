@@ -15,6 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
 constexpr std::array<std::string_view, 2> kPlayRenderers{"column", "stencil"};
 constexpr std::array<std::string_view, 2> kAutomapWords{"usual", "safe"};
+constexpr std::array<std::string_view, 3> kAccuracies{"exact", "fine", "fast"};
 constexpr std::string_view kAsWindow = "window";
 
 /// What the menu goes through; a file or an option may name any other.
@@ -138,6 +139,12 @@ constexpr Setting kSettings[] = {
     number<&Settings::samples>("samples", "Samples",
                                "Each pixel shows the mean of N x N rays: smooth edges, in N x N times the time", 1,
                                kMostSamples, 1),
+    choice<&Settings::accuracy, kAccuracies>(
+        "accuracy", "Accuracy",
+        "How far texels may be off, by the column renderer: exact, fine (a quarter of a texel) or fast (one)"),
+    choice<&Settings::sampling, kWords<Sampling>>(
+        "sampling", "Distant pictures",
+        "nearest (as painted), or mip (made smaller, so that floors do not glitter), by the column renderer"),
     size_row(),
     number<&Settings::scale>(
         "scale", "Pixel size",
@@ -235,6 +242,15 @@ const Setting& setting_named(std::string_view name) {
     const auto* const found = std::ranges::find(kSettings, name, &Setting::name);
     ENFILADE_CHECK(found != std::end(kSettings));
     return *found;
+}
+
+Dials dials_of(const Settings& settings, RendererKind kind) {
+    Dials dials;
+    dials.samples = static_cast<int>(settings.samples);
+    if (kind != RendererKind::column) return dials;
+    dials.texel_error = parse_accuracy(kAccuracies[static_cast<std::size_t>(settings.accuracy)]).value();
+    dials.sampling = settings.sampling;
+    return dials;
 }
 
 std::string option_of(const Setting& setting) {

@@ -8,6 +8,7 @@
 
 #include "app/options.h"
 #include "base/result.h"
+#include "formats/dials.h"
 #include "formats/script.h"
 #include "platform/input_event.h"
 
@@ -78,9 +79,14 @@ void bind(Bindings& bindings, Control control, KeyCode key);
 /// Which colours the automap's lines have: those of today, or some that all eyes tell apart.
 enum class AutomapColors : std::uint8_t { usual, safe };
 
+/// The promises that have a name (formats/dials.h).
+enum class NamedAccuracy : std::uint8_t { exact, fine, fast };
+
 struct Settings {
     RendererKind renderer = RendererKind::column;
-    double samples = 1;               ///< rays along each side of a pixel, 1..kMostSamples
+    double samples = 1;                             ///< rays along each side of a pixel, 1..kMostSamples
+    NamedAccuracy accuracy = NamedAccuracy::exact;  ///< by the column renderer, as is the next
+    Sampling sampling = Sampling::nearest;
     std::optional<PictureSize> size;  ///< of the picture, scaled to the window; none: as large as the window
     double scale = 1;                 ///< without a size: pixels of the window along each side of one of the picture
     bool fullscreen = false;
@@ -97,6 +103,9 @@ struct Settings {
     bool pause_when_away = true;  ///< the menu opens when the window loses the focus
     Bindings bindings = usual_bindings();
 };
+
+/// What a renderer is told of them. kind: of the renderer that is.
+Dials dials_of(const Settings& settings, RendererKind kind);
 
 // Beyond these fields of view nobody finds the way: a keyhole, and all of it at the rim.
 inline constexpr double kSmallestFov = 10, kLargestFov = 160;  ///< [degrees]

@@ -32,6 +32,10 @@ protected:
 TEST_F(PlaySettings, AreOptionsAllAtOnce) {
     const Ended ended = play({"--samples",
                               "2",
+                              "--accuracy",
+                              "fast",
+                              "--sampling",
+                              "mip",
                               "--size",
                               "64x40",
                               "--scale",
@@ -66,9 +70,10 @@ TEST_F(PlaySettings, AreOptionsAllAtOnce) {
 
 TEST_F(PlaySettings, AreRefusedWithTheNameOfTheOption) {
     const std::pair<const char*, const char*> wrong[] = {
-        {"--samples", "9"},  {"--scale", "0"},       {"--frame-limit", "many"},  {"--fov", "nan"},
-        {"--volume", "2"},   {"--brightness", "0"},  {"--view-bob", "2"},        {"--mouse-speed", "0"},
-        {"--size", "large"}, {"--renderer", "none"}, {"--automap-colors", "red"}};
+        {"--samples", "9"},        {"--scale", "0"},       {"--frame-limit", "many"},   {"--fov", "nan"},
+        {"--volume", "2"},         {"--brightness", "0"},  {"--view-bob", "2"},         {"--mouse-speed", "0"},
+        {"--size", "large"},       {"--renderer", "none"}, {"--automap-colors", "red"}, {"--accuracy", "1"},
+        {"--sampling", "bilinear"}};
     for (const auto& [option, value] : wrong) {
         const Ended ended = play({option, value});
         EXPECT_EQ(ended.exit_code, 2) << option;

@@ -114,7 +114,7 @@ keys Down Down Down Return
 step help
 keys Escape Up Up Return
 step options
-keys Down Down Down Down Down Down Down Right
+keys Down Down Down Down Down Down Down Down Down Right
 step wider-view
 keys Escape Down Return Down Down Down Down Down Down Down Down Down Down Down Down Return
 step waits-for-a-key

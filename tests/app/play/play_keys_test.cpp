@@ -249,7 +249,8 @@ TEST_F(KeysOfPlay, SaveASettingThatTheMenuChanged) {
     store_ = SettingsStore(dir_.path("settings.toml"));
     window_.press_after(5, SDL_SCANCODE_ESCAPE);
     choose_after(6, 5);  // Options
-    for (int i = 0; i < 3; ++i) window_.press_after(6, SDL_SCANCODE_DOWN);
+    const auto row = &setting_named("scale") - all_settings().data();
+    for (auto i = row; i > 0; --i) window_.press_after(6, SDL_SCANCODE_DOWN);
     window_.press_after(6, SDL_SCANCODE_RIGHT);
     window_.press_after(7, SDL_SCANCODE_ESCAPE);
     window_.press_after(7, SDL_SCANCODE_ESCAPE);

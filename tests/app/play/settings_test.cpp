@@ -23,6 +23,15 @@ std::string other_value(const Setting& setting) {
     return setting.text(setting, settings);
 }
 
+TEST(DialsOfSettings, AreTheColumnRenderersButForSamples) {
+    Settings settings;
+    settings.samples = 3;
+    settings.accuracy = NamedAccuracy::fast;
+    settings.sampling = Sampling::mip;
+    EXPECT_EQ(to_text(dials_of(settings, RendererKind::column)), "accuracy=1 sampling=mip samples=3");
+    EXPECT_EQ(to_text(dials_of(settings, RendererKind::stencil)), "samples=3");
+}
+
 class EverySetting : public ::testing::TestWithParam<const Setting*> {
 protected:
     const Setting& row_ = *GetParam();
