@@ -73,14 +73,16 @@ void declare_dials(CLI::App& command, DialRequest& request, const std::string& o
         ->check(number_within(1, kMostSamples));
     command
         .add_option("--accuracy", request.accuracy,
-                    "How far texels may be off: exact, fine (a quarter of a texel), fast (one), or a number of texels. "
+                    "How far texels may be off: exact, fine (a quarter of a texel), fast (one), or a number of texels; "
+                    "or as far as Doom's were: vanilla. "
                     "By the column renderer; what a pixel belongs to is exact with all of them")
         ->type_name("NAME|TEXELS");
     command
-        .add_option("--dial", request.dials,
-                    "A single dial, to see what it does: span=1..64 (columns or rows from one exact position to the "
-                    "next), number=double, float or fixed, sampling=nearest or mip (distant pictures made smaller), "
-                    "light=map, smooth or bands, links=0..1000 (looked through in one chain). May be given many times")
+        .add_option(
+            "--dial", request.dials,
+            "A single dial, to see what it does: span=1..64 (columns or rows from one exact position to the "
+            "next), number=double, float, fixed or vanilla, sampling=nearest or mip (distant pictures made smaller), "
+            "light=map, smooth or bands, links=0..1000 (looked through in one chain). May be given many times")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
 }

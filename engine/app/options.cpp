@@ -49,11 +49,8 @@ Result<PictureSize> parse_size(const std::string& text) {
 }
 
 Result<Dials> dials_from(const DialRequest& request, Dials from, RendererKind renderer, PictureSize size) {
-    if (!request.accuracy.empty()) {
-        const auto promised = parse_accuracy(request.accuracy);
-        if (!promised.ok()) return Error{"--accuracy", promised.error().what};
-        from.texel_error = promised.value();
-    }
+    if (!request.accuracy.empty())
+        if (Status wrong = set_accuracy(from, request.accuracy)) return Error{"--accuracy", wrong->what};
     for (const std::string& dial : request.dials)
         if (Status wrong = set_dial(from, dial)) return Error{"--dial", wrong->what};
     if (request.samples) from.samples = *request.samples;

@@ -67,13 +67,18 @@ std::array<DialKind, 6> all_dials() {
 
 }  // namespace
 
-Result<double> parse_accuracy(std::string_view text) {
+Status set_accuracy(Dials& dials, std::string_view text) {
+    std::optional<double> promised = parse_number(text);
     for (const NamedPromise& promise : kPromises)
-        if (promise.name == text) return promise.texel_error;
-    const auto number = parse_number(text);
-    if (number && *number >= 0 && *number <= kMostTexelError) return *number;
-    return Error{"", "expected exact, fine, fast, or how many texels anything may be off, from 0 to " +
-                         number_text(kMostTexelError) + "; found " + quoted(text)};
+        if (promise.name == text) promised = promise.texel_error;
+    if (text == to_word(NumberKind::vanilla))
+        dials.number = NumberKind::vanilla;
+    else if (promised && *promised >= 0 && *promised <= kMostTexelError)
+        dials.texel_error = *promised;
+    else
+        return Error{"", "expected exact, fine, fast, vanilla, or how many texels anything may be off, from 0 to " +
+                             number_text(kMostTexelError) + "; found " + quoted(text)};
+    return {};
 }
 
 Status set_dial(Dials& dials, std::string_view text) {

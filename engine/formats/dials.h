@@ -15,7 +15,8 @@ namespace enfilade {
 enum class NumberKind : std::uint8_t {
     real64,   ///< "double": the default
     real32,   ///< "float"
-    fixed16,  ///< "fixed": whole numbers of 1/65536 texel and 1/65536 m, as engines had them in 1993
+    fixed16,  ///< "fixed": whole numbers of 1/65536 texel and 1/65536 m
+    vanilla,  ///< by Doom's tables and formulas of 1993, for comparison
 };
 
 /// Which texel a pixel shows.
@@ -69,9 +70,10 @@ constexpr bool are_texels_exact(const Dials& dials) {
 /// Largest promise that means anything: most pictures are that wide [texels].
 inline constexpr double kMostTexelError = 64;
 
-/// A promise by name or number: "exact" is 0, "fine" is 0.25 and "fast" 1; else a number from 0 to kMostTexelError.
-/// An error without a place says what was expected.
-Result<double> parse_accuracy(std::string_view text);
+/// Sets a promise by name or number: "exact" is 0, "fine" is 0.25 and "fast" 1; else a number from 0 to
+/// kMostTexelError. "vanilla", which promises nothing, sets that kind of numbers. An error without a place says what
+/// was expected; dials then stay as they were.
+Status set_accuracy(Dials& dials, std::string_view text);
 
 /// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light or links. An error, without a place, where
 /// there is no such dial, or it has no such value; dials then stay as they were.

@@ -83,11 +83,8 @@ void read_samples(Reading& reading, const NamedValue& value, Range range, Script
 /// A number, or a word for one.
 void read_accuracy(Reading& reading, const NamedValue& value, Range range, ScriptFile& script) {
     if (value.node.kind() != TomlKind::string) return read_value(reading, value, range, script.dials.texel_error);
-    const auto promised = parse_accuracy(value.node.text());
-    if (promised.ok())
-        script.dials.texel_error = promised.value();
-    else
-        reading.error(value.node.place(), "unknown-word", "'accuracy': " + promised.error().what);
+    if (Status wrong = set_accuracy(script.dials, value.node.text()))
+        reading.error(value.node.place(), "unknown-word", "'accuracy': " + wrong->what);
 }
 
 /// A file's path, whose place is kept so that a message can point at it.

@@ -159,6 +159,7 @@ constexpr std::string_view to_word(NumberKind value) {
         case NumberKind::real64: return "double";
         case NumberKind::real32: return "float";
         case NumberKind::fixed16: return "fixed";
+        case NumberKind::vanilla: return "vanilla";
     }
     return {};
 }

@@ -8,19 +8,29 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(ParseAccuracy, KnowsNamesAndNumbers) {
-    EXPECT_EQ(parse_accuracy("exact").value(), 0);
-    EXPECT_EQ(parse_accuracy("fine").value(), 0.25);
-    EXPECT_EQ(parse_accuracy("fast").value(), 1);
-    EXPECT_EQ(parse_accuracy("1e-6").value(), 1e-6);
-    EXPECT_EQ(parse_accuracy("64").value(), 64);
+TEST(SetAccuracy, KnowsNamesAndNumbers) {
+    Dials dials;
+    const auto promised = [&](const char* text) {
+        EXPECT_FALSE(set_accuracy(dials, text)) << text;
+        return dials.texel_error;
+    };
+    EXPECT_EQ(promised("fine"), 0.25);
+    EXPECT_EQ(promised("exact"), 0);
+    EXPECT_EQ(promised("fast"), 1);
+    EXPECT_EQ(promised("1e-6"), 1e-6);
+    EXPECT_EQ(promised("64"), 64);
+    EXPECT_EQ(dials.number, NumberKind::real64);
+    EXPECT_FALSE(set_accuracy(dials = {}, "vanilla"));
+    EXPECT_EQ(to_text(dials), "number=vanilla");
 }
 
-TEST(ParseAccuracy, RefusesOtherTexts) {
+TEST(SetAccuracy, RefusesOtherTexts) {
     for (const char* text : {"", "Fast", "-0.1", "64.5", "nan", "1 "}) {
-        const auto promised = parse_accuracy(text);
-        ASSERT_FALSE(promised.ok()) << text;
-        EXPECT_THAT(promised.error().what, HasSubstr("expected exact, fine, fast, or how many texels")) << text;
+        Dials dials;
+        const Status wrong = set_accuracy(dials, text);
+        ASSERT_TRUE(wrong) << text;
+        EXPECT_THAT(wrong->what, HasSubstr("expected exact, fine, fast, vanilla, or how many texels")) << text;
+        EXPECT_EQ(dials, Dials()) << text;
     }
 }
 
@@ -48,7 +58,8 @@ TEST(SetDial, SaysWhatADialMayBe) {
     Dials dials;
     EXPECT_EQ(set_dial(dials, "span=65")->what, "expected span=a whole number from 1 to 64; found 'span=65'");
     EXPECT_EQ(set_dial(dials, "span=1.5")->what, "expected span=a whole number from 1 to 64; found 'span=1.5'");
-    EXPECT_EQ(set_dial(dials, "number=half")->what, "expected number=double, float, fixed; found 'number=half'");
+    EXPECT_EQ(set_dial(dials, "number=half")->what,
+              "expected number=double, float, fixed, vanilla; found 'number=half'");
     EXPECT_EQ(set_dial(dials, "smaples=2")->what,
               "expected NAME=VALUE, as in span=8; found 'smaples=2'; did you mean 'samples'?");
     EXPECT_THAT(set_dial(dials, "span")->what, HasSubstr("found 'span'"));

@@ -248,7 +248,7 @@ Dials dials_of(const Settings& settings, RendererKind kind) {
     Dials dials;
     dials.samples = static_cast<int>(settings.samples);
     if (kind != RendererKind::column) return dials;
-    dials.texel_error = parse_accuracy(kAccuracies[static_cast<std::size_t>(settings.accuracy)]).value();
+    ENFILADE_CHECK(!set_accuracy(dials, kAccuracies[static_cast<std::size_t>(settings.accuracy)]));
     dials.sampling = settings.sampling;
     return dials;
 }

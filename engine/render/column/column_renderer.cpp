@@ -88,8 +88,9 @@ void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Snaps
     canvas.set(columns.begin, columns.end, frame.height);
     s.column.start_frame(frame.width, frame.height);
     LightGrids* lights = built_in::kPointLights ? s.lights.where_lit() : nullptr;
+    const TexelDials* const dials = s.dials && is_promise_too_narrow(*s.dials, s.screen) ? nullptr : s.dials;
     const ColumnScene scene{s.map,  s.textures, snapshot,  s.screen, canvas, facts,
-                            lights, s.column,   s.kernels, s.passes, s.dials};
+                            lights, s.column,   s.kernels, s.passes, dials};
     start_frame(s.state, s.map, view, columns, frame.height);
     while (!s.state.stack.empty()) {
         Viewport& next = *s.state.stack.back();
@@ -168,7 +169,8 @@ ColumnStrips::ColumnStrips(const Map& map, const TextureSet& textures, std::size
       canvases_(threads),
       pool_(threads) {
     if (dials.sampling == Sampling::mip) mips_ = std::make_unique<MipChains>(textures);
-    if (!are_texels_exact(dials)) dials_ = std::make_unique<TexelDials>(TexelDials{dials, mips_.get()});
+    if (!are_texels_exact(dials))
+        dials_ = std::make_unique<TexelDials>(TexelDials{dials, mips_.get(), least_texels_per_m(map, textures)});
 }
 
 ColumnStrips::~ColumnStrips() = default;

@@ -14,6 +14,7 @@ double texels_of(Vec2 metres, Vec2 tile_m, const Texture& picture) {
 }  // namespace
 
 void FlatPainter::start_dials(const ColumnScene& scene) {
+    vanilla_.reset();
     is_dialled_ = scene.dials != nullptr && !(built_in::kSky && flat_.sky);
     if (!is_dialled_) return;
     const RayTables& screen = scene.screen;
@@ -22,6 +23,9 @@ void FlatPainter::start_dials(const ColumnScene& scene) {
     texels_across_ = texels_of(pose_->right, picture_.tile_m, *picture_.texture) * slope_per_column;
     texels_down_ = texels_of(pose_->forward, picture_.tile_m, *picture_.texture) /
                    std::max(std::fabs(height_) * screen.focal_y, std::numeric_limits<double>::min());
+    if (scene.dials->dials.number == NumberKind::vanilla && !is_extended_)
+        vanilla_.emplace(VanillaScreen{screen.width, screen.column_scale},
+                         height_ * picture_.texture->width / picture_.tile_m.x, pose_->forward, pose_->flip);
     texel_depths_.resize(row_depths_.size());
     row_dials_.resize(row_depths_.size());
 }
@@ -115,7 +119,11 @@ void FlatPainter::paint_alike(const ColumnScene& scene, const WallLooks& looks, 
     fill_alike(runs, like, [&](const ColumnRuns& some) {
         const PlainFlats flats{some,   picture,     picture_.base_u,      picture_.base_v,      step_u,
                                step_v, looks.depth, texel_depths_.data(), row_darkness_.data(), picture_.color_table};
-        number == NumberKind::real64 ? scene.kernels.fill_flats(flats) : fill_flats_in(number, flats);
+        const auto by_tables = [&](int i, int y) { return by_vanilla(scene, looks.begin + i, y); };
+        if (vanilla_)
+            fill_flats_at(flats, by_tables);
+        else
+            number == NumberKind::real64 ? scene.kernels.fill_flats(flats) : fill_flats_in(number, flats);
     });
 }
 
@@ -139,14 +147,28 @@ void FlatPainter::fill_by_dials(const ColumnScene& scene, const LevelPicture& pi
                                texel_depths_.data(),
                                to.darkness,
                                picture.color_table};
-        number == NumberKind::real64 ? draw(flats) : fill_flats_in(number, flats);
+        if (vanilla_)
+            fill_flats_at(flats, [&](int, int y) { return by_vanilla(scene, column.x, y); });
+        else if (number == NumberKind::real32 || number == NumberKind::fixed16)
+            fill_flats_in(number, flats);
+        else
+            draw(flats);
         row = next;
     }
+}
+
+TexelPosition FlatPainter::by_vanilla(const ColumnScene& scene, int x, int row) const {
+    const double rows = std::fabs(scene.screen.row_rises[static_cast<std::size_t>(row)]);
+    const Vec2 from_eye = vanilla_->at(x, rows, scene.screen.focal_y);  // both in texels along the width
+    const double width = picture_.texture->width, height = picture_.texture->height;
+    return {in_16_16(picture_.base_u * width) / width + from_eye.x / width,
+            in_16_16(picture_.base_v * height) / height + from_eye.y / width * picture_.tile_m.x / picture_.tile_m.y};
 }
 
 /// Where a row of a column is on the picture, as it is drawn: like its neighbours, where that is promised to do.
 TexelPosition FlatPainter::drawn_at(const ColumnScene& scene, const FlatColumn& column, int row, bool is_alike) const {
     const auto i = static_cast<std::size_t>(row);
+    if (vanilla_) return by_vanilla(scene, column.x, row);
     const Vec2 step = steps_at(scene, column.x, is_dialled_ && is_alike ? row_dials_[i].held : 1);
     const double depth = std::min(is_dialled_ ? texel_depths_[i] : row_depths_[i], column.farthest);
     const NumberKind number = is_dialled_ ? scene.dials->dials.number : NumberKind::real64;

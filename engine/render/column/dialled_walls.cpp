@@ -12,12 +12,22 @@ struct WallPainter::ExactColumns {
     const WallLooks& looks;
     ColumnTexels known[WallLooks::kMost];
     Shade shades[WallLooks::kMost];
+    std::optional<VanillaWall> vanilla;  ///< where dials want its positions, and the eye is not on its line
 
     ExactColumns(const ColumnScene& of, const WallPainter& by, const WallLooks& at)
         : scene(of), painter(by), looks(at) {
         for (int i = 0; i < looks.count; ++i) known[i] = painter.texels_at(scene, looks.at(i));
         painter.dimming_.at_all(looks.depth, looks.count, shades);
+        if (scene.dials->dials.number == NumberKind::vanilla && looks.wall->cross != 0)
+            vanilla.emplace(VanillaScreen{scene.screen.width, scene.screen.column_scale},
+                            looks.wall->left_v * texels_per_m(), looks.wall->right_v * texels_per_m());
     }
+
+    double length() const {
+        const Vec2 along = looks.wall->right_v - looks.wall->left_v;
+        return std::sqrt(dot(along, along));
+    }
+    double texels_per_m() const { return painter.u_per_along_ * painter.texture_->width / length(); }
 
     ColumnGroup all() const { return {looks.wall->begin, looks.wall->end - 1}; }
     bool is_known(int x) const { return looks.begin <= x && x < looks.begin + looks.count; }
@@ -128,7 +138,8 @@ WallPainter::AlikeColumns WallPainter::alike_at(const ColumnScene& scene, const 
     }
     const ColumnTexels a = texels_in_span(scene, exact, alike.columns.first);
     const ColumnTexels b = texels_in_span(scene, exact, alike.columns.last);
-    alike.at = in_numbers(scene, {(a.u + b.u) / 2, (a.v_at_row_0 + b.v_at_row_0) / 2, (a.v_per_row + b.v_per_row) / 2});
+    alike.at = in_numbers(scene, exact, x,
+                          {(a.u + b.u) / 2, (a.v_at_row_0 + b.v_at_row_0) / 2, (a.v_per_row + b.v_per_row) / 2});
     alike.level = scene.dials->mips ? level_at(exact, alike.columns.first) : 0;
     return alike;
 }
@@ -143,7 +154,8 @@ int WallPainter::level_at(const ExactColumns& exact, int x) const {
 }
 
 /// Fixed point steps down a column from the horizon, as it was done.
-WallPainter::ColumnTexels WallPainter::in_numbers(const ColumnScene& scene, const ColumnTexels& at) const {
+WallPainter::ColumnTexels WallPainter::in_numbers(const ColumnScene& scene, const ExactColumns& exact, int x,
+                                                  const ColumnTexels& at) const {
     const double width = texture_->width, height = texture_->height, rows = scene.screen.horizon - 0.5;
     switch (scene.dials->dials.number) {
         case NumberKind::real64: break;
@@ -153,8 +165,21 @@ WallPainter::ColumnTexels WallPainter::in_numbers(const ColumnScene& scene, cons
             const double at_horizon = in_16_16((at.v_at_row_0 + rows * at.v_per_row) * height) / height;
             return {in_16_16(at.u * width) / width, at_horizon - rows * per_row, per_row};
         }
+        case NumberKind::vanilla: return exact.vanilla ? by_vanilla(scene, exact, x) : at;
     }
     return at;
+}
+
+/// Down a column it steps from the row under the horizon.
+WallPainter::ColumnTexels WallPainter::by_vanilla(const ColumnScene& scene, const ExactColumns& exact, int x) const {
+    const RayTables& screen = scene.screen;
+    const double from_left = exact.vanilla->along_at(x) / texture_->width;
+    const double u = exact.looks.wall->swapped ? u_per_along_ - from_left : from_left;
+    const double depth = exact.vanilla->per_row_at(x) * screen.column_scale / exact.texels_per_m();
+    const double height = texture_->height, per_row = in_16_16(depth / screen.focal_y * v_per_m_ * height) / height;
+    const double at_horizon = in_16_16(v_at_peg_ * height) / height;
+    return {u - in_16_16(u_offset_ * texture_->width) / texture_->width,
+            at_horizon - std::floor(screen.horizon) * per_row, per_row};
 }
 
 }  // namespace enfilade::column

@@ -1,9 +1,11 @@
 // Which texel does a row of a column show? Of walls, steps and pictures of things, and of floors, ceilings and skies.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "render/column/scene.h"
 #include "render/column/texel_dials.h"
+#include "render/column/vanilla.h"
 #include "render/column/viewport.h"
 #include "render/lighting.h"
 #include "render/sprite.h"
@@ -70,7 +72,8 @@ private:
     bool may_be_alike(const ColumnScene& scene, const ExactColumns& exact, ColumnGroup columns) const;
     AlikeColumns alike_at(const ColumnScene& scene, const ExactColumns& exact, int x) const;
     int level_at(const ExactColumns& exact, int x) const;
-    ColumnTexels in_numbers(const ColumnScene& scene, const ColumnTexels& at) const;
+    ColumnTexels in_numbers(const ColumnScene& scene, const ExactColumns& exact, int x, const ColumnTexels& at) const;
+    ColumnTexels by_vanilla(const ColumnScene& scene, const ExactColumns& exact, int x) const;
     bool is_near(const ColumnScene& scene, double farthest) const;
     void place(const ColumnScene& scene, const double* depths, const double* along, int count, Placed& placed) const;
     void place_one(const ColumnTexels& at, double depth, Placed& placed, int i) const;
@@ -162,6 +165,7 @@ private:
     bool is_exact_in(const ColumnScene& scene, int top, int bottom) const;
     void start_dials(const ColumnScene& scene);
     RowDials dials_at(const ColumnScene& scene, double depth) const;
+    TexelPosition by_vanilla(const ColumnScene& scene, int x, int row) const;
     double depth_in_span(const ColumnScene& scene, int row) const;
     void prepare_dials(const ColumnScene& scene, int top, int bottom);
     void paint_by_dials(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
@@ -214,10 +218,11 @@ private:
     std::vector<FogPart> row_fog_parts_;         ///< where there is fog
     int prepared_top_ = 0, prepared_bottom_ = 0;
     bool is_dialled_ = false;
-    std::vector<double> texel_depths_;  ///< as row_depths_: of which texels are; where dials say so
-    std::vector<RowDials> row_dials_;   ///< where there are dials
-    double texels_across_ = 0;          ///< per metre of depth, from a column to the next
-    double texels_down_ = 0;            ///< per square metre of depth, from a row to the next
+    std::vector<double> texel_depths_;    ///< as row_depths_: of which texels are; where dials say so
+    std::vector<RowDials> row_dials_;     ///< where there are dials
+    std::optional<VanillaFlat> vanilla_;  ///< where dials want its positions
+    double texels_across_ = 0;            ///< per metre of depth, from a column to the next
+    double texels_down_ = 0;              ///< per square metre of depth, from a row to the next
 };
 
 }  // namespace enfilade::column

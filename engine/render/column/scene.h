@@ -94,6 +94,7 @@ struct ColumnScratch {
 struct TexelDials {
     Dials dials;
     const MipChains* mips = nullptr;  ///< where textures are to be made smaller
+    double least_texels_per_m = 0;    ///< of all surfaces, along either side of their pictures
 };
 
 struct ColumnScene {

@@ -1,5 +1,7 @@
 #include "render/column/texel_dials.h"
 
+#include <limits>
+
 #include "base/result.h"
 
 namespace enfilade::column {
@@ -7,20 +9,29 @@ namespace {
 
 template <NumberKind kNumber>
 void fill_flats(const PlainFlats& f) {
-    const Texture& picture = *f.texture;
-    for (int i = 0; i < f.runs.count; ++i)
-        for (int y = f.runs.tops[i]; y < f.runs.bottoms[i]; ++y) {
-            const double depth = std::min(f.row_depths[y], f.farthest[i]);
-            const double at_u = flat_position<kNumber>(f.base_u, depth, f.step_u[i], picture.width);
-            const double at_v = flat_position<kNumber>(f.base_v, depth, f.step_v[i], picture.height);
-            const std::uint32_t u = texel_of(place_on_tile(at_u), picture.width);
-            const std::uint32_t v = texel_of(place_on_tile(at_v), picture.height);
-            f.runs.pixels[i * f.runs.pitch + y] =
-                darkened(f.color_table, picture, std::size_t{u} * picture.height + v, f.row_darkness[y]);
-        }
+    fill_flats_at(f, [&](int i, int y) {
+        const double depth = std::min(f.row_depths[y], f.farthest[i]);
+        return TexelPosition{flat_position<kNumber>(f.base_u, depth, f.step_u[i], f.texture->width),
+                             flat_position<kNumber>(f.base_v, depth, f.step_v[i], f.texture->height)};
+    });
 }
 
 }  // namespace
+
+double least_texels_per_m(const Map& map, const TextureSet& textures) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Surface& surface : map.surfaces) {
+        const Texture& picture = textures[surface.texture];
+        least = std::min({least, picture.width / surface.tile_m.x, picture.height / surface.tile_m.y});
+    }
+    return least;
+}
+
+bool is_promise_too_narrow(const TexelDials& dials, const RayTables& screen) {
+    constexpr double kNear = 1;  // the floor under an eye 1.7 m high is nowhere nearer, unless one looks down [m]
+    const double texels_apart = kNear / screen.column_scale * dials.least_texels_per_m;  // of neighbouring columns
+    return is_only_promise(dials.dials) && texels_apart > 2 * dials.dials.texel_error;
+}
 
 double in_16_16(double number) {
     constexpr double kShift = 0x1.8p36;  // whose last bit is one step
@@ -32,12 +43,13 @@ double flat_position(NumberKind number, double base, double depth, double step, 
         case NumberKind::real64: return flat_position<NumberKind::real64>(base, depth, step, size);
         case NumberKind::real32: return flat_position<NumberKind::real32>(base, depth, step, size);
         case NumberKind::fixed16: return flat_position<NumberKind::fixed16>(base, depth, step, size);
+        case NumberKind::vanilla: break;
     }
     return base;
 }
 
 void fill_flats_in(NumberKind number, const PlainFlats& flats) {
-    ENFILADE_CHECK(number != NumberKind::real64);
+    ENFILADE_CHECK(number == NumberKind::real32 || number == NumberKind::fixed16);
     number == NumberKind::real32 ? fill_flats<NumberKind::real32>(flats) : fill_flats<NumberKind::fixed16>(flats);
 }
 

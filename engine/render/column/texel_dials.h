@@ -9,6 +9,7 @@
 
 #include "formats/dials.h"
 #include "render/column/kernels.h"
+#include "render/column/scene.h"
 #include "render/column/viewport.h"
 
 namespace enfilade::column {
@@ -61,6 +62,13 @@ constexpr bool is_only_promise(const Dials& dials) {
     return dials.span == 1 && dials.number == NumberKind::real64 && dials.sampling == Sampling::nearest;
 }
 
+/// Along either side of the picture of any surface of the map [texels/m]; infinite where there are none.
+double least_texels_per_m(const Map& map, const TextureSet& textures);
+
+/// Whether a promise is all that is asked, and so narrow that nothing that is likely to be seen may be drawn alike:
+/// looking for it would cost more than it gains.
+bool is_promise_too_narrow(const TexelDials& dials, const RayTables& screen);
+
 // Spans.
 
 /// Between the exact positions of places `first` and `last`: at `place`, on a straight line. first <= place <= last.
@@ -83,9 +91,25 @@ double flat_position(double base, double depth, double step, std::uint32_t size)
     return base + depth * step;
 }
 
+/// Not by vanilla's.
 double flat_position(NumberKind number, double base, double depth, double step, std::uint32_t size);
 
-/// As PlainKernels::fill_flats, pixel by pixel, in these numbers and however far. Not real64.
+/// As PlainKernels::fill_flats, pixel by pixel and however far, where places on the picture are position(i, y) of the
+/// i-th column and row y: a TexelPosition.
+template <class Position>
+void fill_flats_at(const PlainFlats& flats, const Position& position) {
+    const Texture& picture = *flats.texture;
+    for (int i = 0; i < flats.runs.count; ++i)
+        for (int y = flats.runs.tops[i]; y < flats.runs.bottoms[i]; ++y) {
+            const TexelPosition at = position(i, y);
+            const std::uint32_t u = texel_of(place_on_tile(at.u), picture.width);
+            const std::uint32_t v = texel_of(place_on_tile(at.v), picture.height);
+            flats.runs.pixels[i * flats.runs.pitch + y] =
+                darkened(flats.color_table, picture, std::size_t{u} * picture.height + v, flats.row_darkness[y]);
+        }
+}
+
+/// The same in these numbers, which are neither real64 nor vanilla's.
 void fill_flats_in(NumberKind number, const PlainFlats& flats);
 
 }  // namespace enfilade::column

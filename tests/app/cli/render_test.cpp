@@ -280,7 +280,7 @@ TEST_F(Render, RefusesDialsThatThereAreNot) {
         return ended.err;
     };
     EXPECT_THAT(refused({"--accuracy", "good"}),
-                HasSubstr("--accuracy: expected exact, fine, fast, or how many texels"));
+                HasSubstr("--accuracy: expected exact, fine, fast, vanilla, or how many texels"));
     EXPECT_THAT(refused({"--dial", "spam=2"}),
                 HasSubstr("--dial: expected NAME=VALUE, as in span=8; found 'spam=2'; did "
                           "you mean 'span'?"));
