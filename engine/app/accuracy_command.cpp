@@ -1,7 +1,7 @@
 // `enfilade accuracy`: what accuracy costs in time.
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <algorithm>
 
 #include "app/accuracy/report.h"
 #include "app/child_program.h"
@@ -10,6 +10,7 @@
 #include "app/messages.h"
 #include "app/pictures.h"
 #include "base/files.h"
+#include "base/hash.h"
 #include "base/output_file.h"
 #include "base/terminal.h"
 
@@ -43,8 +44,8 @@ std::string scene_name(const std::string& path) {
     return file.substr(0, file.rfind('.'));
 }
 
-/// Adds the rows of one scene. False where its map has errors, which then are on stderr.
-Status measure_scene(const std::string& path, const AccuracyRequest& request, std::vector<AccuracyRow>& rows) {
+/// One scene. An error where its map has errors, which then are on stderr.
+Result<AccuracyScene> measure_scene(const std::string& path, const AccuracyRequest& request) {
     const auto map = open_map(path, request.texture_folders, {});
     if (!map) return Error{path, "expected a map without errors; see above"};
     AccuracyPlan plan = plan_of(request.quick);
@@ -55,14 +56,17 @@ Status measure_scene(const std::string& path, const AccuracyRequest& request, st
     std::vector<View> timed = poses_in(map->map, PoseKind::random, plan.timed, kSeed);
     const auto prices = measure_prices(*map, timed, settings, plan.price);
     if (!prices.ok()) return prices.error();
+    const auto bytes = read_file(path);
+    if (!bytes.ok()) return bytes.error();
+    AccuracyScene scene{scene_name(path), hash_of_bytes(bytes.value()), {}};
     for (const PoseKind kind : kPoseKinds) {
         const std::vector<View> views = poses_in(map->map, kind, plan.poses, kSeed);
         auto errors = measure_errors(*map, views, settings, plan.width, plan.height);
         if (!errors.ok()) return errors.error();
         for (std::size_t s = 0; s < settings.size(); ++s)
-            rows.push_back({scene_name(path), kind, settings[s], std::move(errors.value()[s]), prices.value()[s]});
+            scene.rows.push_back({kind, settings[s], errors.value()[s], prices.value()[s]});
     }
-    return {};
+    return scene;
 }
 
 std::string command_text(const AccuracyRequest& request) {
@@ -71,10 +75,10 @@ std::string command_text(const AccuracyRequest& request) {
     return text + (request.quick ? " --quick" : "") + " --out DIR";
 }
 
-/// A picture where gnuplot is installed; what it would be told in any case.
-Status write_plot(const std::string& folder, std::vector<AccuracyRow>& rows) {
+/// Pictures where gnuplot is installed; what it would be told in any case.
+Status write_plot(const std::string& folder, const std::vector<AccuracyScene>& scenes) {
     const std::string script = folder + "/accuracy.gp";
-    if (Status failed = write_file(script, accuracy_plot(rows, folder + "/accuracy.svg"))) return failed;
+    if (Status failed = write_file(script, accuracy_plot(scenes, folder))) return failed;
     if (!is_installed("gnuplot")) {
         print_text(stderr,
                    "enfilade: no picture, because gnuplot is not installed; `gnuplot " + script + "` draws it\n");
@@ -85,33 +89,82 @@ Status write_plot(const std::string& folder, std::vector<AccuracyRow>& rows) {
     return end.value().exit_code == 0 ? Status() : Error{"gnuplot", end.value().said};
 }
 
-Status write_report(const AccuracyRequest& request, std::vector<AccuracyRow>& rows) {
-    const std::string& folder = request.out;
-    if (Status failed = make_folder(folder)) return failed;
-    if (Status failed = write_file(folder + "/accuracy.csv", accuracy_csv(rows))) return failed;
-    if (Status failed = write_file(folder + "/README.md", accuracy_page(rows, command_text(request)))) return failed;
-    return write_plot(folder, rows);
+std::string report_in(const std::string& folder) { return folder + "/report.json"; }
+
+Status write_report(const std::string& folder, const AccuracyRun& run, const std::vector<AccuracyScene>& scenes) {
+    if (Status failed = write_file(folder + "/accuracy.csv", accuracy_csv(scenes))) return failed;
+    if (Status failed = write_file(folder + "/README.md", accuracy_page(scenes, run.command))) return failed;
+    return write_plot(folder, scenes);
 }
 
-Status verify(const std::string& path, std::vector<AccuracyRow>& rows) {
+Result<ReadAccuracy> read_report(const std::string& path) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) return bytes.error();
-    return compare_errors(path, as_text(bytes.value()), rows);
+    return read_accuracy_json(path, as_text(bytes.value()));
+}
+
+/// Scenes that this very program has measured so already, where that is asked for and it was cut off.
+Result<std::vector<AccuracyScene>> scenes_to_go_on_from(const AccuracyRequest& request, const AccuracyRun& run) {
+    if (!request.resume) return std::vector<AccuracyScene>();
+    auto report = read_report(report_in(request.out));
+    if (!report.ok()) return report.error();
+    const AccuracyRun& before = report.value().run;
+    if (before.program_hash != run.program_hash || before.is_quick != run.is_quick)
+        return Error{report_in(request.out),
+                     "expected a report of this very program with the same --quick; begin anew "
+                     "without --resume"};
+    return std::move(report.value().scenes);
+}
+
+Result<AccuracyRun> run_of(const AccuracyRequest& request) {
+    const auto program = read_file(this_program());
+    if (!program.ok()) return program.error();
+    return AccuracyRun{command_text(request), request.quick, hash_of_bytes(program.value())};
+}
+
+bool is_among(const std::vector<AccuracyScene>& scenes, const std::string& path) {
+    return std::ranges::find(scenes, scene_name(path), &AccuracyScene::name) != scenes.end();
+}
+
+/// Adds what is not there yet, and keeps each scene as soon as it is measured.
+Status measure_scenes(const AccuracyRequest& request, const AccuracyRun& run, std::vector<AccuracyScene>& scenes) {
+    for (const std::string& path : request.maps.empty() ? shipped_scenes() : request.maps) {
+        if (is_among(scenes, path)) continue;
+        auto scene = measure_scene(path, request);
+        if (!scene.ok()) return scene.error();
+        scenes.push_back(std::move(scene).value());
+        if (request.out.empty()) continue;
+        if (Status failed = make_folder(request.out)) return failed;
+        if (Status failed = write_file(report_in(request.out), accuracy_json(run, scenes))) return failed;
+    }
+    return {};
+}
+
+Status verify(const std::string& path, const std::vector<AccuracyScene>& scenes) {
+    const auto report = read_report(path);
+    if (!report.ok()) return report.error();
+    return compare_errors(path, report.value().scenes, scenes);
+}
+
+Status measure_accuracy(const AccuracyRequest& request) {
+    if (request.resume && request.out.empty()) return Error{"--resume", "expected --out DIR, where the report is"};
+    const auto run = run_of(request);
+    if (!run.ok()) return run.error();
+    auto scenes = scenes_to_go_on_from(request, run.value());
+    if (!scenes.ok()) return scenes.error();
+    if (Status failed = measure_scenes(request, run.value(), scenes.value())) return failed;
+    print_text(stdout, accuracy_page(scenes.value(), run.value().command));
+    if (!request.out.empty())
+        if (Status failed = write_report(request.out, run.value(), scenes.value())) return failed;
+    if (Status broken = check_promises(scenes.value())) return broken;
+    return request.verify.empty() ? Status() : verify(request.verify, scenes.value());
 }
 
 }  // namespace
 
 int run_accuracy(const AccuracyRequest& request) {
-    std::vector<AccuracyRow> rows;
-    for (const std::string& scene : request.maps.empty() ? shipped_scenes() : request.maps)
-        if (Status failed = measure_scene(scene, request, rows)) return fail(*failed);
-    print_text(stdout, accuracy_page(rows, command_text(request)));
-    if (!request.out.empty())
-        if (Status failed = write_report(request, rows)) return fail(*failed);
-    if (Status broken = check_promises(rows)) return fail(*broken);
-    if (request.verify.empty()) return kDone;
-    if (Status other = verify(request.verify, rows)) return fail(*other);
-    return kDone;
+    const Status failed = measure_accuracy(request);
+    return failed ? fail(*failed) : kDone;
 }
 
 }  // namespace enfilade

@@ -384,13 +384,16 @@ CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
 CLI::App* declare_accuracy(CLI::App& enfilade, AccuracyRequest& request) {
     CLI::App* command = enfilade.add_subcommand("accuracy", "Measure what accuracy costs in time");
     command->add_option("MAP", request.maps, "Maps to measure in; if none is given, some that come with Enfilade");
-    command->add_option("--out", request.out, "A folder for the report: README.md, accuracy.csv, accuracy.svg")
+    command
+        ->add_option("--out", request.out,
+                     "A folder for the report: README.md, report.json, accuracy.csv, accuracy.svg, scenes.svg")
         ->type_name("DIR");
     command->add_flag("--quick", request.quick, "Fewer places and settings: under a minute");
     command
         ->add_option("--verify", request.verify,
-                     "The accuracy.csv of an earlier run: fail unless its errors are found again")
-        ->type_name("FILE.csv");
+                     "The report.json of an earlier run: fail unless its errors are found again")
+        ->type_name("FILE.json");
+    command->add_flag("--resume", request.resume, "Go on with the report in --out, where it was cut off");
     declare_textures(*command, request.texture_folders);
     command->footer(
         "Draws rooms by every accuracy and dial (see `render --help`), and holds what each pixel shows against places "

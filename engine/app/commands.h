@@ -77,7 +77,7 @@ struct AccuracyRequest {
     std::vector<std::string> maps;  ///< empty: the shipped scenes
     std::string out, verify;        ///< empty where not given
     std::vector<std::string> texture_folders;
-    bool quick = false;
+    bool quick = false, resume = false;
 };
 
 /// Each does its work, says on stderr what went wrong and returns an exit code (app/messages.h).

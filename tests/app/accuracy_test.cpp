@@ -1,6 +1,7 @@
 // The experiment of `enfilade accuracy`: its truth, its poses and its report.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/accuracy/report.h"
@@ -80,66 +81,129 @@ TEST(PosesIn, AreInsideAndTheSameEachTime) {
     }
 }
 
-std::vector<AccuracyRow> two_rows() {
-    std::vector<AccuracyRow> rows(2);
-    for (AccuracyRow& row : rows) {
-        row.scene = "room";
-        row.errors.pixels = 4;
-        row.errors.texel_errors = {0, 0.5f, 0.25f, 0.25f};
-        row.errors.squared_color = 12;
-    }
-    rows[1].setting = {{"--accuracy", "0.5"}, {}, 0.5};
-    rows[1].price.low_ratio = rows[1].price.high_ratio = 0.75;
-    return rows;
+TEST(StructuralSimilarity, IsOneOfAPictureToItself) {
+    Frame a, b;
+    a.resize(24, 16);
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        a.pixels[i] = 0xFF000000u + static_cast<std::uint32_t>(i * 0x010203);
+    b = a;
+    EXPECT_DOUBLE_EQ(structural_similarity(a, b), 1);
+    for (std::uint32_t& pixel : b.pixels) pixel = 0xFF808080u;
+    EXPECT_LT(structural_similarity(a, b), 0.5);
 }
 
-TEST(AccuracyErrors, SayWhatTheyAre) {
-    AccuracyErrors errors = two_rows()[0].errors;
-    EXPECT_EQ(errors.mean(), 0.25);
-    EXPECT_EQ(errors.largest(), 0.5);
-    EXPECT_NEAR(errors.psnr(), 10 * std::log10(255.0 * 255.0), 1e-9);
-    errors.texel_errors.assign(2000, 1);
-    errors.texel_errors[7] = 9;
-    EXPECT_EQ(errors.per_mille(), 1);
-    EXPECT_EQ(AccuracyErrors().psnr(), std::numeric_limits<double>::infinity());
+TEST(StructuralSimilarity, OfGreysIsWhatItsFormulaSays) {
+    Frame a, b;
+    a.resize(8, 8);
+    b.resize(8, 8);
+    a.pixels.assign(64, 0xFF646464u);  // 100
+    b.pixels.assign(64, 0xFF323232u);  // 50
+    const double steady = 2.55 * 2.55;
+    EXPECT_NEAR(structural_similarity(a, b), (2 * 100 * 50 + steady) / (100 * 100 + 50 * 50 + steady), 1e-12);
 }
+
+// A bare room, all walls of which are one picture.
+TEST(MeasureErrors, FindsOutWhatADialDoes) {
+    const OpenMap map = shipped("rooms.toml");
+    const std::vector<AccuracySetting> all = accuracy_settings(true);
+    const auto setting = [&](const std::string& name) {
+        return *std::ranges::find(all, name, [](const AccuracySetting& s) { return name_of(s); });
+    };
+    const auto errors = measure_errors(map, poses_in(map.map, PoseKind::random, 2, 9),
+                                       {setting("exact"), setting("--accuracy 1"), setting("--dial span=32"),
+                                        setting("--dial samples=2"), setting("--dial sampling=mip")},
+                                       96, 64);
+    ASSERT_TRUE(errors.ok());
+    const AccuracyErrors &exact = errors.value()[0], &one = errors.value()[1], &span = errors.value()[2];
+    const AccuracyErrors &samples = errors.value()[3], &mip = errors.value()[4];
+    EXPECT_EQ(exact.pixels, 2u * 96 * 64);
+    EXPECT_LE(exact.judged, exact.pixels);
+    EXPECT_LT(exact.largest, 1e-6);
+    EXPECT_GT(one.largest, 0.1);
+    EXPECT_LE(one.largest, 1);
+    EXPECT_GT(span.largest, one.largest);
+    EXPECT_GT(samples.psnr, exact.psnr);
+    EXPECT_GT(samples.ssim, exact.ssim);
+    EXPECT_LT(samples.shimmer_stepped, exact.shimmer_stepped);
+    EXPECT_LT(mip.shimmer_stepped, exact.shimmer_stepped);
+}
+
+AccuracyScene two_rows() {
+    AccuracyScene scene{"room", 7, std::vector<AccuracyRow>(2)};
+    for (AccuracyRow& row : scene.rows) {
+        row.errors.pixels = row.errors.judged = 4;
+        row.errors.mean = 0.25;
+        row.errors.largest = row.errors.per_mille = 0.5;
+    }
+    scene.rows[1].setting = {{"--accuracy", "0.5"}, {}, 0.5};
+    scene.rows[1].price.low_ratio = 0.5;
+    return scene;
+}
+
+AccuracyRun some_run() { return {"enfilade accuracy --out DIR", true, 0xABC}; }
 
 TEST(AccuracyReport, FindsItsErrorsAgainWhateverThePrices) {
-    std::vector<AccuracyRow> rows = two_rows();
-    const std::string csv = accuracy_csv(rows);
-    rows[1].price.minimum_ns = 7;
-    EXPECT_FALSE(compare_errors("a.csv", csv, rows));
-    rows[1].errors.wrong_texels = 1;
-    const Status other = compare_errors("a.csv", csv, rows);
-    ASSERT_TRUE(other);
-    EXPECT_THAT(other->text(), HasSubstr("a.csv:3: expected room,random,--accuracy 0.5,0.5,4"));
-    EXPECT_THAT(compare_errors("a.csv", "scene,poses\n", rows)->text(), HasSubstr("expected the columns"));
-    EXPECT_THAT(compare_errors("a.csv", "", rows)->text(), HasSubstr("expected the columns"));
+    AccuracyScene scene = two_rows();
+    const auto report = read_accuracy_json("a.json", accuracy_json(some_run(), {scene}));
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    scene.rows[1].price.minimum_ns = 7;
+    EXPECT_FALSE(compare_errors("a.json", report.value().scenes, {scene}));
+    scene.rows[1].errors.wrong_texels = 1;
+    EXPECT_THAT(compare_errors("a.json", report.value().scenes, {scene})->text(),
+                HasSubstr("a.json: expected of room, random poses, --accuracy 0.5 the errors {"));
+    scene = two_rows();
+    scene.map_hash = 8;
+    EXPECT_THAT(compare_errors("a.json", report.value().scenes, {scene})->text(), HasSubstr("which was changed since"));
+    scene.name = "hall";
+    EXPECT_THAT(compare_errors("a.json", report.value().scenes, {scene})->text(), HasSubstr("expected the scene hall"));
+}
+
+TEST(AccuracyReport, IsReadAsItWasWritten) {
+    AccuracyScene scene = two_rows();
+    scene.rows[0].price.instructions = 13.25;
+    scene.rows[0].errors.mean = 1.0 / 3;
+    const auto report = read_accuracy_json("a.json", accuracy_json(some_run(), {scene}));
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    EXPECT_EQ(report.value().run.command, some_run().command);
+    EXPECT_EQ(report.value().run.program_hash, some_run().program_hash);
+    EXPECT_TRUE(report.value().run.is_quick);
+    EXPECT_EQ(report.value().scenes[0].rows[0].price.instructions, 13.25);
+    EXPECT_FALSE(report.value().scenes[0].rows[1].price.instructions);
+    EXPECT_EQ(accuracy_csv(report.value().scenes), accuracy_csv({scene}));
+}
+
+TEST(AccuracyReport, RefusesWhatIsNone) {
+    const std::string whole = accuracy_json(some_run(), {two_rows()});
+    std::string other = whole;
+    other.replace(other.find("0.5\","), 4, "0.7\",");
+    for (const std::string& text :
+         {std::string(), std::string("[]"), std::string(200'000, '['), other, whole.substr(0, whole.size() / 2)})
+        EXPECT_THAT(read_accuracy_json("a.json", text).error().text(), HasSubstr("a.json: expected a report.json"));
 }
 
 TEST(AccuracyReport, SaysWhichPromiseIsBroken) {
-    std::vector<AccuracyRow> rows = two_rows();
-    EXPECT_FALSE(check_promises(rows));
-    rows[1].errors.broken = 3;
-    EXPECT_EQ(check_promises(rows)->text(),
+    AccuracyScene scene = two_rows();
+    EXPECT_FALSE(check_promises({scene}));
+    scene.rows[1].errors.broken = 3;
+    EXPECT_EQ(check_promises({scene})->text(),
               "room, random poses, --accuracy 0.5: expected no texel to be off by more than 0.5; 3 are, by up to 0.5");
-    rows = two_rows();
-    rows[0].errors.written_more = 1;
-    EXPECT_THAT(check_promises(rows)->text(), HasSubstr("expected every pixel to be written once; 1 are not"));
-    rows = two_rows();
-    rows[0].errors.wrong_ids = 1;
-    EXPECT_THAT(check_promises(rows)->text(), HasSubstr("1 of 4 pixels show others"));
-    rows[0].setting.dials.links = 4;
-    EXPECT_FALSE(check_promises(rows));
+    scene = two_rows();
+    scene.rows[0].errors.written_more = 1;
+    EXPECT_THAT(check_promises({scene})->text(), HasSubstr("expected every pixel to be written once; 1 are not"));
+    scene = two_rows();
+    scene.rows[0].errors.wrong_ids = 1;
+    EXPECT_THAT(check_promises({scene})->text(), HasSubstr("1 of 4 pixels show others"));
+    scene.rows[0].setting.dials.links = 4;
+    EXPECT_FALSE(check_promises({scene}));
 }
 
 TEST(AccuracyReport, ShowsEachSettingOnce) {
-    std::vector<AccuracyRow> rows = two_rows(), more = two_rows();
-    rows.insert(rows.end(), more.begin(), more.end());
-    const std::string page = accuracy_page(rows, "enfilade accuracy");
-    EXPECT_THAT(page, HasSubstr("| `--accuracy 0.5` | 0.5 | 0 | 2.5e-01 | 5.0e-01 | 5.0e-01 |"));
+    const std::vector<AccuracyScene> scenes{two_rows(), two_rows()};
+    const std::string page = accuracy_page(scenes, "enfilade accuracy");
+    EXPECT_THAT(page, HasSubstr("| 0.5 | 5.0e-01 | 0 | 0.00 | not counted | 0.75 (0.50 to 1.00) |"));
+    EXPECT_THAT(page, HasSubstr("takes 75 % of the time of the exact one"));
     EXPECT_EQ(page.find("| `exact`"), page.rfind("| `exact`"));
-    EXPECT_THAT(accuracy_plot(rows, "a.svg"), HasSubstr("0.7500 5.0000e-01 \"--accuracy 0.5\" 0.5\n"));
+    EXPECT_THAT(accuracy_plot(scenes, "dir"), HasSubstr("0.7500 5.0000e-01 \"--accuracy 0.5\" 0.5\n"));
 }
 
 }  // namespace

@@ -33,14 +33,29 @@ TEST_F(Accuracy, WritesAReportAndFindsItsErrorsAgain) {
     ASSERT_EQ(accuracy({"map.toml", "--out", "report"}).exit_code, 0);
     EXPECT_THAT(program_.text("report/README.md"), HasSubstr("# What accuracy costs in time"));
     EXPECT_THAT(program_.text("report/accuracy.gp"), HasSubstr("set logscale y"));
-    std::string csv = program_.text("report/accuracy.csv");
-    EXPECT_THAT(csv, HasSubstr("\nmap,random,exact,0,"));
-    EXPECT_EQ(accuracy({"map.toml", "--verify", "report/accuracy.csv"}).exit_code, 0);
-    csv.replace(csv.find("exact,0,"), 8, "exact,0,1");
-    program_.write("other.csv", csv);
-    const Ended other = accuracy({"map.toml", "--verify", "other.csv"});
+    EXPECT_THAT(program_.text("report/accuracy.csv"), HasSubstr("\nmap,random,exact,0,"));
+    EXPECT_EQ(accuracy({"map.toml", "--verify", "report/report.json"}).exit_code, 0);
+    std::string report = program_.text("report/report.json");
+    report.replace(report.find("\"judged\": "), 10, "\"judged\": 1");
+    program_.write("other.json", report);
+    const Ended other = accuracy({"map.toml", "--verify", "other.json"});
     EXPECT_EQ(other.exit_code, 1);
-    EXPECT_THAT(other.err, HasSubstr("other.csv:2: expected map,random,exact,0,"));
+    EXPECT_THAT(other.err, HasSubstr("other.json: expected of map, random poses, exact the errors"));
+}
+
+TEST_F(Accuracy, GoesOnWhereItWasCutOff) {
+    program_.write("map.toml", test::kTwoRooms);
+    program_.write("more.toml", test::kTwoRooms);
+    ASSERT_EQ(accuracy({"map.toml", "--out", "report"}).exit_code, 0);
+    const auto times_of_map = [&] {
+        const std::string csv = program_.text("report/accuracy.csv");
+        return csv.substr(csv.find("\nmap,"), csv.find("\nmore,") - csv.find("\nmap,"));
+    };
+    const std::string before = times_of_map();
+    ASSERT_EQ(accuracy({"map.toml", "more.toml", "--out", "report", "--resume"}).exit_code, 0);
+    EXPECT_EQ(times_of_map() + "\n", before);
+    EXPECT_THAT(program_.text("report/report.json"), HasSubstr("\"name\": \"more\""));
+    EXPECT_THAT(accuracy({"map.toml", "--resume"}).err, HasSubstr("--resume: expected --out DIR"));
 }
 
 TEST_F(Accuracy, RefusesAMapWithErrorsAndWritesNothing) {

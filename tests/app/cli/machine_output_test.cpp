@@ -33,6 +33,13 @@ protected:
         return json::parse(ended.out, nullptr, false);
     }
 
+    /// The same of a file.
+    json read_file(const char* path, const std::string& schema) const {
+        Ended ended;
+        ended.out = program_.text(path);
+        return read(ended, schema);
+    }
+
     /// Makes the first room lower, which every frame shows.
     void repaint() const {
         std::string text = test::kTwoRooms;
@@ -149,6 +156,18 @@ TEST_F(MachineOutput, QuietSaysOnlyErrors) {
     const Ended bad = program_.run({"check", "bad.toml", "--quiet"});
     EXPECT_THAT(bad.out, HasSubstr("bad.toml:2:1: error: "));
     EXPECT_THAT(bad.out, Not(HasSubstr("warning")));
+}
+
+TEST_F(MachineOutput, OfAccuracyHasARowForEachSettingAndKindOfPoses) {
+    ASSERT_EQ(program_.run({"accuracy", "--quick", "map.toml", "--out", "report"}).exit_code, 0);
+    const json said = read_file("report/report.json", "accuracy");
+    ASSERT_EQ(said["scenes"].size(), 1u);
+    const json& rows = said["scenes"][0]["rows"];
+    EXPECT_EQ(rows[0]["setting"], "exact");
+    EXPECT_EQ(rows.size() % 2, 0u);
+    EXPECT_EQ(rows.front()["poses"], "random");
+    EXPECT_EQ(rows.back()["poses"], "lattice");
+    EXPECT_THAT(rows[1]["command"].get<std::string>(), HasSubstr(rows[1]["setting"].get<std::string>()));
 }
 
 }  // namespace
