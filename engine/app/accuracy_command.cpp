@@ -27,8 +27,8 @@ struct AccuracyPlan {
 constexpr std::uint64_t kSeed = 1;
 
 AccuracyPlan plan_of(bool is_quick) {
-    if (is_quick) return {2, 160, 100, 1, {3, 320, 200, false, {}}};
-    return {20, 320, 200, 4, {21, 1280, 800, is_installed("valgrind"), {}}};
+    if (is_quick) return {2, 160, 100, 1, {3, 320, 200, {}, {}}};
+    return {20, 320, 200, 4, {21, 1280, 800, {}, {}}};
 }
 
 /// Plain rooms, a palace, lamps, links that turn, and links without an end.
@@ -53,7 +53,13 @@ Result<AccuracyScene> measure_scene(const std::string& path, const AccuracyReque
     for (const std::string& folder : request.texture_folders)
         plan.price.map_options.insert(plan.price.map_options.end(), {"--textures", folder});
     const std::vector<AccuracySetting> settings = accuracy_settings(request.quick);
-    std::vector<View> timed = poses_in(map->map, PoseKind::random, plan.timed, kSeed);
+    const std::vector<View> timed = poses_in(map->map, PoseKind::random, plan.timed, kSeed);
+    if (!request.out.empty()) {
+        const std::string folder = request.out + "/views", file = folder + "/" + scene_name(path) + ".csv";
+        if (Status failed = make_folder(folder)) return *failed;
+        if (Status failed = write_file(file, views_csv(timed))) return *failed;
+        if (!request.quick && is_installed("valgrind")) plan.price.views_file = file;
+    }
     const auto prices = measure_prices(*map, timed, settings, plan.price);
     if (!prices.ok()) return prices.error();
     const auto bytes = read_file(path);

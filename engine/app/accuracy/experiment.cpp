@@ -78,4 +78,13 @@ std::vector<View> poses_in(const Map& map, PoseKind kind, std::size_t count, std
     return views;
 }
 
+std::string views_csv(const std::vector<View>& views) {
+    constexpr double kDegrees = 180 / 3.14159265358979323846;
+    std::string text = "x,y,z,yaw,pitch\n";
+    for (const View& view : views)
+        text += fmt::format("{},{},{},{},{}\n", view.eye.x, view.eye.y, view.eye_z, angle_of(view.forward).degrees(),
+                            std::atan(view.pitch_tangent) * kDegrees);
+    return text;
+}
+
 }  // namespace enfilade

@@ -39,4 +39,7 @@ std::string_view name_of(PoseKind kind);
 /// The same for the same seed.
 std::vector<View> poses_in(const Map& map, PoseKind kind, std::size_t count, std::uint64_t seed);
 
+/// A list of views as `bench` and `render` read it (maps/FORMAT.md).
+std::string views_csv(const std::vector<View>& views);
+
 }  // namespace enfilade

@@ -1,9 +1,11 @@
 // What each setting costs: time, in turn with all others, and instructions, which repeat.
 #include <algorithm>
+#include <thread>
 
 #include "app/accuracy/report.h"
 #include "app/bench.h"
 #include "app/messages.h"
+#include "base/parallel.h"
 #include "platform/clock.h"
 
 namespace enfilade {
@@ -52,22 +54,32 @@ AccuracyPrice price_of(Priced& priced, const Priced& exact, double pixels) {
             {}};
 }
 
+Result<double> count_of(const AccuracySetting& setting, const PricePlan& plan) {
+    const std::string subject = plan.map_options.front() + ":" + plan.views_file;
+    ChildBench bench{
+        {subject}, setting.options, 1, static_cast<std::size_t>(plan.width) * static_cast<std::size_t>(plan.height)};
+    bench.options.insert(bench.options.end(),
+                         {"--threads", "1", "--size", std::to_string(plan.width) + "x" + std::to_string(plan.height)});
+    bench.options.insert(bench.options.end(), plan.map_options.begin() + 1, plan.map_options.end());
+    return instructions_per_pixel(subject, bench);
+}
+
+/// What is counted does not depend on what else the machine does: as many at once as it can.
 Status count_for(const std::vector<AccuracySetting>& settings, const PricePlan& plan,
                  std::vector<AccuracyPrice>& prices) {
     Progress progress(settings.size(), "settings counted");
-    for (std::size_t s = 0; s < settings.size(); ++s) {
-        ChildBench bench{{plan.map_options.front()},
-                         settings[s].options,
-                         1,
-                         static_cast<std::size_t>(plan.width) * static_cast<std::size_t>(plan.height)};
-        bench.options.insert(bench.options.end(), {"--threads", "1", "--size",
-                                                   std::to_string(plan.width) + "x" + std::to_string(plan.height)});
-        bench.options.insert(bench.options.end(), plan.map_options.begin() + 1, plan.map_options.end());
-        const auto count = instructions_per_pixel(plan.map_options.front(), bench);
-        if (!count.ok()) return count.error();
-        prices[s].instructions = count.value();
-        progress.step(0);
-    }
+    std::vector<Status> failed(settings.size());
+    ThreadPool pool(std::max(1u, std::thread::hardware_concurrency()));
+    pool.run(settings.size(), [&](std::size_t s, std::size_t worker) {
+        const auto count = count_of(settings[s], plan);
+        if (count.ok())
+            prices[s].instructions = count.value();
+        else
+            failed[s] = count.error();
+        progress.step(worker);
+    });
+    for (Status& status : failed)
+        if (status) return std::move(status);
     return {};
 }
 
@@ -82,7 +94,9 @@ Result<std::vector<AccuracyPrice>> measure_prices(const OpenMap& map, const std:
     frame.resize(plan.width, plan.height);
     Progress progress((plan.rounds + 1) * settings.size(), "timings");
     for (std::size_t round = 0; round <= plan.rounds; ++round)
-        for (Priced& priced : all.value()) {
+        for (std::size_t turn = 0; turn < settings.size(); ++turn) {
+            // Another one begins each round: what is drawn before a picture warms or empties caches for it.
+            Priced& priced = all.value()[(turn + round) % settings.size()];
             const auto took = time_views(*priced.renderer, snapshot, views, frame);
             if (!took.ok()) return took.error();
             if (round > 0) priced.rounds_ns.push_back(took.value());  // the first one pays for memory that grows
@@ -91,7 +105,7 @@ Result<std::vector<AccuracyPrice>> measure_prices(const OpenMap& map, const std:
     std::vector<AccuracyPrice> prices;
     const double pixels = static_cast<double>(frame.pixels.size() * views.size());
     for (Priced& priced : all.value()) prices.push_back(price_of(priced, all.value().front(), pixels));
-    if (plan.counts_instructions)
+    if (!plan.views_file.empty())
         if (Status failed = count_for(settings, plan, prices)) return *failed;
     return prices;
 }

@@ -150,28 +150,38 @@ constexpr std::string_view kMeasures = R"(
 
 // The picture.
 
+/// Whether a setting has anything to do with where texels are.
+bool is_of_texels(const SettingSum& sum) {
+    return is_promise(sum) || sum.name.find("span=") != sum.name.npos || sum.name.find("number=") != sum.name.npos;
+}
+
+/// "span=8" of "--dial span=8".
+std::string short_name(const SettingSum& sum) { return sum.name.substr(sum.name.rfind(' ') + 1); }
+
+/// Price, largest error, promise or -1, and name.
 std::string plot_points(const std::string& name, const std::vector<SettingSum>& sums, bool is_counted) {
     std::string text = "$" + name + " << END\n";
     for (const SettingSum& sum : sums) {
         constexpr double kLeast = 1e-9;  // of the axis
-        text += fmt::format("{:.4f} {:.4e} \"{}\" {}\n", is_counted ? *sum.price.instructions : sum.ratio(),
-                            std::max(sum.errors.largest, kLeast), sum.name,
-                            sum.promise > 0 ? number_text(sum.promise) : "NaN");
+        if (!is_of_texels(sum)) continue;
+        text += fmt::format("{:.4f} {:.4e} {} \"{}\"\n", is_counted ? *sum.price.instructions : sum.ratio(),
+                            std::max(sum.errors.largest, kLeast), sum.promise > 0 ? number_text(sum.promise) : "-1",
+                            short_name(sum));
     }
     return text + "END\n";
 }
 
 std::string plot_of(const std::string& name) {
     return fmt::format(
-        "plot ${0} using 1:($4 > 0 ? $4 : NaN) with points pt 6 ps 1.4 lc rgb '#c03030' title 'promised', "
-        "${0} using 1:2 with points pt 7 ps 0.8 lc rgb '#204a87' title 'measured', "
-        "${0} using 1:2:3 with labels left offset 0.8,0 font 'sans,9' notitle, "
-        "1.0/512 with lines dt 2 lc rgb '#808080' title 'Direct3D: 8 bits of a texel', "
-        "0.01 with lines dt 3 lc rgb '#808080' title 'Vulkan, OpenGL ES: 1e-5 of 1024 texels'\n",
+        "plot 1.0/512 with lines dt 2 lc rgb '#808080' title 'Direct3D: 8 bits of a texel', "
+        "0.01 with lines dt 3 lc rgb '#808080' title 'Vulkan, OpenGL ES: 1e-5 of 1024 texels', "
+        "${0} using 1:($3 > 0 ? $3 : NaN) with points pt 6 ps 1.2 lc rgb '#c03030' title 'promised: no texel is off by "
+        "more', "
+        "${0} using 1:2 with points pt 7 ps 0.8 lc rgb '#204a87' title 'measured: the worst texel', "
+        "${0} using 1:($3 > 0 ? $3 : $2):4 with labels left offset 0.9,0 font 'sans,9' notitle\n",
         name);
 }
 
-/// A name without what gnuplot does not take.
 std::string plot_name(std::size_t scene) { return "scene_" + std::to_string(scene); }
 
 }  // namespace
@@ -224,9 +234,9 @@ std::string accuracy_plot(const std::vector<AccuracyScene>& scenes, const std::s
     std::string text = fmt::format(
         "set terminal svg size 900,560 font 'sans,12' background 'white'\nset output '{}/accuracy.svg'\nset logscale "
         "y\n"
-        "set logscale x\nset xlabel '{}'\nset ylabel 'largest texel error [texels]'\nset format y '10^{{%T}}'\nset "
+        "set xlabel '{}'\nset ylabel 'largest texel error [texels]'\nset format y '10^{{%T}}'\nset "
         "grid\n"
-        "set key outside below\nset offsets graph 0.05, graph 0.3, graph 0.05, graph 0.05\n",
+        "set key outside below left Left reverse\nset offsets graph 0.05, graph 0.15, graph 0.05, graph 0.05\n",
         folder, price);
     text += plot_points("all", sums, is_counted) + plot_of("all");
     const std::size_t rows = (scenes.size() + 1) / 2;

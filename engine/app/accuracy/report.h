@@ -36,7 +36,8 @@ struct AccuracyScene {
 struct PricePlan {
     std::size_t rounds = 1;                ///< >= 1
     int width = 1, height = 1;             ///< [px]
-    bool counts_instructions = false;      ///< by valgrind: fifty times as long
+    std::string views_file;                ///< with the views, for `bench`, where instructions are counted, too: that
+                                           ///< takes fifty times as long. Empty: they are not
     std::vector<std::string> map_options;  ///< of `bench`, for the scene: its file, and folders of pictures
 };
 

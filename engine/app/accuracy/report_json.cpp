@@ -66,7 +66,8 @@ Json json_of(const AccuracyPrice& price) {
 Json json_of(const AccuracyScene& scene) {
     Json rows = Json::array();
     for (const AccuracyRow& row : scene.rows) {
-        std::string command = "enfilade bench " + scene.name + ".toml --threads 1 --size 1280x800 --instructions";
+        std::string command =
+            fmt::format("enfilade bench {0}.toml:views/{0}.csv --threads 1 --size 1280x800 --instructions", scene.name);
         for (const std::string& option : row.setting.options) command += " " + option;
         rows.push_back({{"poses", name_of(row.poses)},
                         {"setting", name_of(row.setting)},

@@ -41,7 +41,8 @@ bool FlatPainter::is_exact_in(const ColumnScene& scene, int top, int bottom) con
 FlatPainter::RowDials FlatPainter::dials_at(const ColumnScene& scene, double depth) const {
     RowDials row;
     if (is_extended_) return row;
-    const double across = depth * texels_across_, most = 2 * scene.dials->dials.texel_error;
+    const double across = depth * texels_across_;
+    const double most = most_apart(scene.dials->dials, std::max(picture_.texture->width, picture_.texture->height));
     while (row.held < kMostHeld && across * (2 * row.held - 1) <= most && most > 0) row.held *= 2;
     if (scene.dials->mips) row.level = mip_level(std::max(across, depth * depth * texels_down_));
     return row;

@@ -50,7 +50,7 @@ bool WallPainter::may_any_be_alike(const ColumnScene& scene, const WallLooks& lo
     const Dials& dials = scene.dials->dials;
     if (!is_only_promise(dials)) return true;
     if (light_grid_) return false;
-    const double most = 2 * dials.texel_error / (u_per_along_ * texture_->width);
+    const double most = most_apart(dials, texture_->width) / (u_per_along_ * texture_->width);
     const auto along_at = [&](int x) {
         return hit(*looks.wall, scene.screen.slopes[static_cast<std::size_t>(x)]).along;
     };
@@ -119,11 +119,11 @@ WallPainter::ColumnTexels WallPainter::texels_in_span(const ColumnScene& scene, 
 /// in another light. Depth and place on a wall never turn back from column to column: those between are between.
 bool WallPainter::may_be_alike(const ColumnScene& scene, const ExactColumns& exact, ColumnGroup columns) const {
     const ColumnTexels a = exact.texels(columns.first), b = exact.texels(columns.last);
-    const double most = 2 * scene.dials->dials.texel_error;
+    const Dials& dials = scene.dials->dials;
     const double at_row_0 = a.v_at_row_0 - b.v_at_row_0;
     const double at_end = at_row_0 + scene.screen.height * (a.v_per_row - b.v_per_row);
-    return std::fabs(a.u - b.u) * texture_->width <= most &&
-           std::max(std::fabs(at_row_0), std::fabs(at_end)) * texture_->height <= most &&
+    return std::fabs(a.u - b.u) * texture_->width <= most_apart(dials, texture_->width) &&
+           std::max(std::fabs(at_row_0), std::fabs(at_end)) * texture_->height <= most_apart(dials, texture_->height) &&
            exact.shade(columns.first) == exact.shade(columns.last);
 }
 

@@ -57,6 +57,14 @@ void fill_alike(const ColumnRuns& runs, const int* like, const Fill& fill) {
     fill_rows([&](int i) { return like[i] == i ? bottom(i) : std::max(top(i), bottom(like[i])); }, bottom);
 }
 
+/// How far the first and the last of columns that are drawn alike may be apart on a picture with a side of so many
+/// texels: twice the promise, for they show what is between them, less what is lost where texels are read from the
+/// nearest of 2^32 places (render/shade.h) [texels]. Not above 0 where nothing is promised.
+constexpr double most_apart(const Dials& dials, std::uint32_t size) {
+    constexpr double kTwoPlaces = 0x1p-31;  // half a place for each of truth and picture, twice [tiles]
+    return 2 * dials.texel_error - size * kTwoPlaces;
+}
+
 /// Whether all that is asked is a promise: where nothing can be drawn alike, texels are then exact.
 constexpr bool is_only_promise(const Dials& dials) {
     return dials.span == 1 && dials.number == NumberKind::real64 && dials.sampling == Sampling::nearest;
