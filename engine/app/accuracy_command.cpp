@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/accuracy/crops.h"
 #include "app/accuracy/report.h"
 #include "app/child_program.h"
 #include "app/commands.h"
@@ -97,7 +98,17 @@ Status write_plot(const std::string& folder, const std::vector<AccuracyScene>& s
 
 std::string report_in(const std::string& folder) { return folder + "/report.json"; }
 
-Status write_report(const std::string& folder, const AccuracyRun& run, const std::vector<AccuracyScene>& scenes) {
+/// In the first of the maps.
+Status write_crops_of(const AccuracyRequest& request, const std::string& folder) {
+    const auto map =
+        open_map(request.maps.empty() ? shipped_scenes().front() : request.maps.front(), request.texture_folders, {});
+    ENFILADE_CHECK(map);  // it was measured
+    return write_crops(folder, *map, crop_settings());
+}
+
+Status write_report(const AccuracyRequest& request, const AccuracyRun& run, const std::vector<AccuracyScene>& scenes) {
+    const std::string& folder = request.out;
+    if (Status failed = write_crops_of(request, folder + "/crops")) return failed;
     if (Status failed = write_file(folder + "/accuracy.csv", accuracy_csv(scenes))) return failed;
     if (Status failed = write_file(folder + "/README.md", accuracy_page(scenes, run.command))) return failed;
     return write_plot(folder, scenes);
@@ -161,7 +172,7 @@ Status measure_accuracy(const AccuracyRequest& request) {
     if (Status failed = measure_scenes(request, run.value(), scenes.value())) return failed;
     print_text(stdout, accuracy_page(scenes.value(), run.value().command));
     if (!request.out.empty())
-        if (Status failed = write_report(request.out, run.value(), scenes.value())) return failed;
+        if (Status failed = write_report(request, run.value(), scenes.value())) return failed;
     if (Status broken = check_promises(scenes.value())) return broken;
     return request.verify.empty() ? Status() : verify(request.verify, scenes.value());
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/accuracy/crops.h"
 #include "app/accuracy/report.h"
 #include "app/accuracy/true_texels.h"
 #include "render/reference/reference_renderer.h"
@@ -137,6 +138,36 @@ TEST(MeasureErrors, CountsWhatRoundingAddsToAPromise) {
     ASSERT_TRUE(errors.ok());
     EXPECT_EQ(errors.value()[0].broken, 0u);
     EXPECT_GT(errors.value()[0].largest, 0.4);
+}
+
+TEST(ErrorColor, GrowsBrighter) {
+    EXPECT_EQ(error_color({}), 0xFF204020u);
+    EXPECT_EQ(error_color(0), 0xFF000000u);
+    EXPECT_EQ(error_color(1e-6), 0xFF000000u);
+    EXPECT_EQ(error_color(10), 0xFFFFFFFFu);
+    EXPECT_EQ(error_color(1e9), 0xFFFFFFFFu);
+    int before = -1;
+    for (const double error : {1e-6, 1e-4, 1e-2, 0.5, 9.0}) {
+        const std::uint32_t color = error_color(error);
+        const int sum = static_cast<int>((color & 0xFF) + (color >> 8 & 0xFF) + (color >> 16 & 0xFF));
+        EXPECT_GT(sum, before) << error;
+        before = sum;
+    }
+}
+
+// A promise is kept in every pixel of a picture, and made use of in some.
+TEST(JudgePictures, SaysHowFarEachPixelIsOff) {
+    const OpenMap map = shipped("rooms.toml");
+    const View view = poses_in(map.map, PoseKind::random, 1, 5).front();
+    const auto pictures = judge_pictures(map, view, {AccuracySetting(), promise_of(2)}, 160, 100);
+    ASSERT_TRUE(pictures.ok());
+    std::size_t used = 0;
+    for (std::size_t i = 0; i < 160u * 100; ++i) {
+        EXPECT_LT(pictures.value()[0].errors[i].value_or(0), 1e-6);
+        EXPECT_LE(pictures.value()[1].errors[i].value_or(0), 2);
+        used += pictures.value()[1].errors[i].value_or(0) > 0.5;
+    }
+    EXPECT_GT(used, 100u);
 }
 
 AccuracyScene two_rows() {

@@ -252,4 +252,21 @@ Result<std::vector<AccuracyErrors>> measure_errors(const OpenMap& map, const std
     return errors;
 }
 
+Result<std::vector<JudgedPicture>> judge_pictures(const OpenMap& map, const View& view,
+                                                  const std::vector<AccuracySetting>& settings, int width, int height) {
+    auto renderers = renderers_for(map, settings);
+    if (!renderers.ok()) return renderers.error();
+    LightGrids lights(map.map);
+    const Scene scene{map, at_rest(map.map), lights, width, height};
+    const std::vector<TrueTexel> texels = true_texels(scene, view);
+    std::vector<JudgedPicture> pictures;
+    for (const std::unique_ptr<Renderer>& renderer : renderers.value()) {
+        FrameFacts facts;
+        JudgedPicture picture{picture_of(*renderer, &facts, scene, view), {}};
+        for (std::size_t i = 0; i < texels.size(); ++i) picture.errors.push_back(error_at(map, texels[i], facts, i));
+        pictures.push_back(std::move(picture));
+    }
+    return pictures;
+}
+
 }  // namespace enfilade

@@ -1,6 +1,7 @@
 // How far what is drawn is from the truth: surfaces, texels, colours, and how they flicker when the eye moves.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "app/accuracy/experiment.h"
@@ -32,6 +33,16 @@ inline constexpr double kNoNoise = 999;
 /// it is. By setting; an error where a renderer cannot be made.
 Result<std::vector<AccuracyErrors>> measure_errors(const OpenMap& map, const std::vector<View>& views,
                                                    const std::vector<AccuracySetting>& settings, int width, int height);
+
+/// A picture, and how far the texel of each pixel is off.
+struct JudgedPicture {
+    Frame frame;
+    std::vector<std::optional<double>> errors;  ///< by pixel; none where it is not judged [texels]
+};
+
+/// One view by every setting.
+Result<std::vector<JudgedPicture>> judge_pictures(const OpenMap& map, const View& view,
+                                                  const std::vector<AccuracySetting>& settings, int width, int height);
 
 /// How alike two pictures of a size look, up to 1: the mean over squares of 8 x 8 pixels of their brightness (Zhou Wang
 /// et al., "Image Quality Assessment: From Error Visibility to Structural Similarity", 2004). Sides >= 8.

@@ -12,7 +12,16 @@
 #include "space/trace.h"
 
 namespace enfilade {
-namespace {
+std::vector<AccuracySetting> accuracy_settings(bool is_quick) {
+    std::vector<AccuracySetting> settings{{{}, {}, 0}};
+    for (const double texels : {1e-6, 1e-4, 0.01, 0.1, 0.25, 0.5, 1.0, 4.0}) settings.push_back(promise_of(texels));
+    for (const char* dial : {"span=4", "span=8", "span=16", "span=32", "number=float", "number=fixed", "number=vanilla",
+                             "sampling=mip", "samples=2", "samples=4", "light=bands", "light=smooth", "links=4"})
+        settings.push_back(dial_of(dial));
+    if (is_quick)
+        std::erase_if(settings, [](const AccuracySetting& s) { return s.dials.samples > 2 || s.promise == 1e-4; });
+    return settings;
+}
 
 AccuracySetting promise_of(double texels) {
     AccuracySetting setting{{"--accuracy", number_text(texels)}, {}, texels};
@@ -24,19 +33,6 @@ AccuracySetting dial_of(const std::string& text) {
     AccuracySetting setting{{"--dial", text}, {}, 0};
     ENFILADE_CHECK(!set_dial(setting.dials, text));
     return setting;
-}
-
-}  // namespace
-
-std::vector<AccuracySetting> accuracy_settings(bool is_quick) {
-    std::vector<AccuracySetting> settings{{{}, {}, 0}};
-    for (const double texels : {1e-6, 1e-4, 0.01, 0.1, 0.25, 0.5, 1.0, 4.0}) settings.push_back(promise_of(texels));
-    for (const char* dial : {"span=4", "span=8", "span=16", "span=32", "number=float", "number=fixed", "number=vanilla",
-                             "sampling=mip", "samples=2", "samples=4", "light=bands", "light=smooth", "links=4"})
-        settings.push_back(dial_of(dial));
-    if (is_quick)
-        std::erase_if(settings, [](const AccuracySetting& s) { return s.dials.samples > 2 || s.promise == 1e-4; });
-    return settings;
 }
 
 RendererChoice one_thread(const Dials& dials) {

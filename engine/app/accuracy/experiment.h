@@ -23,6 +23,12 @@ struct AccuracySetting {
 /// is_quick : fewer of them
 std::vector<AccuracySetting> accuracy_settings(bool is_quick);
 
+/// By a promise [texels].
+AccuracySetting promise_of(double texels);
+
+/// By one dial, as set_dial() takes it.
+AccuracySetting dial_of(const std::string& text);
+
 /// The column renderer on one thread.
 RendererChoice one_thread(const Dials& dials);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/accuracy/crops.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {
@@ -219,6 +220,13 @@ std::string accuracy_page(const std::vector<AccuracyScene>& scenes, const std::s
         "|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const SettingSum& sum : sums)
         if (sum.name == "exact" || !is_promise(sum)) text += dial_line(sum);
+    text +=
+        "\n## What it looks like\n\nA part of the first map, enlarged, and how far each texel of it is off: black up "
+        "to "
+        "1e-6, blue from 1e-4, red from 0.01, yellow from 0.3, white from 10 texels on; green where there is none to "
+        "tell.\n\n| setting | |\n|---|---|\n";
+    for (const AccuracySetting& setting : crop_settings())
+        text += fmt::format("| `{}` | ![{}](crops/{}.png) |\n", name_of(setting), name_of(setting), crop_name(setting));
     text += "\n" + totals_of(scenes) + std::string(kMeasures) +
             "\n## Scenes\n\n![Each scene](scenes.svg)\n\nWritten by `" + command + "`, on " +
             std::to_string(scenes.size()) + " maps:";

@@ -33,6 +33,7 @@ TEST_F(Accuracy, WritesAReportAndFindsItsErrorsAgain) {
     ASSERT_EQ(accuracy({"map.toml", "--out", "report"}).exit_code, 0);
     EXPECT_THAT(program_.text("report/README.md"), HasSubstr("# What accuracy costs in time"));
     EXPECT_THAT(program_.text("report/accuracy.gp"), HasSubstr("set logscale y"));
+    EXPECT_TRUE(program_.exists("report/crops/span-16.png"));
     EXPECT_THAT(program_.text("report/accuracy.csv"), HasSubstr("\nmap,random,exact,0,"));
     EXPECT_EQ(accuracy({"map.toml", "--verify", "report/report.json"}).exit_code, 0);
     std::string report = program_.text("report/report.json");
