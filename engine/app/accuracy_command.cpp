@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/accuracy/crops.h"
+#include "app/accuracy/entries.h"
 #include "app/accuracy/report.h"
 #include "app/child_program.h"
 #include "app/commands.h"
@@ -38,6 +39,10 @@ std::vector<std::string> shipped_scenes() {
     for (const char* name : {"rooms.toml", "enfilade.toml", "hut.toml", "quarter_turn.toml", "facing_doors.toml"})
         scenes.push_back(shipped_map(name));
     return scenes;
+}
+
+std::vector<std::string> maps_of(const AccuracyRequest& request) {
+    return request.maps.empty() ? shipped_scenes() : request.maps;
 }
 
 std::string scene_name(const std::string& path) {
@@ -100,8 +105,7 @@ std::string report_in(const std::string& folder) { return folder + "/report.json
 
 /// In the first of the maps.
 Status write_crops_of(const AccuracyRequest& request, const std::string& folder) {
-    const auto map =
-        open_map(request.maps.empty() ? shipped_scenes().front() : request.maps.front(), request.texture_folders, {});
+    const auto map = open_map(maps_of(request).front(), request.texture_folders, {});
     ENFILADE_CHECK(map);  // it was measured
     return write_crops(folder, *map, crop_settings());
 }
@@ -145,7 +149,7 @@ bool is_among(const std::vector<AccuracyScene>& scenes, const std::string& path)
 
 /// Adds what is not there yet, and keeps each scene as soon as it is measured.
 Status measure_scenes(const AccuracyRequest& request, const AccuracyRun& run, std::vector<AccuracyScene>& scenes) {
-    for (const std::string& path : request.maps.empty() ? shipped_scenes() : request.maps) {
+    for (const std::string& path : maps_of(request)) {
         if (is_among(scenes, path)) continue;
         auto scene = measure_scene(path, request);
         if (!scene.ok()) return scene.error();
@@ -163,7 +167,49 @@ Status verify(const std::string& path, const std::vector<AccuracyScene>& scenes)
     return compare_errors(path, report.value().scenes, scenes);
 }
 
+/// Poses of both kinds, first those anywhere.
+std::vector<View> views_to_export(const Map& map, std::size_t poses) {
+    std::vector<View> views;
+    for (const PoseKind kind : kPoseKinds) {
+        const std::vector<View> some = poses_in(map, kind, poses, kSeed);
+        views.insert(views.end(), some.begin(), some.end());
+    }
+    return views;
+}
+
+std::string score_line(const std::string& scene, const EntryScore& score) {
+    std::string wrong = "no pictures of them";
+    if (score.judged_ids > 0)
+        wrong =
+            fmt::format("{:.1f}", 1e6 * static_cast<double>(score.wrong_ids) / static_cast<double>(score.judged_ids));
+    return fmt::format("| {} | {:.2f} | {:.4f} | {} |\n", scene, score.psnr, score.ssim, wrong);
+}
+
+/// What --export and --score do with one map.
+Status exchange_scene(const std::string& path, const AccuracyRequest& request) {
+    const auto map = open_map(path, request.texture_folders, {});
+    if (!map) return Error{path, "expected a map without errors; see above"};
+    const AccuracyPlan plan = plan_of(request.quick);
+    const std::vector<View> views = views_to_export(map->map, plan.poses);
+    const std::string& folder = request.score.empty() ? request.export_to : request.score;
+    const EntryPlan entry{folder + "/" + scene_name(path), views, plan.width, plan.height};
+    if (request.score.empty()) return export_truth(entry, *map);
+    const auto score = score_entry(entry, *map);
+    if (!score.ok()) return score.error();
+    print_text(stdout, score_line(scene_name(path), score.value()));
+    return {};
+}
+
+Status exchange(const AccuracyRequest& request) {
+    if (!request.score.empty())
+        print_text(stdout, "| scene | noise [dB] | likeness | wrong surfaces [of a million] |\n|---|---|---|---|\n");
+    for (const std::string& path : maps_of(request))
+        if (Status failed = exchange_scene(path, request)) return failed;
+    return {};
+}
+
 Status measure_accuracy(const AccuracyRequest& request) {
+    if (!request.score.empty() || !request.export_to.empty()) return exchange(request);
     if (request.resume && request.out.empty()) return Error{"--resume", "expected --out DIR, where the report is"};
     const auto run = run_of(request);
     if (!run.ok()) return run.error();

@@ -393,6 +393,17 @@ CLI::App* declare_accuracy(CLI::App& enfilade, AccuracyRequest& request) {
         ->add_option("--verify", request.verify,
                      "The report.json of an earlier run: fail unless its errors are found again")
         ->type_name("FILE.json");
+    command
+        ->add_option("--export", request.export_to,
+                     "Measure nothing: write views, and true colours and surfaces as pictures, for other renderers to "
+                     "be held against")
+        ->type_name("DIR");
+    command
+        ->add_option("--score", request.score,
+                     "Measure nothing: hold pictures of those views against the true ones, in folders as --export "
+                     "writes them")
+        ->type_name("DIR")
+        ->excludes("--export");
     command->add_flag("--resume", request.resume, "Go on with the report in --out, where it was cut off");
     declare_textures(*command, request.texture_folders);
     command->footer(

@@ -76,6 +76,7 @@ struct BenchRequest {
 struct AccuracyRequest {
     std::vector<std::string> maps;  ///< empty: the shipped scenes
     std::string out, verify;        ///< empty where not given
+    std::string export_to, score;   ///< folders of pictures; empty where not given
     std::vector<std::string> texture_folders;
     bool quick = false, resume = false;
 };

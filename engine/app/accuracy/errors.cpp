@@ -123,17 +123,6 @@ Truth truth_of(const Scene& scene, const MovingView& view, Renderer& exact, Rend
 
 int channel(std::uint32_t color, int shift) { return static_cast<int>(color >> shift & 0xFF); }
 
-/// Summed over pixels and channels.
-double squared_change(const Frame& from, const Frame& to) {
-    std::int64_t sum = 0;
-    for (std::size_t i = 0; i < from.pixels.size(); ++i)
-        for (const int shift : {0, 8, 16}) {
-            const int apart = channel(to.pixels[i], shift) - channel(from.pixels[i], shift);
-            sum += apart * apart;
-        }
-    return static_cast<double>(sum);
-}
-
 std::uint32_t texel_under(double tiles, std::uint32_t size) { return texel_of(place_on_tile(tiles), size); }
 
 bool is_other_texel(const TrueTexel& truth, TexelPosition drawn, const Texture& picture) {
@@ -180,8 +169,7 @@ AccuracyErrors errors_of(Tally& tally, const Tally& smooth) {
         errors.per_mille = double(all[all.size() * 999 / 1000]);
         errors.largest = double(all.back());
     }
-    const double values = 3 * static_cast<double>(errors.pixels);
-    errors.psnr = tally.squared_color == 0 ? kNoNoise : 10 * std::log10(255.0 * 255.0 * values / tally.squared_color);
+    errors.psnr = signal_to_noise(tally.squared_color, errors.pixels);
     errors.ssim = tally.ssim / static_cast<double>(tally.views);
     errors.shimmer_turned = change_ratio(tally.turned, smooth.turned);
     errors.shimmer_stepped = change_ratio(tally.stepped, smooth.stepped);
@@ -213,6 +201,21 @@ double square_similarity(const Frame& a, const Frame& b, int left, int top) {
 }
 
 }  // namespace
+
+double squared_change(const Frame& from, const Frame& to) {
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < from.pixels.size(); ++i)
+        for (const int shift : {0, 8, 16}) {
+            const int apart = channel(to.pixels[i], shift) - channel(from.pixels[i], shift);
+            sum += apart * apart;
+        }
+    return static_cast<double>(sum);
+}
+
+double signal_to_noise(double squared, std::uint64_t pixels) {
+    constexpr double kPeak = 255, kColors = 3;
+    return squared == 0 ? kNoNoise : 10 * std::log10(kPeak * kPeak * kColors * static_cast<double>(pixels) / squared);
+}
 
 double structural_similarity(const Frame& a, const Frame& b) {
     ENFILADE_CHECK(a.width == b.width && a.height == b.height && a.width >= 8 && a.height >= 8);

@@ -44,6 +44,12 @@ struct JudgedPicture {
 Result<std::vector<JudgedPicture>> judge_pictures(const OpenMap& map, const View& view,
                                                   const std::vector<AccuracySetting>& settings, int width, int height);
 
+/// From one picture to another of the same size: the squares of what changes, summed over pixels and channels.
+double squared_change(const Frame& from, const Frame& to);
+
+/// Peak signal to noise of so many pixels [dB]; kNoNoise where nothing changes.
+double signal_to_noise(double squared_change, std::uint64_t pixels);
+
 /// How alike two pictures of a size look, up to 1: the mean over squares of 8 x 8 pixels of their brightness (Zhou Wang
 /// et al., "Image Quality Assessment: From Error Visibility to Structural Similarity", 2004). Sides >= 8.
 double structural_similarity(const Frame& a, const Frame& b);

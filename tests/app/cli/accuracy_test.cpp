@@ -59,6 +59,23 @@ TEST_F(Accuracy, GoesOnWhereItWasCutOff) {
     EXPECT_THAT(accuracy({"map.toml", "--resume"}).err, HasSubstr("--resume: expected --out DIR"));
 }
 
+TEST_F(Accuracy, ScoresPicturesOfOthers) {
+    program_.write("map.toml", test::kTwoRooms);
+    ASSERT_EQ(accuracy({"map.toml", "--export", "truth"}).exit_code, 0);
+    EXPECT_THAT(program_.text("truth/map/views.csv"), HasSubstr("x,y,z,yaw,pitch\n"));
+    EXPECT_THAT(accuracy({"map.toml", "--score", "truth"}).out, HasSubstr("\n| map | 999.00 | 1.0000 | 0.0 |\n"));
+    const Ended drawn = program_.run({"render", "map.toml", "--views", "truth/map/views.csv", "--size", "160x100",
+                                      "--out", "mine/map/colors", "--ids", "mine/map/ids"});
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    const Ended scored = accuracy({"map.toml", "--score", "mine"});
+    EXPECT_THAT(scored.out, HasSubstr(" | 0.0 |\n"));
+    EXPECT_EQ(scored.out.find("999.00"), scored.out.npos);
+    program_.write("mine/map/colors/000001.png", "no picture");
+    EXPECT_THAT(accuracy({"map.toml", "--score", "mine"}).err, HasSubstr("mine/map/colors/000001.png"));
+    EXPECT_EQ(accuracy({"map.toml", "--score", "nobody"}).exit_code, 1);
+    EXPECT_EQ(accuracy({"map.toml", "--score", "mine", "--export", "truth"}).exit_code, 2);
+}
+
 TEST_F(Accuracy, RefusesAMapWithErrorsAndWritesNothing) {
     program_.write("broken.toml", "format = 1\n");
     const Ended ended = accuracy({"broken.toml", "--out", "report"});
