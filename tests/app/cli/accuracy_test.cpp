@@ -1,6 +1,8 @@
 // `enfilade accuracy` from outside.
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "app/cli/program.h"
 
 namespace enfilade {
@@ -57,6 +59,37 @@ TEST_F(Accuracy, GoesOnWhereItWasCutOff) {
     EXPECT_EQ(times_of_map() + "\n", before);
     EXPECT_THAT(program_.text("report/report.json"), HasSubstr("\"name\": \"more\""));
     EXPECT_THAT(accuracy({"map.toml", "--resume"}).err, HasSubstr("--resume: expected --out DIR"));
+}
+
+constexpr const char* kPlain = R"(format = 1
+name = "Plain"
+
+[player]
+sector = "plain"
+x = 2
+y = 3
+
+[[sectors]]
+name = "plain"
+floor = { z = 0, texture = "boards" }
+ceiling = { z = 300, texture = "boards" }
+[[sectors.loops]]
+v = [0, 0,  4000, 0,  4000, 4000,  0, 4000]
+walls = [{ texture = "boards" }, { texture = "boards" }, { texture = "boards" }, { texture = "boards" }]
+)";
+
+// Four kilometres of planks: exact is as exact there.
+TEST_F(Accuracy, IsExactUpToTheHorizon) {
+    program_.write("plain.toml", kPlain);
+    const Ended ended = accuracy({"plain.toml", "--textures", ENFILADE_SOURCE_DIR "/maps/textures", "--out", "report"});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    const nlohmann::json report = nlohmann::json::parse(program_.text("report/report.json"));
+    for (const nlohmann::json& row : report["scenes"][0]["rows"]) {
+        if (row["setting"] != "exact") continue;
+        EXPECT_LT(row["errors"]["largest"], 1e-5);
+        EXPECT_GT(row["errors"]["judged"], 10'000);
+        EXPECT_EQ(row["errors"]["wrong_ids"], 0);
+    }
 }
 
 TEST_F(Accuracy, ScoresPicturesOfOthers) {
