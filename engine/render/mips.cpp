@@ -1,6 +1,7 @@
 #include "render/mips.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "render/supersample.h"
 
@@ -51,6 +52,16 @@ const Texture& MipChains::at(const Texture& picture, int level) const {
     const auto& smaller = smaller_[static_cast<std::size_t>(&picture - textures_.textures.data())];
     if (smaller.empty()) return picture;
     return smaller[std::min(static_cast<std::size_t>(level), smaller.size()) - 1];
+}
+
+MipPlace mip_place(double texels_per_pixel) {
+    constexpr int kMantissaBits = 23, kBias = 127, kMostLevel = 31;
+    const auto number = static_cast<float>(texels_per_pixel);
+    if (!(number > 1)) return {};
+    const auto bits = std::bit_cast<std::uint32_t>(number);
+    const int level = static_cast<int>(bits >> kMantissaBits) - kBias;
+    if (level >= kMostLevel) return {kMostLevel, 0};
+    return {level, bits >> (kMantissaBits - kBlendBits) & (kBlendParts - 1)};
 }
 
 int mip_level(double texels_per_pixel) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace enfilade {
 namespace {
 
@@ -67,6 +69,25 @@ TEST(MipChains, TakeTheColorTablesNearestColors) {
     const Texture& half = mips.at(set.textures[0], 1);
     EXPECT_EQ(half.pixels, std::vector{0xFFB0B0B0u});
     EXPECT_EQ(half.numbers, std::vector<std::uint8_t>{1});
+}
+
+TEST(MipPlace, GoesStraightFromEachLevelToTheNext) {
+    const auto expect = [](double texels_per_pixel, int level, std::uint32_t part) {
+        const MipPlace place = mip_place(texels_per_pixel);
+        EXPECT_EQ(place.level, level) << texels_per_pixel;
+        EXPECT_EQ(place.part, part) << texels_per_pixel;
+    };
+    expect(0, 0, 0);
+    expect(0.9, 0, 0);
+    expect(1, 0, 0);
+    expect(1.5, 0, 128);
+    expect(1.999, 0, 255);
+    expect(2, 1, 0);
+    expect(2 * (1 - 1e-12), 1, 0);  // rounded as other ways of computing it would be
+    expect(3, 1, 128);
+    expect(40, 5, 64);
+    expect(1e300, 31, 0);
+    expect(std::numeric_limits<double>::infinity(), 31, 0);
 }
 
 TEST(MipLevel, MakesTexelsAboutAsLargeAsPixels) {
