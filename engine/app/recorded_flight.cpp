@@ -26,7 +26,7 @@ FrameTaker stepping(Progress& progress, const FrameTaker& take = {}) {
 }
 
 Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPlan& plan, int number) {
-    const Dials dials = kind == plan.renderer ? plan.dials : dials_of_all_renderers(plan.dials);
+    const Dials dials = dials_for(kind, plan.dials);
     const auto renderer = make_renderer({kind, dials, plan.workers, plan.open_gl}, scene.map, scene.textures);
     if (!renderer.ok()) return renderer.error();
     Frame frame;
@@ -101,7 +101,7 @@ Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan&
     std::vector<CheckTools> tools(plan.workers);
     for (CheckTools& own : tools) {
         auto renderer =
-            make_renderer({other, dials_of_all_renderers(plan.dials), 1, plan.open_gl}, scene.map, scene.textures);
+            make_renderer({other, dials_for(other, plan.dials), 1, plan.open_gl}, scene.map, scene.textures);
         if (!renderer.ok()) return renderer.error();
         own.renderer = std::move(renderer).value();
     }

@@ -1,6 +1,7 @@
 #include "flight/renderer.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "formats/text_parts.h"
 #include "formats/words.h"
@@ -66,12 +67,17 @@ private:
 
 class Reference final : public Renderer {
 public:
-    Reference(const Map& map, const TextureSet& textures, std::size_t threads)
-        : map_(map), textures_(textures), threads_(threads), lights_(map) {}
+    Reference(const Map& map, const TextureSet& textures, std::size_t threads, Sampling sampling)
+        : map_(map), textures_(textures), threads_(threads), lights_(map), sampling_(sampling) {
+        if (needs_smaller_pictures(sampling)) mips_.emplace(textures);
+    }
 
     Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
         render_reference(frame, facts, map_, textures_, snapshot, view,
-                         {.workers = static_cast<int>(threads_), .lights = &lights_});
+                         {.workers = static_cast<int>(threads_),
+                          .lights = &lights_,
+                          .sampling = sampling_,
+                          .mips = mips_ ? &*mips_ : nullptr});
         return {};
     }
 
@@ -80,6 +86,8 @@ private:
     const TextureSet& textures_;
     std::size_t threads_;
     LightGrids lights_;
+    Sampling sampling_;
+    std::optional<MipChains> mips_;  ///< where it needs them
 };
 
 class Stencil final : public Renderer {
@@ -128,7 +136,7 @@ Result<std::unique_ptr<Renderer>> make_plain(const RendererChoice& choice, const
         case RendererKind::stencil: return make_stencil(map, textures, choice.open_gl);
         case RendererKind::reference: break;
     }
-    return std::unique_ptr<Renderer>(std::make_unique<Reference>(map, textures, choice.threads));
+    return std::unique_ptr<Renderer>(std::make_unique<Reference>(map, textures, choice.threads, choice.dials.sampling));
 }
 
 /// Lets another renderer draw a larger picture, and takes means.
@@ -226,18 +234,22 @@ Result<RendererKind> parse_renderer(const std::string& name) {
 
 std::string name_of(RendererKind kind) { return std::string(to_word(kind)); }
 
-Dials dials_of_all_renderers(const Dials& dials) {
-    Dials shared;
-    shared.samples = dials.samples;
-    shared.light = dials.light;
-    shared.links = dials.links;
-    return shared;
+Dials dials_for(RendererKind kind, const Dials& dials) {
+    if (kind == RendererKind::column) return dials;
+    Dials some;
+    some.samples = dials.samples;
+    some.light = dials.light;
+    some.links = dials.links;
+    if (kind == RendererKind::reference) some.sampling = dials.sampling;
+    return some;
 }
 
 Status check_dials(RendererKind kind, const Dials& dials) {
-    if (kind != RendererKind::column && dials != dials_of_all_renderers(dials))
-        return Error{"", "only the column renderer draws texels by " + to_text(dials) + "; the " + name_of(kind) +
-                             " renderer has the dials samples, light and links"};
+    if (dials != dials_for(kind, dials))
+        return Error{"", "the " + name_of(kind) + " renderer cannot draw by " + to_text(dials) +
+                             "; it has the dials samples, light" +
+                             (kind == RendererKind::reference ? ", links and sampling" : " and links") +
+                             ", and the column renderer has all"};
     if (dials.texel_error > 0 && (dials.span > 1 || dials.number != NumberKind::real64))
         return Error{"", "an accuracy is a promise that span and number would break; expected it without them, found " +
                              to_text(dials)};

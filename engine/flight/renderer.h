@@ -56,18 +56,17 @@ public:
 /// How pictures are drawn.
 struct RendererChoice {
     RendererKind kind = RendererKind::column;
-    /// Where a pixel has several samples, its facts are those of its middle. Dials of texels are the column renderer's.
+    /// Where a pixel has several samples, its facts are those of its middle.
     Dials dials;
     std::size_t threads = 1;  ///< that may draw one picture together, >= 1: it does not depend on them
     GlContextOpener open_gl;  ///< asked for an OpenGL context where the kind is drawn by one, and by no other
 };
 
-/// An error where only the column renderer has dials that are set, or where a promise stands beside dials that break
-/// it.
+/// An error where dials are set that this renderer has not, or where a promise stands beside dials that break it.
 Status check_dials(RendererKind kind, const Dials& dials);
 
-/// Those that every renderer has: what a picture is compared with is drawn by them.
-Dials dials_of_all_renderers(const Dials& dials);
+/// Those that this renderer has, the others as usual: what a picture is compared with is drawn by them.
+Dials dials_for(RendererKind kind, const Dials& dials);
 
 /// map, textures: outlive it, and stay as they are.
 /// An error where there is no such context, or none that will do, and where check_dials() has one.

@@ -19,11 +19,22 @@ enum class NumberKind : std::uint8_t {
     vanilla,  ///< by Doom's tables and formulas of 1993, for comparison
 };
 
-/// Which texel a pixel shows.
+/// Which texels a pixel shows (render/texel_blend.h).
 enum class Sampling : std::uint8_t {
-    nearest,  ///< the one at its middle, of the picture as painted: the default
-    mip,      ///< the one at its middle, of the picture made smaller until its texels are about as large as pixels
+    nearest,    ///< the one at its middle, of the picture as painted: the default
+    mip,        ///< the one at its middle, of the picture made smaller until its texels are about as large as pixels
+    bilinear,   ///< the four around its middle, of the picture as painted, blended by how near they are
+    trilinear,  ///< the four around its middle in each of two pictures made smaller, with texels not larger and not
+                ///< smaller than pixels, blended
 };
+
+/// Whether a pixel shows more than one texel.
+constexpr bool is_blend(Sampling sampling) { return sampling == Sampling::bilinear || sampling == Sampling::trilinear; }
+
+/// Whether distant pictures are made smaller.
+constexpr bool needs_smaller_pictures(Sampling sampling) {
+    return sampling == Sampling::mip || sampling == Sampling::trilinear;
+}
 
 /// How light falls off.
 enum class LightSteps : std::uint8_t {

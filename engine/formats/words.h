@@ -168,6 +168,8 @@ constexpr std::string_view to_word(Sampling value) {
     switch (value) {
         case Sampling::nearest: return "nearest";
         case Sampling::mip: return "mip";
+        case Sampling::bilinear: return "bilinear";
+        case Sampling::trilinear: return "trilinear";
     }
     return {};
 }

@@ -45,11 +45,12 @@ TEST(ParseRenderer, RefusesOtherNamesAndTellsTheRightOnes) {
 
 class RendererInHall : public ::testing::Test {
 protected:
-    Frame picture(RendererKind kind, std::size_t threads, int samples = 1) {
+    Frame picture(RendererKind kind, std::size_t threads, int samples = 1, Sampling sampling = Sampling::nearest) {
         Frame frame;
         frame.resize(64, 40);
-        auto renderer =
-            std::move(make_renderer({kind, Dials{.samples = samples}, threads, no_gl}, map_, textures_)).value();
+        auto renderer = std::move(make_renderer({kind, Dials{.sampling = sampling, .samples = samples}, threads, no_gl},
+                                                map_, textures_))
+                            .value();
         EXPECT_FALSE(renderer->render(frame, nullptr, at_rest(map_), view()));
         viewports_ = renderer->viewports();
         return frame;
@@ -88,6 +89,29 @@ TEST_F(RendererInHall, GivesAPixelTheMeanOfItsSamplesAsTheReferenceDoes) {
         EXPECT_EQ(picture(RendererKind::column, 1, samples).pixels, expected.pixels) << samples;
     }
     EXPECT_NE(picture(RendererKind::column, 1, 2).pixels, picture(RendererKind::column, 1).pixels);
+}
+
+TEST_F(RendererInHall, TakesSamplesOfBlendedTexelsAsTheReferenceDoes) {
+    turn_to(20);
+    for (const Sampling sampling : {Sampling::mip, Sampling::bilinear, Sampling::trilinear})
+        for (const int samples : {1, 2, 3}) {
+            const Frame reference = picture(RendererKind::reference, 1, samples, sampling);
+            EXPECT_EQ(picture(RendererKind::column, 1, samples, sampling).pixels, reference.pixels) << samples;
+            EXPECT_NE(reference.pixels, picture(RendererKind::reference, 1, samples).pixels) << samples;
+        }
+}
+
+TEST(DialsFor, AreThoseThatARendererHas) {
+    Dials dials;
+    dials.span = 4;
+    dials.sampling = Sampling::trilinear;
+    dials.light = LightSteps::bands;
+    EXPECT_EQ(to_text(dials_for(RendererKind::column, dials)), "span=4 sampling=trilinear light=bands");
+    EXPECT_EQ(to_text(dials_for(RendererKind::reference, dials)), "sampling=trilinear light=bands");
+    EXPECT_EQ(to_text(dials_for(RendererKind::stencil, dials)), "light=bands");
+    EXPECT_TRUE(check_dials(RendererKind::reference, dials));
+    EXPECT_FALSE(check_dials(RendererKind::reference, dials_for(RendererKind::reference, dials)));
+    EXPECT_TRUE(check_dials(RendererKind::stencil, dials_for(RendererKind::reference, dials)));
 }
 
 TEST_F(RendererInHall, TellsTheViewportsInThePixelsOfThePictureWhateverTheSamples) {

@@ -46,6 +46,10 @@ TEST(SetDial, SetsEachDialAndNoOther) {
     set("number=fixed");
     expected.sampling = Sampling::mip;
     set("sampling=mip");
+    expected.sampling = Sampling::bilinear;
+    set("sampling=bilinear");
+    expected.sampling = Sampling::trilinear;
+    set("sampling=trilinear");
     expected.samples = 3;
     set("samples=3");
     expected.light = LightSteps::bands;
@@ -60,6 +64,8 @@ TEST(SetDial, SaysWhatADialMayBe) {
     EXPECT_EQ(set_dial(dials, "span=1.5")->what, "expected span=a whole number from 1 to 64; found 'span=1.5'");
     EXPECT_EQ(set_dial(dials, "number=half")->what,
               "expected number=double, float, fixed, vanilla; found 'number=half'");
+    EXPECT_EQ(set_dial(dials, "sampling=cubic")->what,
+              "expected sampling=nearest, mip, bilinear, trilinear; found 'sampling=cubic'");
     EXPECT_EQ(set_dial(dials, "smaples=2")->what,
               "expected NAME=VALUE, as in span=8; found 'smaples=2'; did you mean 'samples'?");
     EXPECT_THAT(set_dial(dials, "span")->what, HasSubstr("found 'span'"));

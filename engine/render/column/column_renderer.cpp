@@ -168,7 +168,7 @@ ColumnStrips::ColumnStrips(const Map& map, const TextureSet& textures, std::size
       lights_(std::make_unique<LightGrids>(map)),
       canvases_(threads),
       pool_(threads) {
-    if (dials.sampling == Sampling::mip) mips_ = std::make_unique<MipChains>(textures);
+    if (needs_smaller_pictures(dials.sampling)) mips_ = std::make_unique<MipChains>(textures);
     if (!are_texels_exact(dials))
         dials_ = std::make_unique<TexelDials>(TexelDials{dials, mips_.get(), least_texels_per_m(map, textures)});
 }

@@ -1,6 +1,7 @@
 // Floors and ceilings drawn by the dials of texels.
 #include <cmath>
 
+#include "render/column/blended_texels.h"
 #include "render/column/painters.h"
 
 namespace enfilade::column {
@@ -18,9 +19,7 @@ void FlatPainter::start_dials(const ColumnScene& scene) {
     is_dialled_ = scene.dials != nullptr && !(built_in::kSky && flat_.sky);
     if (!is_dialled_) return;
     const RayTables& screen = scene.screen;
-    const double slope_per_column =
-        screen.width > 1 ? (screen.slopes.back() - screen.slopes.front()) / (screen.width - 1) : 0;
-    texels_across_ = texels_of(pose_->right, picture_.tile_m, *picture_.texture) * slope_per_column;
+    texels_across_ = texels_of(pose_->right, picture_.tile_m, *picture_.texture) / screen.column_scale;
     texels_down_ = texels_of(pose_->forward, picture_.tile_m, *picture_.texture) /
                    std::max(std::fabs(height_) * screen.focal_y, std::numeric_limits<double>::min());
     if (scene.dials->dials.number == NumberKind::vanilla && !is_extended_)
@@ -28,6 +27,7 @@ void FlatPainter::start_dials(const ColumnScene& scene) {
                          height_ * picture_.texture->width / picture_.tile_m.x, pose_->forward, pose_->flip);
     texel_depths_.resize(row_depths_.size());
     row_dials_.resize(row_depths_.size());
+    row_mip_parts_.resize(row_depths_.size());
 }
 
 /// Whether exact texels are all that the dials leave to these rows, which are prepared: nearer ones are held longer.
@@ -44,8 +44,15 @@ FlatPainter::RowDials FlatPainter::dials_at(const ColumnScene& scene, double dep
     const double across = depth * texels_across_;
     const double most = most_apart(scene.dials->dials, std::max(picture_.texture->width, picture_.texture->height));
     while (row.held < kMostHeld && across * (2 * row.held - 1) <= most && most > 0) row.held *= 2;
-    if (scene.dials->mips) row.level = mip_level(std::max(across, depth * depth * texels_down_));
+    row.level = mip_at(scene, depth).level;
     return row;
+}
+
+/// By texels per pixel (render/texel_blend.h).
+MipPlace FlatPainter::mip_at(const ColumnScene& scene, double depth) const {
+    if (!scene.dials->mips || is_extended_) return {};
+    const double most = std::max(depth * texels_across_, depth * depth * texels_down_);
+    return scene.dials->dials.sampling == Sampling::mip ? MipPlace{mip_level(most), 0} : mip_place(most);
 }
 
 /// Between the rows of a span; those at its ends are exact, or the first and last that see the flat.
@@ -64,6 +71,7 @@ void FlatPainter::prepare_dials(const ColumnScene& scene, int top, int bottom) {
         const auto i = static_cast<std::size_t>(row);
         texel_depths_[i] = scene.dials->dials.span == 1 || is_extended_ ? row_depths_[i] : depth_in_span(scene, row);
         row_dials_[i] = dials_at(scene, row_depths_[i]);
+        row_mip_parts_[i] = mip_at(scene, row_depths_[i]).part;
     }
 }
 
@@ -114,46 +122,45 @@ void FlatPainter::paint_alike(const ColumnScene& scene, const WallLooks& looks, 
         step_v[i] = step.y;
         like[i] = std::max(group_of(looks.begin + i, dials.held, {0, scene.screen.width}).first - looks.begin, 0);
     }
-    const Texture* const picture =
-        dials.level == 0 ? picture_.texture : &scene.dials->mips->at(*picture_.texture, dials.level);
-    const NumberKind number = scene.dials->dials.number;
     fill_alike(runs, like, [&](const ColumnRuns& some) {
-        const PlainFlats flats{some,   picture,     picture_.base_u,      picture_.base_v,      step_u,
-                               step_v, looks.depth, texel_depths_.data(), row_darkness_.data(), picture_.color_table};
-        const auto by_tables = [&](int i, int y) { return by_vanilla(scene, looks.begin + i, y); };
-        if (vanilla_)
-            fill_flats_at(flats, by_tables);
-        else
-            number == NumberKind::real64 ? scene.kernels.fill_flats(flats) : fill_flats_in(number, flats);
+        fill_texels(scene,
+                    {some, picture_.texture, picture_.base_u, picture_.base_v, step_u, step_v, looks.depth,
+                     texel_depths_.data(), row_darkness_.data(), picture_.color_table},
+                    {looks.begin, dials.level, true});
     });
+}
+
+/// flats: with the picture as painted.
+void FlatPainter::fill_texels(const ColumnScene& scene, PlainFlats flats, const TexelSource& from) const {
+    const Dials& dials = scene.dials->dials;
+    const Texture& picture = *flats.texture;
+    const MipChains* const mips = scene.dials->mips;
+    const FlatBlend blend{mips ? &mips->at(picture, from.level + 1) : nullptr, row_mip_parts_.data()};
+    const bool is_blended = is_blend(dials.sampling) && !picture.has_holes;
+    if (from.level > 0) flats.texture = &mips->at(picture, from.level);
+    const auto by_tables = [&](int i, int y) { return by_vanilla(scene, from.first_column + i, y); };
+    if (vanilla_)
+        is_blended ? fill_blended_flats_at(flats, blend, by_tables) : fill_flats_at(flats, by_tables);
+    else if (is_blended)
+        fill_blended_flats(dials.number, flats, blend);
+    else if (dials.number == NumberKind::real32 || dials.number == NumberKind::fixed16)
+        fill_flats_in(dials.number, flats);
+    else
+        from.is_near ? scene.kernels.fill_flats(flats) : fill_far_flats(flats);
 }
 
 /// One column of a flat that lamps, fog or layers have to do with: nothing is drawn alike.
 void FlatPainter::fill_by_dials(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                                 const LevelTarget& to) const {
     const double step_u = column.ray.x / picture.tile_m.x, step_v = column.ray.y / picture.tile_m.y;
-    const NumberKind number = scene.dials->dials.number;
-    const auto draw = column.farthest < picture.near_limit ? scene.kernels.fill_flats : fill_far_flats;
     for (int row = column.rows.top; row < column.rows.bottom;) {
         const int next = end_of_alike_rows(row, column.rows.bottom);
         const int level = row_dials_[static_cast<std::size_t>(row)].level;
-        const Texture* const texture = level == 0 ? picture.texture : &scene.dials->mips->at(*picture.texture, level);
-        const PlainFlats flats{{to.row_0, 0, 1, &row, &next},
-                               texture,
-                               picture.base_u,
-                               picture.base_v,
-                               &step_u,
-                               &step_v,
-                               &column.farthest,
-                               texel_depths_.data(),
-                               to.darkness,
-                               picture.color_table};
-        if (vanilla_)
-            fill_flats_at(flats, [&](int, int y) { return by_vanilla(scene, column.x, y); });
-        else if (number == NumberKind::real32 || number == NumberKind::fixed16)
-            fill_flats_in(number, flats);
-        else
-            draw(flats);
+        const ColumnRuns runs{to.row_0, 0, 1, &row, &next};
+        fill_texels(scene,
+                    {runs, picture.texture, picture.base_u, picture.base_v, &step_u, &step_v, &column.farthest,
+                     texel_depths_.data(), to.darkness, picture.color_table},
+                    {column.x, level, column.farthest < picture.near_limit});
         row = next;
     }
 }

@@ -35,6 +35,7 @@ struct WallPainter::ExactColumns {
     ColumnTexels texels(int x) const {
         return is_known(x) ? known[x - looks.begin] : painter.texels_at(scene, hit_at(x));
     }
+    double depth(int x) const { return is_known(x) ? looks.depth[x - looks.begin] : hit_at(x).depth; }
     Shade shade(int x) const { return is_known(x) ? shades[x - looks.begin] : painter.dimming_.at(hit_at(x).depth); }
 };
 
@@ -42,6 +43,9 @@ struct WallPainter::DialledColumns {
     Placed placed;
     ColumnTexels at[WallLooks::kMost];
     int like[WallLooks::kMost];
+    TilePlace u[WallLooks::kMost];              ///< where texels are blended
+    std::uint32_t mip_parts[WallLooks::kMost];  ///< of the way to the next smaller picture
+    const Texture* smaller = nullptr;           ///< null: there is none to mix with
     int count = 0;
 };
 
@@ -69,19 +73,22 @@ void WallPainter::paint_by_dials(const ColumnScene& scene, const WallLooks& look
     for (int first = 0; first < looks.count;) {
         DialledColumns dialled;
         AlikeColumns alike = alike_at(scene, exact, looks.begin + first);
-        const int level = alike.level;
+        const int level = alike.mip.level;
         dialled.placed.texture = level == 0 ? texture_ : &scene.dials->mips->at(*texture_, level);
         int end = first;
-        while (end < looks.count && alike.level == level) {
+        while (end < looks.count && alike.mip.level == level) {
             const int leader = end - first, last = std::min(alike.columns.last - looks.begin, looks.count - 1);
             for (; end <= last; ++end) {
                 place_one(alike.at, looks.depth[end], dialled.placed, end - first);
                 dialled.at[end - first] = alike.at;
                 dialled.like[end - first] = leader;
+                dialled.u[end - first] = place_on_tile(alike.at.u);
+                dialled.mip_parts[end - first] = alike.mip.part;
             }
             if (end < looks.count) alike = alike_at(scene, exact, looks.begin + end);
         }
         dialled.count = end - first;
+        dialled.smaller = scene.dials->mips ? &scene.dials->mips->at(*texture_, level + 1) : nullptr;
         const ColumnRuns runs{scene.canvas.column(looks.begin + first), scene.canvas.pitch(), dialled.count,
                               tops + first, bottoms + first};
         fill_by_dials(scene, runs, dialled, looks, first);
@@ -92,8 +99,14 @@ void WallPainter::paint_by_dials(const ColumnScene& scene, const WallLooks& look
 /// first: of the columns that are looked at.
 void WallPainter::fill_by_dials(const ColumnScene& scene, const ColumnRuns& runs, DialledColumns& dialled,
                                 const WallLooks& looks, int first) const {
+    const WallBlend blend{dialled.u, dialled.smaller, dialled.mip_parts};
+    const bool is_blended = is_blend(scene.dials->dials.sampling) && !texture_->has_holes;
+    const double *const depths = looks.depth + first, *const along = looks.along + first;
     fill_alike(runs, dialled.like, [&](const ColumnRuns& some) {
-        fill(scene, some, dialled.placed, looks.depth + first, looks.along + first);
+        if (is_blended)
+            fill_blended(scene, blend, some, dialled.placed, depths, along);
+        else
+            fill(scene, some, dialled.placed, depths, along);
     });
     for (int i = 0; i < runs.count; ++i) {
         const OpenRows rows{runs.tops[i], runs.bottoms[i]};
@@ -140,17 +153,19 @@ WallPainter::AlikeColumns WallPainter::alike_at(const ColumnScene& scene, const 
     const ColumnTexels b = texels_in_span(scene, exact, alike.columns.last);
     alike.at = in_numbers(scene, exact, x,
                           {(a.u + b.u) / 2, (a.v_at_row_0 + b.v_at_row_0) / 2, (a.v_per_row + b.v_per_row) / 2});
-    alike.level = scene.dials->mips ? level_at(exact, alike.columns.first) : 0;
+    if (scene.dials->mips) alike.mip = mip_at(scene, exact, alike.columns.first);
     return alike;
 }
 
-/// By the larger of how far texels are apart from row to row and from column to column, as a mean of some.
-int WallPainter::level_at(const ExactColumns& exact, int x) const {
-    constexpr int kSome = 8;
-    const ColumnGroup some = group_of(x, kSome, exact.all());
-    const ColumnTexels a = exact.texels(some.first), b = exact.texels(some.last);
-    const double across = std::fabs(a.u - b.u) * texture_->width / std::max(1, some.last - some.first);
-    return mip_level(std::max(across, std::max(a.v_per_row, b.v_per_row) * texture_->height));
+/// By texels per pixel (render/texel_blend.h).
+MipPlace WallPainter::mip_at(const ColumnScene& scene, const ExactColumns& exact, int x) const {
+    const ProjectedWall& wall = *exact.looks.wall;
+    const double depth = exact.depth(x);
+    const double along_per_slope = wall.cross > 0 ? depth * depth * wall.inverse_cross : 0;
+    const double across = along_per_slope / scene.screen.column_scale * u_per_along_ * texture_->width;
+    const double down = depth / scene.screen.focal_y * v_per_m_ * texture_->height;
+    const double most = std::max(across, down);
+    return scene.dials->dials.sampling == Sampling::mip ? MipPlace{mip_level(most), 0} : mip_place(most);
 }
 
 /// Fixed point steps down a column from the horizon, as it was done.

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/column/blended_texels.h"
 #include "render/column/scene.h"
 #include "render/column/texel_dials.h"
 #include "render/column/vanilla.h"
@@ -57,7 +58,7 @@ private:
     struct AlikeColumns {
         ColumnGroup columns;
         ColumnTexels at;
-        int level = 0;  ///< as MipChains::at
+        MipPlace mip;
     };
     /// Some columns with one picture, by dials.
     struct DialledColumns;
@@ -71,7 +72,7 @@ private:
     ColumnTexels texels_in_span(const ColumnScene& scene, const ExactColumns& exact, int x) const;
     bool may_be_alike(const ColumnScene& scene, const ExactColumns& exact, ColumnGroup columns) const;
     AlikeColumns alike_at(const ColumnScene& scene, const ExactColumns& exact, int x) const;
-    int level_at(const ExactColumns& exact, int x) const;
+    MipPlace mip_at(const ColumnScene& scene, const ExactColumns& exact, int x) const;
     ColumnTexels in_numbers(const ColumnScene& scene, const ExactColumns& exact, int x, const ColumnTexels& at) const;
     ColumnTexels by_vanilla(const ColumnScene& scene, const ExactColumns& exact, int x) const;
     bool is_near(const ColumnScene& scene, double farthest) const;
@@ -80,9 +81,11 @@ private:
     PlainWalls walls_at(const ColumnRuns& runs, const Placed& placed, int i) const;
     void fill(const ColumnScene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
               const double* along) const;
-    void fill_lit(const ColumnScene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
-                  const double* along) const;
-    void light(const ColumnScene& scene, PlainWalls wall, Shade shade, const WallHit& hit) const;
+    void fill_blended(const ColumnScene& scene, const WallBlend& blend, const ColumnRuns& runs, Placed& placed,
+                      const double* depths, const double* along) const;
+    template <class Texels>
+    void fill_lit(const ColumnScene& scene, const Texels& texels, const ColumnRuns& runs, Placed& placed,
+                  const double* depths, const double* along) const;
     double across_at(const WallHit& hit) const;
     bool is_dark_at(const WallHit& hit) const;
     void add_fog(const ColumnScene& scene, const Run& run, double depth) const;
@@ -141,6 +144,12 @@ private:
         int level = 0;  ///< as MipChains::at
         bool operator==(const RowDials&) const = default;
     };
+    /// What rows that are drawn as one are drawn from, by dials.
+    struct TexelSource {
+        int first_column;
+        int level;     ///< as MipChains::at
+        bool is_near;  ///< no position is farther than kNearTiles
+    };
     /// One column of the flat.
     struct FlatColumn {
         int x;
@@ -166,6 +175,8 @@ private:
     void start_dials(const ColumnScene& scene);
     RowDials dials_at(const ColumnScene& scene, double depth) const;
     TexelPosition by_vanilla(const ColumnScene& scene, int x, int row) const;
+    MipPlace mip_at(const ColumnScene& scene, double depth) const;
+    void fill_texels(const ColumnScene& scene, PlainFlats flats, const TexelSource& from) const;
     double depth_in_span(const ColumnScene& scene, int row) const;
     void prepare_dials(const ColumnScene& scene, int top, int bottom);
     void paint_by_dials(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
@@ -218,11 +229,12 @@ private:
     std::vector<FogPart> row_fog_parts_;         ///< where there is fog
     int prepared_top_ = 0, prepared_bottom_ = 0;
     bool is_dialled_ = false;
-    std::vector<double> texel_depths_;    ///< as row_depths_: of which texels are; where dials say so
-    std::vector<RowDials> row_dials_;     ///< where there are dials
-    std::optional<VanillaFlat> vanilla_;  ///< where dials want its positions
-    double texels_across_ = 0;            ///< per metre of depth, from a column to the next
-    double texels_down_ = 0;              ///< per square metre of depth, from a row to the next
+    std::vector<double> texel_depths_;          ///< as row_depths_: of which texels are; where dials say so
+    std::vector<RowDials> row_dials_;           ///< where there are dials
+    std::vector<std::uint32_t> row_mip_parts_;  ///< of the way to the next smaller picture, likewise
+    std::optional<VanillaFlat> vanilla_;        ///< where dials want its positions
+    double texels_across_ = 0;                  ///< per metre of depth, from a column to the next
+    double texels_down_ = 0;                    ///< per square metre of depth, from a row to the next
 };
 
 }  // namespace enfilade::column

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/column/blended_texels.h"
 #include "render/column/kernels.h"
 #include "render/column/scene.h"
 #include "render/sprite.h"
@@ -15,6 +16,27 @@ constexpr Shade kFullBright = 256;
 ColumnRuns column_of(const ColumnRuns& runs, int i) {
     return {runs.pixels + i * runs.pitch, runs.pitch, 1, runs.tops + i, runs.bottoms + i};
 }
+
+// Two ways to sample: which texels columns show, in their light and as painted.
+
+struct NearestTexels {
+    const PlainKernels& kernels;
+
+    void fill(const PlainWalls& walls) const { kernels.fill_walls(walls); }
+    void read(const PlainWalls& wall, int) const { read_wall(wall); }
+};
+
+struct BlendedTexels {
+    const WallBlend& blend;
+
+    void fill(const PlainWalls& walls) const { fill_blended_walls(walls, blend); }
+    /// The i-th column.
+    void read(PlainWalls wall, int i) const {
+        wall.color_table = nullptr;
+        wall.shades = &kFullBright;
+        fill_blended_walls(wall, {blend.u + i, blend.smaller, blend.parts + i});
+    }
+};
 
 TileSteps steps_of(double tiles) { return std::fabs(tiles) <= kNearTiles ? near_tile_steps(tiles) : tile_steps(tiles); }
 
@@ -167,34 +189,42 @@ PlainWalls WallPainter::walls_at(const ColumnRuns& runs, const Placed& placed, i
 void WallPainter::fill(const ColumnScene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
                        const double* along) const {
     if (built_in::kPointLights && light_grid_)
-        fill_lit(scene, runs, placed, depths, along);
+        fill_lit(scene, NearestTexels{scene.kernels}, runs, placed, depths, along);
     else
         scene.kernels.fill_walls(walls_at(runs, placed, 0));
 }
 
+/// The same with texels that are blended.
+void WallPainter::fill_blended(const ColumnScene& scene, const WallBlend& blend, const ColumnRuns& runs, Placed& placed,
+                               const double* depths, const double* along) const {
+    if (built_in::kPointLights && light_grid_)
+        fill_lit(scene, BlendedTexels{blend}, runs, placed, depths, along);
+    else
+        fill_blended_walls(walls_at(runs, placed, 0), blend);
+}
+
 // Out of line, so that walls without lamps do not save registers for it.
-[[gnu::noinline]] void WallPainter::fill_lit(const ColumnScene& scene, const ColumnRuns& runs, Placed& placed,
-                                             const double* depths, const double* along) const {
+template <class Texels>
+[[gnu::noinline]] void WallPainter::fill_lit(const ColumnScene& scene, const Texels& texels, const ColumnRuns& runs,
+                                             Placed& placed, const double* depths, const double* along) const {
     const auto is_lit = [&](int i) { return runs.tops[i] < runs.bottoms[i] && !is_dark_at({depths[i], along[i]}); };
     Shade shades[WallLooks::kMost];
     std::copy_n(placed.shades, runs.count, shades);
     for (int i = 0; i < runs.count && !color_table_; ++i)
         if (is_lit(i)) placed.shades[i] = kFullBright;
-    scene.kernels.fill_walls(walls_at(runs, placed, 0));
-    for (int i = 0; i < runs.count; ++i)
-        if (is_lit(i)) light(scene, walls_at(column_of(runs, i), placed, i), shades[i], {depths[i], along[i]});
-}
-
-/// One column that is filled.
-void WallPainter::light(const ColumnScene& scene, PlainWalls wall, Shade shade, const WallHit& hit) const {
-    const int top = *wall.runs.tops, bottom = *wall.runs.bottoms;
-    LitRun lit{{wall.runs.pixels + top, top, bottom - top}};
-    if (color_table_) {
-        wall.runs.pixels = scene.scratch.texels.data();
-        read_wall(wall);
-        lit.texels = wall.runs.pixels + top;
+    texels.fill(walls_at(runs, placed, 0));
+    for (int i = 0; i < runs.count; ++i) {
+        if (!is_lit(i)) continue;
+        const int top = runs.tops[i], bottom = runs.bottoms[i];
+        LitRun lit{{runs.pixels + i * runs.pitch + top, top, bottom - top}};
+        if (color_table_) {
+            PlainWalls wall = walls_at(column_of(runs, i), placed, i);
+            wall.runs.pixels = scene.scratch.texels.data();
+            texels.read(wall, i);
+            lit.texels = wall.runs.pixels + top;
+        }
+        scene.passes.lamps.light_wall(lit, lamplight_at(scene, top, bottom, shades[i], {depths[i], along[i]}));
     }
-    scene.passes.lamps.light_wall(lit, lamplight_at(scene, top, bottom, shade, hit));
 }
 
 void WallPainter::add_fog(const ColumnScene& scene, const Run& run, double depth) const {

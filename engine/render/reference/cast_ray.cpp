@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "render/openings.h"
@@ -54,20 +55,33 @@ constexpr std::uint32_t kAlpha = 0xFF000000u;
 /// Whether the picture of a wall's middle is shown once. A scrolled one runs through its place, over and over.
 enum class Repeat : std::uint8_t { over_and_over, once };
 
+/// How a surface lies in the picture, for those ways of sampling that ask for it: how far the place on it moves along
+/// its two sides from one column, or row, to the next, whichever is more [m]. Null: the nearest texel is shown.
+using Movement = std::optional<Vec2>;
+
+double texels_per_pixel(Vec2 moves_m, const Surface& surface, const Texture& picture) {
+    return std::max(moves_m.x / surface.tile_m.x * picture.width, moves_m.y / surface.tile_m.y * picture.height);
+}
+
 /// Before fog. ahead: how far, along the course [m]. lamplight: of point lights.
 Seen painted(const Arrival& at, const Surface& surface, PixelSurface id, double u, double v, double contrast,
-             double ahead, LightCell lamplight, Repeat shown) {
+             double ahead, LightCell lamplight, Repeat shown, const Movement& moves) {
     const double depth = ahead * at.course.depth_scale;
     Seen seen{id, depth, {}, 0, false};
     u -= surface.offset_tiles.x;
     v -= surface.offset_tiles.y;
     const double tile_u = fraction(u), tile_v = shown == Repeat::once ? std::clamp(v, 0.0, 1.0) : fraction(v);
     const TilePlace v_place = shown == Repeat::once ? place_on_picture(tile_v) : place_on_tile(v);
-    const Texel found = texel(at.scene.textures[surface.texture], place_on_tile(u), v_place);
+    const Texture& picture = at.scene.textures[surface.texture];
     const SectorId sector = at.hit.sector;
     const Lighting lighting = lighting_in(at.scene.map, sector, light_at(at.scene.snapshot, sector), contrast);
     seen.texel = {tile_u, tile_v};
-    seen.color = lit(at.scene, found, lighting, depth, lamplight);  // a pane still needs its alpha
+    if (moves && !picture.has_holes)
+        seen.color =
+            several_texels(at.scene, picture, {place_on_tile(u), v_place, texels_per_pixel(*moves, surface, picture)},
+                           lighting, depth, lamplight);
+    else  // a pane still needs its alpha
+        seen.color = lit(at.scene, texel(picture, place_on_tile(u), v_place), lighting, depth, lamplight);
     return seen;
 }
 
@@ -103,9 +117,36 @@ struct FlatPlace {
     LightCell lamplight;  ///< of point lights
 };
 
-Seen painted(const Arrival& at, const Surface& surface, PixelSurface id, const FlatPlace& place) {
+Seen painted(const Arrival& at, const Surface& surface, PixelSurface id, const FlatPlace& place,
+             const Movement& moves) {
     const Vec2 tiles{place.from_origin.x / surface.tile_m.x, place.from_origin.y / surface.tile_m.y};
-    return painted(at, surface, id, tiles.x, tiles.y, 1, place.ahead, place.lamplight, Repeat::over_and_over);
+    return painted(at, surface, id, tiles.x, tiles.y, 1, place.ahead, place.lamplight, Repeat::over_and_over, moves);
+}
+
+/// Of a floor or ceiling `height` above the eye, `ahead` along the course. One on its wrong side counts as near.
+Movement flat_moves(const Arrival& at, PixelSurface id, double height, double ahead) {
+    const TexelSampling* const sampling = at.scene.sampling;
+    if (!sampling) return {};
+    const bool is_ceiling = id == ceiling_id(at.hit.sector), is_above = height > 0;
+    if (height == 0 || is_ceiling != is_above) return Vec2{};
+    const double depth = ahead * at.course.depth_scale;
+    const double right_m = depth * sampling->slope_per_column;
+    const double ahead_m = depth * depth / std::fabs(height) / sampling->focal_y;
+    Vec2 ahead_of = at.hit.space.forward, right_of_it = right_of(ahead_of);
+    if (at.course.quarters % 2 == 1) std::swap(ahead_of, right_of_it);  // the view's, not the course's
+    return Vec2{std::max(std::fabs(right_of_it.x) * right_m, std::fabs(ahead_of.x) * ahead_m),
+                std::max(std::fabs(right_of_it.y) * right_m, std::fabs(ahead_of.y) * ahead_m)};
+}
+
+/// Of a wall, along and down it.
+Movement wall_moves(const Arrival& at) {
+    const TexelSampling* const sampling = at.scene.sampling;
+    if (!sampling) return {};
+    const double depth = at.hit.depth * at.course.depth_scale;
+    const double from_line =
+        std::fabs(dot(right_of(at.wall.b - at.wall.a), at.hit.space.eye - at.wall.a)) / at.wall.length;
+    const double along_m = from_line > 0 ? depth * depth / from_line * sampling->slope_per_column : 0;
+    return Vec2{along_m, depth / sampling->focal_y};
 }
 
 /// `height` above the eye. Of a flat that is seen extended, or from its wrong side, the part that is nearest to where
@@ -115,10 +156,10 @@ Seen flat(const Arrival& at, const FlatNow& flat, double height, const LightGrid
     const double depth = at.course.climb == 0 ? at.hit.depth : std::clamp(height / at.course.climb, 0.0, at.hit.depth);
     const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth;
     const FlatPlace place{spot - flat.origin, depth, lamplight_on(grid, spot.x, spot.y)};
-    Seen seen = painted(at, flat.surface, id, place);
+    Seen seen = painted(at, flat.surface, id, place, flat_moves(at, id, height, depth));
     for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
         const Surface layer = layer_now(at.scene.map, at.scene.snapshot, flat, i);
-        seen.color = laid_over(seen.color, painted(at, layer, id, place).color);
+        seen.color = laid_over(seen.color, painted(at, layer, id, place, {}).color);
     }
     seen.color = in_fog(at.scene, seen.color, seen.depth);
     return seen;
@@ -143,8 +184,10 @@ Seen wall(const Arrival& at, SurfaceId at_rest, double peg, WallPart part, Repea
     const double z = at.hit.space.eye_z + at.course.climb * at.hit.depth;
     LightGrids* lights = at.scene.lights;
     const LightGrid* grid = lights ? lights->on_wall(at.scene.snapshot, at.hit.wall) : nullptr;
-    Seen seen = painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth,
-                        lamplight_on(grid, at.hit.along * at.wall.length, z), shown);
+    const bool is_pane = part == WallPart::middle && at.kind == WallKind::portal;
+    Seen seen =
+        painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth,
+                lamplight_on(grid, at.hit.along * at.wall.length, z), shown, is_pane ? Movement() : wall_moves(at));
     seen.color = in_fog(at.scene, seen.color, seen.depth);
     return seen;
 }

@@ -4,24 +4,35 @@
 #include <optional>
 #include <vector>
 
+#include "formats/dials.h"
 #include "map/textures.h"
 #include "math/vec.h"
 #include "render/frame.h"
 #include "render/light_grids.h"
 #include "render/lighting.h"
+#include "render/mips.h"
 #include "render/reference/ray_path.h"
 #include "render/shade.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
 
+/// Which texels pixels of walls, steps, floors and ceilings show, where it is not the nearest.
+struct TexelSampling {
+    Sampling kind;
+    const MipChains* mips;    ///< where the kind needs smaller pictures
+    double slope_per_column;  ///< of the picture's rays
+    double focal_y;           ///< [px]
+};
+
 /// What there is to see.
 struct ReferenceScene {
     const Map& map;
     const TextureSet& textures;
     const Snapshot& snapshot;
-    LightGrids* lights = nullptr;  ///< null: the map has no point lights
-    bool is_tilted = false;        ///< the picture
+    LightGrids* lights = nullptr;             ///< null: the map has no point lights
+    bool is_tilted = false;                   ///< the picture
+    const TexelSampling* sampling = nullptr;  ///< null: the nearest
 };
 
 /// What a ray ends on.
@@ -85,6 +96,16 @@ inline std::uint32_t lit(const ReferenceScene& scene, const Texel& texel, const 
                                      : lit(texel.color, shade, lamplight);
     return (texel.color & 0xFF000000u) | (bright & 0x00FFFFFFu);
 }
+
+/// What a pixel shows of a picture.
+struct TexelsSeen {
+    TilePlace u, v;           ///< at its middle
+    double texels_per_pixel;  ///< render/texel_blend.h
+};
+
+/// The colour of an opaque picture by scene.sampling, which is not null, in this light and that of point lights.
+std::uint32_t several_texels(const ReferenceScene& scene, const Texture& picture, const TexelsSeen& seen,
+                             const Lighting& lighting, double depth, LightCell lamplight);
 
 /// The colour behind the map's fog; its alpha is kept.
 inline std::uint32_t in_fog(const ReferenceScene& scene, std::uint32_t color, double depth) {

@@ -84,6 +84,18 @@ bool supersample_column(Frame& frame, const ReferenceScene& scene, const View& v
     return is_cut_short;
 }
 
+/// Of the picture that this projection is of. Nothing where the nearest texel is shown.
+std::optional<TexelSampling> sampling_of(Sampling kind, const MipChains* mips, const Projection& projection) {
+    if (kind == Sampling::nearest) return {};
+    return TexelSampling{kind, mips, 2 * projection.half_fov_tangent() / projection.width(), projection.focal_y()};
+}
+
+/// The scene in which texels are so large.
+ReferenceScene with(ReferenceScene scene, const std::optional<TexelSampling>& sampling) {
+    scene.sampling = sampling ? &*sampling : nullptr;
+    return scene;
+}
+
 }  // namespace
 
 void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
@@ -92,14 +104,21 @@ void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const Tex
     const Projection projection(view, frame.width, frame.height);
     const Projection fine(view, frame.width * options.samples, frame.height * options.samples);
     LightGrids own_lights(map), &lights = options.lights ? *options.lights : own_lights;
+    std::optional<MipChains> own_mips;
+    const MipChains* mips = options.mips;
+    if (!mips && needs_smaller_pictures(options.sampling)) mips = &own_mips.emplace(textures);
+    const auto sampling = sampling_of(options.sampling, mips, projection);
+    const auto fine_sampling = sampling_of(options.sampling, mips, fine);
     const ReferenceScene scene{map, textures, snapshot, lights.where_lit(), view.tilt.has_value()};
+    const ReferenceScene middles = with(scene, sampling), samples = with(scene, fine_sampling);
     frame.resize(frame.width, frame.height);
     if (facts) reset(*facts, frame.width, frame.height);
     std::vector<char> cut_short(static_cast<std::size_t>(frame.width));
     const auto column = [&](std::size_t index, std::size_t) {
         const int x = static_cast<int>(index);
-        if (facts || options.samples == 1) cut_short[index] |= render_column(frame, facts, scene, view, projection, x);
-        if (options.samples > 1) cut_short[index] |= supersample_column(frame, scene, view, fine, options.samples, x);
+        if (facts || options.samples == 1)
+            cut_short[index] |= render_column(frame, facts, middles, view, projection, x);
+        if (options.samples > 1) cut_short[index] |= supersample_column(frame, samples, view, fine, options.samples, x);
     };
     parallel_for(static_cast<std::size_t>(frame.width), static_cast<std::size_t>(options.workers), column);
     frame.is_cut_short = std::ranges::count(cut_short, 0) != frame.width;

@@ -1,8 +1,10 @@
 // The slow renderer that is simply right: what the other two are measured against.
 #pragma once
+#include "formats/dials.h"
 #include "map/textures.h"
 #include "render/frame.h"
 #include "render/light_grids.h"
+#include "render/mips.h"
 #include "render/view.h"
 #include "world/snapshot.h"
 
@@ -15,6 +17,8 @@ struct ReferenceOptions {
     int samples = 1;
     int workers = 1;               ///< threads, >= 1; the picture does not depend on them
     LightGrids* lights = nullptr;  ///< of the map, kept from picture to picture; null: worked out anew for this one
+    Sampling sampling = Sampling::nearest;  ///< of walls, steps, floors and ceilings
+    const MipChains* mips = nullptr;        ///< of the textures, likewise
 };
 
 /// Draws the whole frame, whose size is set. What a pixel shows is decided in whole numbers, but for its height at a

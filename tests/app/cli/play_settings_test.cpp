@@ -35,7 +35,7 @@ TEST_F(PlaySettings, AreOptionsAllAtOnce) {
                               "--accuracy",
                               "fast",
                               "--sampling",
-                              "mip",
+                              "trilinear",
                               "--size",
                               "64x40",
                               "--scale",
@@ -70,10 +70,10 @@ TEST_F(PlaySettings, AreOptionsAllAtOnce) {
 
 TEST_F(PlaySettings, AreRefusedWithTheNameOfTheOption) {
     const std::pair<const char*, const char*> wrong[] = {
-        {"--samples", "9"},        {"--scale", "0"},       {"--frame-limit", "many"},   {"--fov", "nan"},
-        {"--volume", "2"},         {"--brightness", "0"},  {"--view-bob", "2"},         {"--mouse-speed", "0"},
-        {"--size", "large"},       {"--renderer", "none"}, {"--automap-colors", "red"}, {"--accuracy", "1"},
-        {"--sampling", "bilinear"}};
+        {"--samples", "9"},     {"--scale", "0"},       {"--frame-limit", "many"},   {"--fov", "nan"},
+        {"--volume", "2"},      {"--brightness", "0"},  {"--view-bob", "2"},         {"--mouse-speed", "0"},
+        {"--size", "large"},    {"--renderer", "none"}, {"--automap-colors", "red"}, {"--accuracy", "1"},
+        {"--sampling", "cubic"}};
     for (const auto& [option, value] : wrong) {
         const Ended ended = play({option, value});
         EXPECT_EQ(ended.exit_code, 2) << option;

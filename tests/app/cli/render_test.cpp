@@ -262,7 +262,9 @@ TEST_F(Render, DrawsByDialsAndLeavesSurfacesWhereTheyAre) {
     for (const std::vector<std::string>& options : {std::vector<std::string>{"--accuracy", "16"},
                                                     {"--dial", "span=32"},
                                                     {"--dial", "number=fixed", "--dial", "light=bands"},
-                                                    {"--dial", "sampling=mip"}}) {
+                                                    {"--dial", "sampling=mip"},
+                                                    {"--dial", "sampling=bilinear"},
+                                                    {"--dial", "sampling=trilinear"}}) {
         std::vector<std::string> all = options;
         all.insert(all.end(), {"--out", "other.png", "--ids", "ids.png"});
         EXPECT_EQ(render(all).exit_code, 0) << options[1];
@@ -285,7 +287,11 @@ TEST_F(Render, RefusesDialsThatThereAreNot) {
                 HasSubstr("--dial: expected NAME=VALUE, as in span=8; found 'spam=2'; did "
                           "you mean 'span'?"));
     EXPECT_THAT(refused({"--renderer", "reference", "--dial", "span=2"}),
-                HasSubstr("only the column renderer draws texels by span=2; the reference renderer has the dials"));
+                HasSubstr("the reference renderer cannot draw by span=2; it has the dials samples, light, links and "
+                          "sampling, and the column renderer has all"));
+    EXPECT_THAT(refused({"--renderer", "stencil", "--dial", "sampling=bilinear"}),
+                HasSubstr("the stencil renderer cannot draw by sampling=bilinear; it has the dials samples, light and "
+                          "links, and the column renderer has all"));
     EXPECT_THAT(refused({"--accuracy", "fast", "--dial", "number=float"}),
                 HasSubstr("an accuracy is a promise that span and number would break"));
 }

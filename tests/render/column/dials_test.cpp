@@ -46,16 +46,22 @@ Dials promising(double texels) {
 
 /// One of each, and some together.
 std::vector<Dials> some_dials() {
-    std::vector<Dials> all{promising(1e-6),      promising(0.1),        promising(1),         promising(8),
-                           with("span=16"),      with("span=3"),        with("number=float"), with("number=fixed"),
-                           with("sampling=mip"), with("number=vanilla")};
-    Dials mixed = with("sampling=mip");
-    mixed.texel_error = 2;
-    all.push_back(mixed);
-    mixed = with("sampling=mip");
-    mixed.span = 8;
-    mixed.number = NumberKind::real32;
-    all.push_back(mixed);
+    std::vector<Dials> all{promising(1e-6),      promising(0.1),       promising(1),
+                           promising(8),         with("span=16"),      with("span=3"),
+                           with("number=float"), with("number=fixed"), with("number=vanilla")};
+    for (const char* sampling : {"sampling=mip", "sampling=bilinear", "sampling=trilinear"}) {
+        all.push_back(with(sampling));
+        Dials mixed = with(sampling);
+        mixed.texel_error = 2;
+        all.push_back(mixed);
+        mixed = with(sampling);
+        mixed.span = 8;
+        mixed.number = NumberKind::real32;
+        all.push_back(mixed);
+        mixed = with(sampling);
+        mixed.number = NumberKind::vanilla;
+        all.push_back(mixed);
+    }
     return all;
 }
 
