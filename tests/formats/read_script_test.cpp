@@ -51,9 +51,10 @@ std::vector<std::string> complaints_of_leg(const std::string& keys) {
 
 TEST(ReadScript, ReadsDials) {
     const std::string legs = "\n[[legs]]\nwait = 1\n";
-    const auto read = read_script("map = \"m\"\nsamples = 2\naccuracy = \"fine\"\n[dials]\nsampling = \"mip\"" + legs);
+    const auto read =
+        read_script("map = \"m\"\nsamples = 2\naccuracy = \"fine\"\n[dials]\nsampling = \"trilinear\"" + legs);
     EXPECT_THAT(read.findings, IsEmpty());
-    EXPECT_EQ(to_text(read.script.dials), "accuracy=0.25 sampling=mip samples=2");
+    EXPECT_EQ(to_text(read.script.dials), "accuracy=0.25 sampling=trilinear samples=2");
     EXPECT_EQ(read_script("map = \"m\"\naccuracy = 0.01" + legs).script.dials.texel_error, 0.01);
     EXPECT_THAT(complaints("map = \"m\"\naccuracy = \"good\"" + legs), ElementsAre("unknown-word 2:12"));
     EXPECT_THAT(complaints("map = \"m\"\naccuracy = 65" + legs), ElementsAre("out-of-range 2:12"));

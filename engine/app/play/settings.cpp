@@ -143,8 +143,9 @@ constexpr Setting kSettings[] = {
         "accuracy", "Accuracy",
         "How far texels may be off, by the column renderer: exact, fine (a quarter of a texel) or fast (one)"),
     choice<&Settings::sampling, kWords<Sampling>>(
-        "sampling", "Distant pictures",
-        "nearest (as painted), or mip (made smaller, so that floors do not glitter), by the column renderer"),
+        "sampling", "Texture filter",
+        "nearest (as painted), mip (distant pictures made smaller, so that floors do not glitter), bilinear (texels "
+        "blended with their neighbours) or trilinear (both, without steps), by the column renderer"),
     size_row(),
     number<&Settings::scale>(
         "scale", "Pixel size",
