@@ -82,8 +82,10 @@ void declare_dials(CLI::App& command, DialRequest& request, const std::string& o
             "--dial", request.dials,
             "A single dial, to see what it does: span=1..64 (columns or rows from one exact position to the "
             "next), number=double, float, fixed or vanilla, sampling=nearest, mip (distant pictures made smaller), "
-            "bilinear (texels blended with their neighbours) or trilinear (both), "
-            "light=map, smooth or bands, links=0..1000 (looked through in one chain). May be given many times")
+            "bilinear (texels blended with their neighbours) or trilinear (both), light=map, smooth or bands, "
+            "light_grid=1..64 (places along a metre where lamps' light is worked out), links=0..1000 (looked through "
+            "in "
+            "one chain). May be given many times")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
 }

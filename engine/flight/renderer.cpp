@@ -67,9 +67,9 @@ private:
 
 class Reference final : public Renderer {
 public:
-    Reference(const Map& map, const TextureSet& textures, std::size_t threads, Sampling sampling)
-        : map_(map), textures_(textures), threads_(threads), lights_(map), sampling_(sampling) {
-        if (needs_smaller_pictures(sampling)) mips_.emplace(textures);
+    Reference(const Map& map, const TextureSet& textures, std::size_t threads, const Dials& dials)
+        : map_(map), textures_(textures), threads_(threads), lights_(map, dials.light_grid), sampling_(dials.sampling) {
+        if (needs_smaller_pictures(sampling_)) mips_.emplace(textures);
     }
 
     Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
@@ -115,11 +115,11 @@ private:
     std::unique_ptr<StencilRenderer> renderer_;
 };
 
-Result<std::unique_ptr<Renderer>> make_stencil(const Map& map, const TextureSet& textures,
-                                               const GlContextOpener& open_gl) {
-    auto context = open_gl();
+Result<std::unique_ptr<Renderer>> make_stencil(const RendererChoice& choice, const Map& map,
+                                               const TextureSet& textures) {
+    auto context = choice.open_gl();
     if (!context.ok()) return context.error();
-    auto renderer = StencilRenderer::make(std::move(context).value(), map, textures);
+    auto renderer = StencilRenderer::make(std::move(context).value(), map, textures, choice.dials.light_grid);
     if (!renderer.ok()) return renderer.error();
     return std::unique_ptr<Renderer>(std::make_unique<Stencil>(std::move(renderer).value()));
 }
@@ -133,10 +133,10 @@ Result<std::unique_ptr<Renderer>> make_column(const RendererChoice& choice, cons
 Result<std::unique_ptr<Renderer>> make_plain(const RendererChoice& choice, const Map& map, const TextureSet& textures) {
     switch (choice.kind) {
         case RendererKind::column: return make_column(choice, map, textures);
-        case RendererKind::stencil: return make_stencil(map, textures, choice.open_gl);
+        case RendererKind::stencil: return make_stencil(choice, map, textures);
         case RendererKind::reference: break;
     }
-    return std::unique_ptr<Renderer>(std::make_unique<Reference>(map, textures, choice.threads, choice.dials.sampling));
+    return std::unique_ptr<Renderer>(std::make_unique<Reference>(map, textures, choice.threads, choice.dials));
 }
 
 /// Lets another renderer draw a larger picture, and takes means.
@@ -239,6 +239,7 @@ Dials dials_for(RendererKind kind, const Dials& dials) {
     Dials some;
     some.samples = dials.samples;
     some.light = dials.light;
+    some.light_grid = dials.light_grid;
     some.links = dials.links;
     if (kind == RendererKind::reference) some.sampling = dials.sampling;
     return some;
@@ -247,7 +248,7 @@ Dials dials_for(RendererKind kind, const Dials& dials) {
 Status check_dials(RendererKind kind, const Dials& dials) {
     if (dials != dials_for(kind, dials))
         return Error{"", "the " + name_of(kind) + " renderer cannot draw by " + to_text(dials) +
-                             "; it has the dials samples, light" +
+                             "; it has the dials samples, light, light_grid" +
                              (kind == RendererKind::reference ? ", links and sampling" : " and links") +
                              ", and the column renderer has all"};
     if (dials.texel_error > 0 && (dials.span > 1 || dials.number != NumberKind::real64))

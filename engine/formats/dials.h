@@ -52,6 +52,13 @@ inline constexpr int kMostSamples = 8;
 /// Most links that a look may pass, whatever a map says.
 inline constexpr int kMostLinks = 1000;
 
+/// Places along a metre at which the light of lamps is worked out: a pool of light is round, and a room has a few
+/// thousand of them.
+inline constexpr int kUsualLightPoints = 4;
+
+/// Most of them: a place every 1.6 cm, of which a lamp that reaches 8 m lights a million on a floor alone.
+inline constexpr int kMostLightPoints = 64;
+
 /// The default is exact. Dials of positions are about walls, steps, floors and ceilings; skies, things and other
 /// pictures with holes stay exact. What a pixel belongs to is exact with all of them.
 struct Dials {
@@ -67,6 +74,9 @@ struct Dials {
     /// 1..kMostSamples; samples times a side of the picture is at most kMaxPictureSide.
     int samples = 1;
     LightSteps light = LightSteps::as_map;
+    /// Places along a metre of a surface at which the light of lamps is worked out; between them it goes on evenly.
+    /// 1..kMostLightPoints. Time and memory grow with its square.
+    int light_grid = kUsualLightPoints;
     int links = kMostLinks;  ///< links looked through in one chain, 0..kMostLinks; never more than the map says
 
     bool operator==(const Dials&) const = default;
@@ -86,8 +96,8 @@ inline constexpr double kMostTexelError = 64;
 /// was expected; dials then stay as they were.
 Status set_accuracy(Dials& dials, std::string_view text);
 
-/// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light or links. An error, without a place, where
-/// there is no such dial, or it has no such value; dials then stay as they were.
+/// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light, light_grid or links. An error, without a
+/// place, where there is no such dial, or it has no such value; dials then stay as they were.
 Status set_dial(Dials& dials, std::string_view text);
 
 /// What set_dial() would be given to get from the default to these, with blanks between: "span=8 number=float"; and

@@ -1,9 +1,10 @@
-// What point lights throw onto a surface: values at points a quarter of a metre apart, fixed to the surface, and the
+// What point lights throw onto a surface: values at evenly spaced points, fixed to the surface, and the
 // rules by which a place between them is lit. Shared by all renderers.
 #pragma once
 #include <cstdint>
 #include <vector>
 
+#include "formats/dials.h"
 #include "render/shade.h"
 
 namespace enfilade {
@@ -71,13 +72,11 @@ constexpr std::uint32_t lit_above(std::uint32_t darkened, std::uint32_t color, S
     return result;
 }
 
-/// Distance of neighbouring points of a grid [m]: a lamp's pool of light is round, and a room has a few thousand.
-inline constexpr double kLightCell = 0.25;
-
 /// The light on a rectangle of a surface. A place is (u, v) on it: walls and panels (metres along from a, height z),
 /// flats (x, y), all in the space of the surface's own sector.
 struct LightGrid {
     double u = 0, v = 0;                                     ///< of the first point [m]
+    double per_m = kUsualLightPoints;                        ///< points along a metre
     int columns = 0, rows = 0;                               ///< points along u and along v, each >= 2
     std::vector<LightCell> cells;                            ///< by column: cells[column * rows + row]
     bool is_dark_before_u = false, is_dark_after_u = false;  ///< all points of the first, or last, column are dark
@@ -114,8 +113,8 @@ inline bool is_beyond_light(const LightGrid& grid, double across, double along) 
 
 /// The light at a place: even between the four points around it; beyond the grid that of its edge.
 inline LightCell light_on(const LightGrid& grid, double u, double v) {
-    return light_between(grid, grid_step((u - grid.u) / kLightCell, grid.columns),
-                         grid_step((v - grid.v) / kLightCell, grid.rows));
+    return light_between(grid, grid_step((u - grid.u) * grid.per_m, grid.columns),
+                         grid_step((v - grid.v) * grid.per_m, grid.rows));
 }
 
 }  // namespace enfilade

@@ -6,7 +6,8 @@
 
 namespace enfilade {
 
-LightGrids::LightGrids(const Map& map) : map_(map) {
+LightGrids::LightGrids(const Map& map, int points_per_m) : map_(map), per_m_(points_per_m) {
+    ENFILADE_CHECK(1 <= points_per_m && points_per_m <= kMostLightPoints);
     if (map.lights.empty() && map.suns.empty()) return;
     images_ = LightImages(map);
     memos_.resize(map.walls.size() + map.panels.size() + map.things.size() + map.sectors.size());
@@ -78,7 +79,7 @@ const LightGrid* LightGrids::grid(const Snapshot& snapshot, std::size_t number, 
         if (moved) memo.patches[s].clear();
         for (const LampOnSurface& lamp : memo.lamps)
             if (moved) memo.patches[s].push_back(patch(lamp, s));
-        memo.grids[s] = in_sun(sum_of(memo.patches[s], memo.colors), suns[static_cast<std::size_t>(s)]);
+        memo.grids[s] = in_sun(sum_of(memo.patches[s], memo.colors, per_m_), suns[static_cast<std::size_t>(s)]);
     }
     return memo.grids[side].columns > 0 ? &memo.grids[side] : nullptr;
 }
@@ -105,7 +106,7 @@ auto one_sided(Patch patch) {
 const LightGrid* LightGrids::on_wall(const Snapshot& snapshot, WallId id) {
     const UprightSurface surface = upright(map_, id);
     const Heights room = heights_at(snapshot, surface.sector);
-    const auto make = [&](const LightImage& image) { return lamp_on(map_, surface, image); };
+    const auto make = [&](const LightImage& image) { return lamp_on(map_, surface, image, per_m_); };
     const auto patch = [&](const LampOnSurface& lamp) {
         return patch_on(map_, snapshot, surface, lamp, room.floor_z, room.ceiling_z);
     };
@@ -116,7 +117,7 @@ const LightGrid* LightGrids::on_panel(const Snapshot& snapshot, PanelId id) {
     const UprightSurface surface = upright(map_, id);
     const Heights room = heights_at(snapshot, surface.sector);
     const double bottom = std::max(map_[id].bottom, room.floor_z), top = std::min(map_[id].top, room.ceiling_z);
-    const auto make = [&](const LightImage& image) { return lamp_on(map_, surface, image); };
+    const auto make = [&](const LightImage& image) { return lamp_on(map_, surface, image, per_m_); };
     const auto patch = [&](const LampOnSurface& lamp) { return patch_on(map_, snapshot, surface, lamp, bottom, top); };
     return grid(snapshot, map_.walls.size() + id.index, surface.sector, 0, 0, {sunlight_on(map_, map_[id])}, make,
                 one_sided(patch));
@@ -149,7 +150,7 @@ const LightGrid* LightGrids::on_flat(const Snapshot& snapshot, SectorId sector, 
         return which == kFloor ? map_[sector].floor : map_[sector].ceiling;
     };
     if (flat(side).sky) return nullptr;
-    const auto make = [&](const LightImage& image) { return lamp_on(map_, sector, image); };
+    const auto make = [&](const LightImage& image) { return lamp_on(map_, sector, image, per_m_); };
     const auto patch = [&](const LampOnSurface& lamp, int which) {
         if (flat(which).sky) return LightPatch{};
         return patch_on(map_, snapshot, which == kFloor ? room.floor_z : room.ceiling_z, lamp);

@@ -18,14 +18,14 @@ namespace enfilade {
 /// without lights and suns costs nothing: no memory, no time.
 class LightGrids {
 public:
-    /// Nothing is worked out yet. The map outlives this.
-    explicit LightGrids(const Map& map);
+    /// Nothing is worked out yet. The map outlives this. points_per_m: 1..kMostLightPoints.
+    explicit LightGrids(const Map& map, int points_per_m = kUsualLightPoints);
 
     /// These, or null: the map has no lights and no suns, so there is nothing to ask for.
     LightGrids* where_lit() { return memos_.empty() ? nullptr : this; }
 
     // What falls on a surface, or null: nothing, as on a sky. Valid until another moment is asked about.
-    // Cost: of the first look at a surface, a look for each quarter of a metre that a light's reach covers; when
+    // Cost: of the first look at a surface, a look for each point that a light's reach covers; when
     // something moves on the way of its light, a comparison for each; else one for each sector on the way.
 
     const LightGrid* on_wall(const Snapshot& snapshot, WallId wall);
@@ -59,6 +59,7 @@ private:
                           const Suns& suns, Make make, Patch patch);
 
     const Map& map_;
+    double per_m_;
     Lock lock_;
     LightImages images_;
     std::vector<std::unique_ptr<Memo>> memos_;  ///< of walls, then panels, things, sectors

@@ -137,11 +137,11 @@ double light_falloff(double way, double reach) {
     return left > 0 ? left * left : 0;
 }
 
-LightBox light_box(double u_low, double u_high, double v_low, double v_high) {
+LightBox light_box(double u_low, double u_high, double v_low, double v_high, double per_m) {
     if (!(u_low <= u_high && v_low <= v_high)) return {};
-    const auto first = [](double metres) { return static_cast<int>(std::floor(metres / kLightCell)); };
+    const auto first = [&](double metres) { return static_cast<int>(std::floor(metres * per_m)); };
     const auto count = [&](double low, double high) {
-        return std::max(static_cast<int>(std::ceil(high / kLightCell)) - first(low) + 1, 2);
+        return std::max(static_cast<int>(std::ceil(high * per_m)) - first(low) + 1, 2);
     };
     return {first(u_low), count(u_low, u_high), first(v_low), count(v_low, v_high)};
 }
@@ -154,14 +154,15 @@ LightPatch patch_on(const Map& map, const Snapshot& snapshot, const UprightSurfa
     const Vec2 along = (surface.b - surface.a) * (1 / surface.length);
     const double aside = dot(right_of(along), lamp.image.from - surface.a);
     const double above = std::sqrt(std::max(reach * reach - aside * aside, 0.0));
-    const LightBox rows = light_box(0, 0, std::max(bottom, lamp.image.z - above), std::min(top, lamp.image.z + above));
+    const LightBox rows =
+        light_box(0, 0, std::max(bottom, lamp.image.z - above), std::min(top, lamp.image.z + above), lamp.per_m);
     LightPatch patch{{lamp.box.column, lamp.box.columns, rows.row, rows.rows}, {}};
     patch.arrives.reserve(static_cast<std::size_t>(patch.box.columns) * static_cast<std::size_t>(rows.rows));
     for (int i = 0; i < patch.box.columns; ++i) {
-        const Vec2 place = surface.a + along * ((patch.box.column + i) * kLightCell);
+        const Vec2 place = surface.a + along * ((patch.box.column + i) / lamp.per_m);
         const Vec2 flat_way = place - lamp.image.from;
         for (int j = 0; j < rows.rows; ++j) {
-            const double z = (rows.row + j) * kLightCell, up = z - lamp.image.z;
+            const double z = (rows.row + j) / lamp.per_m, up = z - lamp.image.z;
             const double free = unhindered(std::sqrt(dot(flat_way, flat_way) + up * up), aside, reach);
             const bool is_lit = free > 0 && lamp.rays.arrives(map, snapshot, lamp.image, static_cast<std::size_t>(i),
                                                               std::clamp(z, bottom, top));
@@ -178,7 +179,7 @@ LightPatch patch_on(const Map& map, const Snapshot& snapshot, double z, const La
     patch.arrives.reserve(static_cast<std::size_t>(patch.box.columns) * static_cast<std::size_t>(patch.box.rows));
     for (int i = 0; i < patch.box.columns; ++i)
         for (int j = 0; j < patch.box.rows; ++j) {
-            const Vec2 place{(patch.box.column + i) * kLightCell, (patch.box.row + j) * kLightCell};
+            const Vec2 place{(patch.box.column + i) / lamp.per_m, (patch.box.row + j) / lamp.per_m};
             const Vec2 flat_way = place - lamp.image.from;
             const double free = unhindered(std::sqrt(dot(flat_way, flat_way) + up * up), up, reach);
             const std::size_t ray = patch.arrives.size();

@@ -107,8 +107,8 @@ struct LightBox {
 };
 
 /// The points around a rectangle of a surface, at least two each way, as one looks between them; none where it is
-/// empty.
-LightBox light_box(double u_low, double u_high, double v_low, double v_high);
+/// empty. per_m: points along a metre.
+LightBox light_box(double u_low, double u_high, double v_low, double v_high, double per_m);
 
 /// What arrives at each point of a box, 0..1, by column.
 struct LightPatch {
@@ -119,8 +119,9 @@ struct LightPatch {
 /// A light whose image reaches a surface.
 struct LampOnSurface {
     LightImage image;
-    LightBox box;    ///< of a flat: all of it; of a wall: its columns
-    LightRays rays;  ///< one for each point of a flat, or each column of a wall
+    double per_m = kUsualLightPoints;  ///< points along a metre
+    LightBox box;                      ///< of a flat: all of it; of a wall: its columns
+    LightRays rays;                    ///< one for each point of a flat, or each column of a wall
 };
 
 /// An upright surface, a wall or a panel: u is metres along it from a, v is the height.
@@ -132,9 +133,9 @@ struct UprightSurface {
 };
 
 /// Where of the surface the light may be seen from, and the ways there. Empty columns: nowhere.
-LampOnSurface lamp_on(const Map& map, const UprightSurface& surface, const LightImage& image);
+LampOnSurface lamp_on(const Map& map, const UprightSurface& surface, const LightImage& image, double per_m);
 /// The same for the floor and the ceiling of a sector.
-LampOnSurface lamp_on(const Map& map, SectorId sector, const LightImage& image);
+LampOnSurface lamp_on(const Map& map, SectorId sector, const LightImage& image, double per_m);
 /// The same for a single place in a sector.
 LampOnSurface lamp_on(const Map& map, SectorId sector, Vec2 place, const LightImage& image);
 
@@ -160,6 +161,6 @@ LampColor lamp_color(const Map& map, const Snapshot& snapshot, std::uint32_t lig
 
 /// The sum of patches, each in its light's colour, cut down to where it is bright enough to be seen and a rim around
 /// it. Empty (columns == 0) where nothing of it is seen.
-LightGrid sum_of(std::span<const LightPatch> patches, std::span<const LampColor> colors);
+LightGrid sum_of(std::span<const LightPatch> patches, std::span<const LampColor> colors, double per_m);
 
 }  // namespace enfilade

@@ -13,11 +13,11 @@ namespace {
 // Where on a surface the light of a lamp is worked out, and how it gets there.
 
 /// How far from the ends of a wall, from a panel, and from the walls around a floor places are moved, so that they are
-/// surely inside [m].
-constexpr double kInside = 1.0 / 64;
+/// surely inside [of the way to the next point].
+constexpr double kInside = 1.0 / 16;
 
-/// A point outside its sector matters where the nearest place inside is in a cell that it is a corner of [m].
-constexpr double kNextCell = 1.5 * kLightCell;
+/// A point outside its sector matters where the nearest place inside is in a cell that it is a corner of [cells].
+constexpr double kNextCell = 1.5;
 
 /// The point of the sector's walls that is nearest to q, and its square distance.
 struct NearestPoint {
@@ -25,9 +25,10 @@ struct NearestPoint {
     WallId wall;
     double distance_squared;
 };
-NearestPoint nearest_of_walls(const Map& map, SectorId id, Vec2 q) {
+/// Within kNextCell.
+NearestPoint nearest_of_walls(const Map& map, SectorId id, Vec2 q, double per_m) {
     const Sector& sector = map[id];
-    NearestPoint nearest{{}, {}, kNextCell * kNextCell};
+    NearestPoint nearest{{}, {}, kNextCell * kNextCell / (per_m * per_m)};
     for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i) {
         const Vec2 p = nearest_point({map.walls[i].a, map.walls[i].b}, q);
         const double distance = dot(p - q, p - q);
@@ -37,15 +38,15 @@ NearestPoint nearest_of_walls(const Map& map, SectorId id, Vec2 q) {
 }
 
 /// A place inside the sector that stands for the point q of its grid, or none: nobody looks there.
-std::optional<Vec2> place_for(const Map& map, SectorId sector, Vec2 q) {
+std::optional<Vec2> place_for(const Map& map, SectorId sector, Vec2 q, double per_m) {
     if (contains(map, sector, snap_to_point_grid(q))) return q;
-    const NearestPoint nearest = nearest_of_walls(map, sector, q);
+    const NearestPoint nearest = nearest_of_walls(map, sector, q, per_m);
     if (!nearest.wall) return {};
     const Wall& wall = map[nearest.wall];
     const double distance = std::sqrt(nearest.distance_squared);
     const Vec2 inward =
         distance > 0 ? (nearest.point - q) * (1 / distance) : right_of(wall.b - wall.a) * (1 / wall.length);
-    const Vec2 inside = snap_to_point_grid(nearest.point + inward * kInside);
+    const Vec2 inside = snap_to_point_grid(nearest.point + inward * (kInside / per_m));
     return contains(map, sector, inside) ? std::optional(inside) : std::nullopt;
 }
 
@@ -94,7 +95,7 @@ LightGrid trimmed(const LightGrid& grid) {
     if (lit.columns == 0) return {};
     const int left = std::max(lit.column - 1, 0), right = std::min(lit.column + lit.columns + 1, grid.columns);
     const int first = std::max(lit.row - 1, 0), end = std::min(lit.row + lit.rows + 1, grid.rows);
-    LightGrid part{grid.u + left * kLightCell, grid.v + first * kLightCell, right - left, end - first, {}};
+    LightGrid part{grid.u + left / grid.per_m, grid.v + first / grid.per_m, grid.per_m, right - left, end - first, {}};
     part.is_dark_before_u = left < lit.column;
     part.is_dark_after_u = right > lit.column + lit.columns;
     part.is_dark_before_v = first < lit.row;
@@ -109,34 +110,35 @@ LightGrid trimmed(const LightGrid& grid) {
 
 }  // namespace
 
-LampOnSurface lamp_on(const Map& map, const UprightSurface& surface, const LightImage& image) {
-    LampOnSurface lamp{image, {}, {}};
+LampOnSurface lamp_on(const Map& map, const UprightSurface& surface, const LightImage& image, double per_m) {
+    LampOnSurface lamp{image, per_m, {}, {}};
     const Vec2 along = (surface.b - surface.a) * (1 / surface.length);
     const Vec2 to_light = image.from - surface.a;
     const double reach = map.lights[image.light].reach, aside = dot(right_of(along), to_light);
     if (std::fabs(aside) >= reach || (surface.wall && aside <= 0)) return lamp;
     const double before = dot(along, to_light), half = std::sqrt(reach * reach - aside * aside);
-    lamp.box = light_box(std::max(before - half, 0.0), std::min(before + half, surface.length), 0, 0);
-    const double margin = std::min(kInside, surface.length / 2);
-    const Vec2 off = surface.wall ? Vec2{} : right_of(along) * std::copysign(kInside, aside);
+    lamp.box = light_box(std::max(before - half, 0.0), std::min(before + half, surface.length), 0, 0, per_m);
+    const double inside = kInside / per_m, margin = std::min(inside, surface.length / 2);
+    const Vec2 off = surface.wall ? Vec2{} : right_of(along) * std::copysign(inside, aside);
     for (int i = 0; i < lamp.box.columns; ++i) {
-        const double u = std::clamp((lamp.box.column + i) * kLightCell, margin, surface.length - margin);
+        const double u = std::clamp((lamp.box.column + i) / per_m, margin, surface.length - margin);
         lamp.rays.add(map, image, {surface.sector, surface.a + along * u + off, surface.wall});
     }
     return lamp;
 }
 
-LampOnSurface lamp_on(const Map& map, SectorId id, const LightImage& image) {
-    LampOnSurface lamp{image, {}, {}};
+LampOnSurface lamp_on(const Map& map, SectorId id, const LightImage& image, double per_m) {
+    LampOnSurface lamp{image, per_m, {}, {}};
     const Sector& sector = map[id];
     const double reach = map.lights[image.light].reach;
-    lamp.box = light_box(std::max(sector.min.x, image.from.x - reach), std::min(sector.max.x, image.from.x + reach),
-                         std::max(sector.min.y, image.from.y - reach), std::min(sector.max.y, image.from.y + reach));
+    lamp.box =
+        light_box(std::max(sector.min.x, image.from.x - reach), std::min(sector.max.x, image.from.x + reach),
+                  std::max(sector.min.y, image.from.y - reach), std::min(sector.max.y, image.from.y + reach), per_m);
     for (int i = 0; i < lamp.box.columns; ++i)
         for (int j = 0; j < lamp.box.rows; ++j) {
-            const Vec2 point{(lamp.box.column + i) * kLightCell, (lamp.box.row + j) * kLightCell};
+            const Vec2 point{(lamp.box.column + i) / per_m, (lamp.box.row + j) / per_m};
             const bool is_near = dot(point - image.from, point - image.from) < reach * reach;
-            const std::optional<Vec2> place = is_near ? place_for(map, id, point) : std::nullopt;
+            const std::optional<Vec2> place = is_near ? place_for(map, id, point, per_m) : std::nullopt;
             if (place)
                 lamp.rays.add(map, image, {id, *place, {}});
             else
@@ -146,14 +148,14 @@ LampOnSurface lamp_on(const Map& map, SectorId id, const LightImage& image) {
 }
 
 LampOnSurface lamp_on(const Map& map, SectorId sector, Vec2 place, const LightImage& image) {
-    LampOnSurface lamp{image, {0, 1, 0, 1}, {}};
+    LampOnSurface lamp{image, kUsualLightPoints, {0, 1, 0, 1}, {}};
     lamp.rays.add(map, image, {sector, place, {}});
     return lamp;
 }
 
-LightGrid sum_of(std::span<const LightPatch> patches, std::span<const LampColor> colors) {
+LightGrid sum_of(std::span<const LightPatch> patches, std::span<const LampColor> colors, double per_m) {
     const LightBox all = box_around(patches);
-    LightGrid grid{all.column * kLightCell, all.row * kLightCell, all.columns, all.rows, {}};
+    LightGrid grid{all.column / per_m, all.row / per_m, per_m, all.columns, all.rows, {}};
     std::vector<LampColor> sums(static_cast<std::size_t>(all.columns) * static_cast<std::size_t>(all.rows));
     for (std::size_t p = 0; p < patches.size(); ++p) {
         const float* arrives = patches[p].arrives.data();

@@ -70,7 +70,7 @@ std::uint32_t sum_of(std::uint32_t lane, float light) {
 
 LightGrid in_sun(LightGrid grid, const LampColor& sun) {
     if (sun == LampColor{}) return grid;
-    if (grid.columns == 0) grid = {0, 0, 2, 2, std::vector<LightCell>(4)};
+    if (grid.columns == 0) grid = {0, 0, kUsualLightPoints, 2, 2, std::vector<LightCell>(4)};
     for (LightCell& cell : grid.cells)
         cell = light_cell(sum_of(lane(cell, 0), sun.red), sum_of(lane(cell, 1), sun.green),
                           sum_of(lane(cell, 2), sun.blue));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "flight/scenes.h"
 #include "render/reference/reference_renderer.h"
@@ -72,6 +73,50 @@ protected:
     TextureSet textures_ = test::textures_for(file_);
     std::vector<ViewportShape> viewports_;
 };
+
+/// Pixels of which a colour differs by more than 2/255, as much as lamps may in different renderers; where the
+/// reference is not sure of what it shows, none.
+std::size_t pixels_apart(const Frame& a, const Frame& b, const FrameFacts& facts) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        if (facts.ambiguous[i]) continue;
+        int most = 0;
+        for (const int shift : {0, 8, 16})
+            most = std::max(most, std::abs(static_cast<int>(a.pixels[i] >> shift & 0xFF) -
+                                           static_cast<int>(b.pixels[i] >> shift & 0xFF)));
+        count += most > 2;
+    }
+    return count;
+}
+
+TEST_F(RendererInHall, WorksOutLampsAtAsManyPlacesAsTheDialSays) {
+    PointLightRecord lamp;
+    lamp.position = {4.3, 1.6};
+    lamp.z = 2;
+    lamp.reach = 8;
+    file_.lights = {lamp};
+    file_.sectors[0].light = 0.25;
+    turn_to(3);
+    test::cut_pillar(file_.sectors[0], 4.5, 2.5, 5, 3);
+    map_ = test::built(file_);
+    FrameFacts facts;  // of the last picture
+    const auto with_points = [&](RendererKind kind, int points) {
+        Frame frame;
+        reset(facts, 64, 40);
+        frame.resize(64, 40);
+        auto renderer =
+            std::move(make_renderer({kind, Dials{.light_grid = points}, 1, no_gl}, map_, textures_)).value();
+        EXPECT_FALSE(renderer->render(frame, &facts, at_rest(map_), view()));
+        return frame;
+    };
+    EXPECT_EQ(with_points(RendererKind::column, 4).pixels, picture(RendererKind::column, 1).pixels);
+    for (const int points : {1, 3, 16, 64}) {
+        const Frame drawn = with_points(RendererKind::column, points);
+        const Frame other = with_points(RendererKind::column, 4), exact = with_points(RendererKind::reference, points);
+        EXPECT_EQ(pixels_apart(drawn, exact, facts), 0u) << points;
+        EXPECT_GT(pixels_apart(drawn, other, facts), 20u) << points;
+    }
+}
 
 // hard case I13
 TEST_F(RendererInHall, DrawsTheSameWithAnyNumberOfThreads) {

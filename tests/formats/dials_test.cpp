@@ -54,6 +54,8 @@ TEST(SetDial, SetsEachDialAndNoOther) {
     set("samples=3");
     expected.light = LightSteps::bands;
     set("light=bands");
+    expected.light_grid = 64;
+    set("light_grid=64");
     expected.links = 0;
     set("links=0");
 }
@@ -62,6 +64,8 @@ TEST(SetDial, SaysWhatADialMayBe) {
     Dials dials;
     EXPECT_EQ(set_dial(dials, "span=65")->what, "expected span=a whole number from 1 to 64; found 'span=65'");
     EXPECT_EQ(set_dial(dials, "span=1.5")->what, "expected span=a whole number from 1 to 64; found 'span=1.5'");
+    EXPECT_EQ(set_dial(dials, "light_grid=0")->what,
+              "expected light_grid=a whole number from 1 to 64; found 'light_grid=0'");
     EXPECT_EQ(set_dial(dials, "number=half")->what,
               "expected number=double, float, fixed, vanilla; found 'number=half'");
     EXPECT_EQ(set_dial(dials, "sampling=cubic")->what,
@@ -78,7 +82,8 @@ TEST(DialsText, SaysWhatIsNotExact) {
     dials.texel_error = 0.25;
     dials.samples = 2;
     dials.light = LightSteps::smooth;
-    EXPECT_EQ(to_text(dials), "accuracy=0.25 samples=2 light=smooth");
+    dials.light_grid = 16;
+    EXPECT_EQ(to_text(dials), "accuracy=0.25 samples=2 light=smooth light_grid=16");
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ ColumnStrips::ColumnStrips(const Map& map, const TextureSet& textures, std::size
     : map_(map),
       textures_(textures),
       threads_(threads),
-      lights_(std::make_unique<LightGrids>(map)),
+      lights_(std::make_unique<LightGrids>(map, dials.light_grid)),
       canvases_(threads),
       pool_(threads) {
     if (needs_smaller_pictures(dials.sampling)) mips_ = std::make_unique<MipChains>(textures);

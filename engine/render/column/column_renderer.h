@@ -116,7 +116,8 @@ inline constexpr int kLinePixels = 16;
 /// own column and row.
 class ColumnStrips {
 public:
-    /// map, textures: outlive it. threads >= 1: they end with this. dials: only those of texels count here.
+    /// map, textures: outlive it. threads >= 1: they end with this. dials: only those of texels and light_grid
+    /// count here.
     ColumnStrips(const Map& map, const TextureSet& textures, std::size_t threads, const Dials& dials = {});
     ~ColumnStrips();
 

@@ -198,11 +198,12 @@ void FlatPainter::lay_layer(const ColumnScene& scene, const LevelPicture& layer,
 }
 
 FlatLamplight FlatPainter::lamplight_at(const FlatColumn& column) const {
+    const double per_m = lamplight_->per_m;
     return {lamplight_,
-            (pose_->eye.x - lamplight_->u) / kLightCell,
-            (pose_->eye.y - lamplight_->v) / kLightCell,
-            column.ray.x / kLightCell,
-            column.ray.y / kLightCell,
+            (pose_->eye.x - lamplight_->u) * per_m,
+            (pose_->eye.y - lamplight_->v) * per_m,
+            column.ray.x * per_m,
+            column.ray.y * per_m,
             column.farthest,
             row_depths_.data(),
             row_shades_.data()};

@@ -90,8 +90,8 @@ WallLamplight WallPainter::lamplight_at(const ColumnScene& scene, int top, int b
                                         const WallHit& hit) const {
     constexpr double kWrap = 0x1p-32;  // cells are counted modulo 2^32
     const LightGrid& grid = *light_grid_;
-    const double cells_per_row = -hit.depth / scene.screen.focal_y / kLightCell;
-    const double at_row_0 = (eye_z_ - grid.v) / kLightCell - (scene.screen.horizon - 0.5) * cells_per_row;
+    const double cells_per_row = -hit.depth / scene.screen.focal_y * grid.per_m;
+    const double at_row_0 = (eye_z_ - grid.v) * grid.per_m - (scene.screen.horizon - 0.5) * cells_per_row;
     const int last = grid_step(at_row_0 + top * cells_per_row, grid.rows).cell + 1;
     const int first = grid_step(at_row_0 + (bottom - 1) * cells_per_row, grid.rows).cell;
     const GridStep across = grid_step(across_at(hit), grid.columns);
@@ -103,7 +103,9 @@ WallLamplight WallPainter::lamplight_at(const ColumnScene& scene, int top, int b
 }
 
 /// Where a look meets the light's grid [points from its first column].
-double WallPainter::across_at(const WallHit& hit) const { return (hit.along * length_ - light_grid_->u) / kLightCell; }
+double WallPainter::across_at(const WallHit& hit) const {
+    return (hit.along * length_ - light_grid_->u) * light_grid_->per_m;
+}
 
 /// Whether no lamp reaches the column.
 bool WallPainter::is_dark_at(const WallHit& hit) const {

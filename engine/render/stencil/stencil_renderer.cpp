@@ -32,8 +32,12 @@ struct StencilRenderer::State {
     std::vector<SeenRoom> rooms;  ///< of the last frame
     bool was_tilted = false;      ///< the last frame
 
-    State(std::unique_ptr<GlContext> drawn_by, const Map& of, const TextureSet& pictures)
-        : map(of), textures(pictures), context(std::move(drawn_by)), lights(of), facts{overlapping_sectors(of)} {}
+    State(std::unique_ptr<GlContext> drawn_by, const Map& of, const TextureSet& pictures, int light_points_per_m)
+        : map(of),
+          textures(pictures),
+          context(std::move(drawn_by)),
+          lights(of, light_points_per_m),
+          facts{overlapping_sectors(of)} {}
 
     ~State() {
         if (context->make_current()) static_cast<void>(objects.release());  // they were lost with the context
@@ -121,8 +125,8 @@ StencilRenderer::StencilRenderer(std::unique_ptr<State> state) : state_(std::mov
 StencilRenderer::~StencilRenderer() = default;
 
 Result<std::unique_ptr<StencilRenderer>> StencilRenderer::make(std::unique_ptr<GlContext> context, const Map& map,
-                                                               const TextureSet& textures) {
-    auto state = std::make_unique<State>(std::move(context), map, textures);
+                                                               const TextureSet& textures, int light_points_per_m) {
+    auto state = std::make_unique<State>(std::move(context), map, textures, light_points_per_m);
     if (Status failed = state->context->make_current()) return *failed;
     const Status failed = state->prepare();
     state->context->release();

@@ -31,6 +31,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "formats/dials.h"
 #include "map/map.h"
 #include "map/textures.h"
 #include "render/frame.h"
@@ -64,9 +65,11 @@ struct StencilViewport {
 class StencilRenderer {
 public:
     /// map, textures: outlive it. An error where the context is too old or has no stencil buffer, or the graphics card
-    /// has no room for the pictures. Cost: the pictures' texels, and overlapping_sectors().
+    /// has no room for the pictures. light_points_per_m: of LightGrids. Cost: the pictures' texels, and
+    /// overlapping_sectors().
     static Result<std::unique_ptr<StencilRenderer>> make(std::unique_ptr<GlContext> context, const Map& map,
-                                                         const TextureSet& textures);
+                                                         const TextureSet& textures,
+                                                         int light_points_per_m = kUsualLightPoints);
     ~StencilRenderer();
 
     /// Draws the whole picture. An error where the context was lost or the graphics card has no room.

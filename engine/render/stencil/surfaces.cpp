@@ -77,8 +77,8 @@ void set_surface(PaintParams& params, const DrawInput& scene, const WallOnScreen
 /// Point lights on a wall or panel. length: of it [m].
 void set_lamplight(PaintParams& params, const DrawInput& scene, const LightGrid* grid, double length, double eye_z) {
     if (!grid) return;
-    params.record = scene.records.lamplight(*grid, Vec2{length, 1} * (1 / kLightCell),
-                                            Vec2{-grid->u, eye_z - grid->v} * (1 / kLightCell));
+    params.record =
+        scene.records.lamplight(*grid, Vec2{length, 1} * grid->per_m, Vec2{-grid->u, eye_z - grid->v} * grid->per_m);
 }
 
 /// The ray's direction in the plane, its components divided by those of `unit`.
@@ -191,8 +191,8 @@ PaintParams flat_params(const DrawInput& scene, const SeenWall& wall, const Flat
     params.c[1] = f(fraction(from_origin.y / surface.tile_m.y - surface.offset_tiles.y));
     params.c[2] = f(height);
     if (grid)
-        params.record = scene.records.lamplight(*grid, surface.tile_m * (1 / kLightCell),
-                                                (wall.pose.eye - Vec2{grid->u, grid->v}) * (1 / kLightCell));
+        params.record = scene.records.lamplight(*grid, surface.tile_m * grid->per_m,
+                                                (wall.pose.eye - Vec2{grid->u, grid->v}) * grid->per_m);
     if (flat.layer_count == 0) return params;
     params.record = scene.records.level(layers_from(scene), flat, wall.pose.eye, params.record);
     params.id_and_paint |= kLayered;

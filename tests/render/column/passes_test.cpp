@@ -142,7 +142,8 @@ TEST_P(EachPasses, LightWallsByTheirPlaceAmongThePoints) {
 TEST_P(EachPasses, LightFlatsByTheirPlaceInTheGrid) {
     Random random(23);
     for (int trial = 0; trial < 3000; ++trial) {
-        LightGrid grid{0, 0, 2 + static_cast<int>(random.below(6)), 2 + static_cast<int>(random.below(6)), {}};
+        LightGrid grid{
+            0, 0, kUsualLightPoints, 2 + static_cast<int>(random.below(6)), 2 + static_cast<int>(random.below(6)), {}};
         for (int i = 0; i < grid.columns * grid.rows; ++i) grid.cells.push_back(any_light(random));
         std::vector<double> depths;
         std::vector<Shade> shades;

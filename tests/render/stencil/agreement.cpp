@@ -139,21 +139,22 @@ std::string describe(const Agreement& a) {
     return text.str();
 }
 
-std::unique_ptr<StencilRenderer> software_stencil(const Map& map, const TextureSet& textures, GlApi api) {
+std::unique_ptr<StencilRenderer> software_stencil(const Map& map, const TextureSet& textures, GlApi api,
+                                                  int light_points_per_m) {
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     auto context = open_headless_gl(api);
     if (!context.ok()) stop("no OpenGL to test with: " + context.error().text());
-    auto renderer = StencilRenderer::make(std::move(context).value(), map, textures);
+    auto renderer = StencilRenderer::make(std::move(context).value(), map, textures, light_points_per_m);
     if (!renderer.ok()) stop("no stencil renderer to test: " + renderer.error().text());
     return std::move(renderer).value();
 }
 
-Sight::Sight(const Map& map, const TextureSet& textures, GlApi api)
+Sight::Sight(const Map& map, const TextureSet& textures, GlApi api, int light_points_per_m)
     : map_(map),
       textures_(textures),
       snapshot_(at_rest(map)),
-      stencil_(software_stencil(map, textures, api)),
-      lights_(map) {}
+      stencil_(software_stencil(map, textures, api, light_points_per_m)),
+      lights_(map, light_points_per_m) {}
 
 namespace {
 StencilPicture blank(PictureSize size) {

@@ -33,7 +33,8 @@ std::string describe(const Agreement& agreement);
 /// A renderer in a headless context drawn by the CPU (Mesa's llvmpipe), whatever graphics card there is. Where there is
 /// no such context the test program stops: a machine that cannot test this must not pass.
 std::unique_ptr<StencilRenderer> software_stencil(const Map& map, const TextureSet& textures,
-                                                  GlApi api = GlApi::desktop);
+                                                  GlApi api = GlApi::desktop,
+                                                  int light_points_per_m = kUsualLightPoints);
 
 /// What one renderer drew.
 struct StencilPicture {
@@ -44,7 +45,8 @@ struct StencilPicture {
 /// A map, what it shows, and both renderers.
 class Sight {
 public:
-    Sight(const Map& map, const TextureSet& textures, GlApi api = GlApi::desktop);
+    Sight(const Map& map, const TextureSet& textures, GlApi api = GlApi::desktop,
+          int light_points_per_m = kUsualLightPoints);
 
     /// Both pictures; a failure of OpenGL stops the test program.
     StencilPicture by_stencil(const View& view, PictureSize size);

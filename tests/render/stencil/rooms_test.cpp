@@ -142,6 +142,17 @@ TEST(StencilFlats, HaveTheColumnRenderersLayers) {
         }
 }
 
+TEST(StencilLamps, AreWorkedOutAtAsManyPlacesAsTheColumnRenderers) {
+    for (const int points_per_m : {1, 3, 16}) {
+        MapFile file = open_steps();
+        for (SectorRecord& sector : file.sectors) sector.light = 0.25;
+        scatter_lights(file, 6, 1);
+        const Map map = built(file);
+        const TextureSet textures = textures_for(file);
+        expect_agreement(Sight(map, textures, GlApi::desktop, points_per_m).compare_poses(10, {160, 100}, 6));
+    }
+}
+
 TEST(StencilSky, HasTheColumnRenderersStraightRows) {
     MapFile file = open_steps();
     file.render.sky = SkyRows::straight;
