@@ -151,11 +151,11 @@ Movement wall_moves(const Arrival& at) {
 
 /// `height` above the eye. Of a flat that is seen extended, or from its wrong side, the part that is nearest to where
 /// the ray really crosses its height; a level ray does so at infinity.
-Seen flat(const Arrival& at, const FlatNow& flat, double height, const LightGrid* grid, PixelSurface id) {
+Seen flat(const Arrival& at, const FlatNow& flat, double height, FlatSide side, PixelSurface id) {
     if (flat.sky) return sky(at, flat, id);
     const double depth = at.course.climb == 0 ? at.hit.depth : std::clamp(height / at.course.climb, 0.0, at.hit.depth);
     const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth;
-    const FlatPlace place{spot - flat.origin, depth, lamplight_on(grid, spot.x, spot.y)};
+    const FlatPlace place{spot - flat.origin, depth, at.scene.lamplight.on_flat(at.hit.sector, side, spot)};
     Seen seen = painted(at, flat.surface, id, place, flat_moves(at, id, height, depth));
     for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
         const Surface layer = layer_now(at.scene.map, at.scene.snapshot, flat, i);
@@ -182,12 +182,10 @@ Seen wall(const Arrival& at, SurfaceId at_rest, double peg, WallPart part, Repea
     const double u = at.hit.along * at.wall.length / surface.tile_m.x;
     const double v = (peg - at.course.climb * at.hit.depth) / surface.tile_m.y;
     const double z = at.hit.space.eye_z + at.course.climb * at.hit.depth;
-    LightGrids* lights = at.scene.lights;
-    const LightGrid* grid = lights ? lights->on_wall(at.scene.snapshot, at.hit.wall) : nullptr;
+    const LightCell lamplight = at.scene.lamplight.on_wall(at.hit.wall, at.hit.along * at.wall.length, z);
     const bool is_pane = part == WallPart::middle && at.kind == WallKind::portal;
-    Seen seen =
-        painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth,
-                lamplight_on(grid, at.hit.along * at.wall.length, z), shown, is_pane ? Movement() : wall_moves(at));
+    Seen seen = painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth,
+                        lamplight, shown, is_pane ? Movement() : wall_moves(at));
     seen.color = in_fog(at.scene, seen.color, seen.depth);
     return seen;
 }
@@ -236,13 +234,12 @@ Seen end_of_chain(const Arrival& at) {
 /// followed as many links as it may, or spent its budget.
 std::optional<Seen> end_of_ray(const Arrival& at) {
     const SectorId sector = at.hit.sector;
-    LightGrids* lights = at.scene.lights;
     if (reaches(at, at.own.ceiling))
-        return flat(at, ceiling_now(at.scene.map, at.scene.snapshot, sector), at.own.ceiling,
-                    lights ? lights->on_ceiling(at.scene.snapshot, sector) : nullptr, ceiling_id(sector));
+        return flat(at, ceiling_now(at.scene.map, at.scene.snapshot, sector), at.own.ceiling, FlatSide::ceiling,
+                    ceiling_id(sector));
     if (!reaches(at, at.own.floor))
-        return flat(at, floor_now(at.scene.map, at.scene.snapshot, sector), at.own.floor,
-                    lights ? lights->on_floor(at.scene.snapshot, sector) : nullptr, floor_id(sector));
+        return flat(at, floor_now(at.scene.map, at.scene.snapshot, sector), at.own.floor, FlatSide::floor,
+                    floor_id(sector));
     if (at.kind == WallKind::solid) return wall(at, at.wall.texture, WallPart::middle);
     if (at.kind == WallKind::portal) {
         const bool above = reaches(at, at.behind.ceiling), below = !above && !reaches(at, at.behind.floor);

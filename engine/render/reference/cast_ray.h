@@ -8,9 +8,9 @@
 #include "map/textures.h"
 #include "math/vec.h"
 #include "render/frame.h"
-#include "render/light_grids.h"
 #include "render/lighting.h"
 #include "render/mips.h"
+#include "render/reference/own_light.h"
 #include "render/reference/ray_path.h"
 #include "render/shade.h"
 #include "world/snapshot.h"
@@ -30,7 +30,7 @@ struct ReferenceScene {
     const Map& map;
     const TextureSet& textures;
     const Snapshot& snapshot;
-    LightGrids* lights = nullptr;             ///< null: the map has no point lights
+    Lamplight lamplight{};                    ///< none: as if the map had no lamps and no suns
     bool is_tilted = false;                   ///< the picture
     const TexelSampling* sampling = nullptr;  ///< null: the nearest
 };
@@ -112,9 +112,6 @@ inline std::uint32_t in_fog(const ReferenceScene& scene, std::uint32_t color, do
     const RenderRecord& render = scene.map.render;
     return fogged(color, pixel_of(render.fog_color), fog_part_at(render.fog_reach, depth));
 }
-
-/// What point lights throw onto a place of a surface. grid: null: nothing.
-inline LightCell lamplight_on(const LightGrid* grid, double u, double v) { return grid ? light_on(*grid, u, v) : 0; }
 
 /// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round, or more or less of what is
 /// behind? size_m: of the picture.

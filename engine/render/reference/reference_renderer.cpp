@@ -109,7 +109,10 @@ void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const Tex
     if (!mips && needs_smaller_pictures(options.sampling)) mips = &own_mips.emplace(textures);
     const auto sampling = sampling_of(options.sampling, mips, projection);
     const auto fine_sampling = sampling_of(options.sampling, mips, fine);
-    const ReferenceScene scene{map, textures, snapshot, lights.where_lit(), view.tilt.has_value()};
+    const std::optional<OwnLight> own =
+        options.own_light ? std::optional<OwnLight>(std::in_place, map, snapshot) : std::nullopt;
+    const ReferenceScene scene{map, textures, snapshot, Lamplight(snapshot, lights, own ? &*own : nullptr),
+                               view.tilt.has_value()};
     const ReferenceScene middles = with(scene, sampling), samples = with(scene, fine_sampling);
     frame.resize(frame.width, frame.height);
     if (facts) reset(*facts, frame.width, frame.height);
@@ -128,7 +131,7 @@ PixelFacts look_through_pixel(const Map& map, const TextureSet& textures, const 
                               int width, int height, int x, int y) {
     ENFILADE_CHECK(x >= 0 && x < width && y >= 0 && y < height && snapshot.sectors.size() == map.sectors.size());
     const Projection projection(view, width, height);
-    const ReferenceScene scene{map, textures, snapshot, nullptr};
+    const ReferenceScene scene{map, textures, snapshot};
     const Seen seen = ColumnOfRays(scene, view, projection, x).cast_ray(y);
     return {seen.id, seen.depth, seen.texel};
 }

@@ -19,6 +19,9 @@ struct ReferenceOptions {
     LightGrids* lights = nullptr;  ///< of the map, kept from picture to picture; null: worked out anew for this one
     Sampling sampling = Sampling::nearest;  ///< of walls, steps, floors and ceilings
     const MipChains* mips = nullptr;        ///< of the textures, likewise
+    /// Light of lamps is not taken from grids, as the other renderers have it, but worked out for each ray, by straight
+    /// ways to the lamps (render/reference/own_light.h): some microseconds for each lamp that is near.
+    bool own_light = false;
 };
 
 /// Draws the whole frame, whose size is set. What a pixel shows is decided in whole numbers, but for its height at a

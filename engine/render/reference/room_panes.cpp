@@ -83,10 +83,9 @@ Pane pane_of(const ReferenceScene& scene, const RoomRay& ray, const PanelHit& at
     pane.seen.depth = depth;
     pane.seen.texel = {fraction(u), fraction(v)};
     pane.alpha = shown.color >> 24;
-    const LightGrid* grid = scene.lights ? scene.lights->on_panel(scene.snapshot, at.panel) : nullptr;
     const double z = ray.hit.space.eye_z + ray.course.climb * at.depth;
-    pane.seen.color =
-        in_fog(scene, lit(scene, shown, lighting, depth, lamplight_on(grid, at.along * panel.length, z)), depth);
+    const LightCell lamplight = scene.lamplight.on_panel(at.panel, at.along * panel.length, z);
+    pane.seen.color = in_fog(scene, lit(scene, shown, lighting, depth, lamplight), depth);
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, surface.tile_m);
     return pane;
 }
@@ -202,8 +201,8 @@ Pane pane_of(const ReferenceScene& scene, const RoomRay& ray, const SpritePictur
     pane.seen.depth = depth;
     pane.seen.texel = {u, v};
     pane.alpha = shown.color >> 24;
-    const LightGrid* grid = scene.lights ? scene.lights->on_thing(scene.snapshot, at.thing) : nullptr;
-    pane.seen.color = in_fog(scene, lit(scene, shown, picture.lighting, depth, lamplight_on(grid, 0, 0)), depth);
+    const LightCell lamplight = scene.lamplight.on_thing(at.thing);
+    pane.seen.color = in_fog(scene, lit(scene, shown, picture.lighting, depth, lamplight), depth);
     pane.ambiguous = is_at_rim_of_hole(texture, pane.seen.texel, picture.size_m);
     return pane;
 }
