@@ -1,0 +1,96 @@
+#include "app/accuracy/light_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "flight/renderer.h"
+#include "render/reference/reference_renderer.h"
+
+namespace enfilade {
+namespace {
+
+/// The map with no light but that of lamps and suns, and nothing before it.
+Map dark(Map map, int links) {
+    for (Sector& sector : map.sectors) {
+        sector.light = 0;
+        sector.light_effect.reset();
+    }
+    for (Thing& thing : map.things)
+        if (thing.light) thing.light = 0;
+    map.render.light = LightModel::smooth;
+    map.render.fog_reach = 0;
+    map.render.max_depth = std::min(map.render.max_depth, links);
+    return map;
+}
+
+/// The same pictures, all white, with the same holes.
+TextureSet white(TextureSet textures) {
+    constexpr std::uint32_t kWhite = 0x00FFFFFFu;
+    const auto whiten = [](Texture& texture) {
+        for (std::uint32_t& pixel : texture.pixels) pixel |= kWhite;
+        texture.numbers.clear();
+    };
+    for (Texture& texture : textures.textures) whiten(texture);
+    whiten(textures.placeholder);
+    textures.color_table = {};
+    return textures;
+}
+
+struct Drawn {
+    Frame frame;
+    FrameFacts facts;
+
+    Drawn(int width, int height) {
+        frame.resize(width, height);
+        reset(facts, width, height);
+    }
+};
+
+/// The larger of the differences of the three colours [1/255].
+int apart(std::uint32_t a, std::uint32_t b) {
+    int most = 0;
+    for (const int shift : {0, 8, 16})
+        most = std::max(most, std::abs(static_cast<int>(a >> shift & 0xFF) - static_cast<int>(b >> shift & 0xFF)));
+    return most;
+}
+
+void add(const Drawn& truth, const Drawn& drawn, LightErrors& errors) {
+    for (std::size_t i = 0; i < truth.frame.pixels.size(); ++i) {
+        const PixelSurface id = truth.facts.ids[i];
+        const bool is_sky = !std::isfinite(truth.facts.depths[i]);
+        if (truth.facts.ambiguous[i] || drawn.facts.ids[i] != id || is_sky || id == kRecursionEnd) continue;
+        const std::uint32_t light = truth.frame.pixels[i];
+        const int off = apart(light, drawn.frame.pixels[i]);
+        ++errors.pixels;
+        errors.lit += (light & 0x00FFFFFFu) != 0;
+        errors.off += off > 1;
+        errors.sum += off;
+        errors.largest = std::max(errors.largest, off);
+    }
+}
+
+}  // namespace
+
+Result<LightErrors> measure_light(const OpenMap& map, const std::vector<View>& views, int width, int height,
+                                  const Dials& dials) {
+    const Map rooms = dark(map.map, dials.links);
+    const TextureSet textures = white(map.textures);
+    const Snapshot snapshot = at_rest(rooms);
+    RendererChoice choice;
+    choice.dials = dials;
+    choice.dials.light = LightSteps::as_map;
+    auto renderer = make_renderer(choice, rooms, textures);
+    if (!renderer.ok()) return renderer.error();
+    LightErrors errors;
+    for (const View& view : views) {
+        Drawn truth(width, height), drawn(width, height);
+        render_reference(truth.frame, &truth.facts, rooms, textures, snapshot, view,
+                         {.samples = dials.samples, .own_light = true});
+        if (Status failed = renderer.value()->render(drawn.frame, &drawn.facts, snapshot, view)) return *failed;
+        add(truth, drawn, errors);
+    }
+    return errors;
+}
+
+}  // namespace enfilade
