@@ -43,6 +43,7 @@ std::optional<Map> build_map(const MapFile& file, const TextureSet& textures, Fi
     place_suns(draft);
     note_picture_changes(draft);
     if (has_errors(findings)) return std::nullopt;
+    list_near_things(draft.map);
     return std::move(draft.map);
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/hash.h"
 #include "base/parallel.h"
+#include "map/draft.h"
 #include "map/packing.h"
 #include "map/sector_finder.h"
 
@@ -47,7 +48,7 @@ constexpr auto fields(Some<CompiledMap> auto& whole, auto visit) {
 namespace {
 
 /// Begins a compiled map: "ENFMAP" and the number of this way of writing it.
-constexpr std::uint64_t kMagic = 0x0002'50414D'464E45;
+constexpr std::uint64_t kMagic = 0x0003'50414D'464E45;
 
 /// What stands around the map itself: the magic number and the source before it, the checksum behind it [bytes].
 constexpr std::size_t kHead = 2 * sizeof(std::uint64_t), kTail = sizeof(std::uint64_t);
@@ -93,6 +94,7 @@ std::optional<CompiledMap> unpack(std::span<const std::byte> bytes) {
     settle_shapes(compiled.map);
     const std::size_t pictures = compiled.needs.pictures.size();
     if (compiled.sizes.size() != pictures || !is_consistent(compiled.map, pictures)) return {};
+    list_near_things(compiled.map);
     return compiled;
 }
 

@@ -147,6 +147,9 @@ void add_thing(Draft& draft, const ThingRecord& record, SectorId sector, SpriteS
 /// Sorts the solid things by sector.
 void list_solid_things(Map& map);
 
+/// Finds the solid things near each sector (near_things.cpp); they are listed, and portals lead somewhere.
+void list_near_things(Map& map);
+
 /// Sorts the things that do something when touched by sector; their triggers and keys are known.
 void list_touchables(Map& map);
 

@@ -212,6 +212,16 @@ struct Thing {
     bool is_pickup() const { return gives_key != Trigger::kNoKey || gives_health > 0; }
 };
 
+/// No body is wider [m]: what may touch one is known before anybody moves.
+inline constexpr double kWidestBody = 0.5;
+
+/// A solid thing that a body whose middle is in some sector may touch, because the thing is that near, on a way through
+/// portals, whatever the heights there. It need not be: only that it is told for no sector proves that it is not.
+struct NearThing {
+    ThingId thing;
+    Rigid passage;  ///< from the space of the sector into that of the thing's own
+};
+
 /// A lamp. What it throws on the surfaces around it is worked out by render/light_grids.h.
 struct PointLight {
     SectorId sector;                          ///< contains its position
@@ -253,12 +263,14 @@ struct Map {
     std::vector<Sprite> sprites;
     std::vector<PointLight> lights;
     std::vector<Sun> suns;
-    std::vector<ThingId> solid_things;  ///< by sector, each sector's in the order of their numbers
-    double widest_solid_m = 0;          ///< largest radius among them; 0: there are none
-    std::vector<ThingId> touchables;    ///< by sector, each sector's in the order of their numbers
-    std::vector<Trigger> triggers;      ///< first those of sectors, then of walls, of panels and of things
-    std::vector<SectorId> targets;      ///< of triggers, list after list
-    std::vector<TriggerId> at_start;    ///< those that the start of the map sets off
+    std::vector<ThingId> solid_things;      ///< by sector, each sector's in the order of their numbers
+    std::vector<NearThing> near_things;     ///< solid things that bodies in a sector may touch, by sector
+    std::vector<std::uint32_t> first_near;  ///< those of sector i are near_things[first_near[i]] to, not with,
+                                            ///< near_things[first_near[i + 1]]; empty: there are no solid things
+    std::vector<ThingId> touchables;        ///< by sector, each sector's in the order of their numbers
+    std::vector<Trigger> triggers;          ///< first those of sectors, then of walls, of panels and of things
+    std::vector<SectorId> targets;          ///< of triggers, list after list
+    std::vector<TriggerId> at_start;        ///< those that the start of the map sets off
     std::vector<Sound> sounds;
     std::vector<ThingId> sounding_things;  ///< by sector, each sector's in the order of their numbers
     bool has_ways_back = false;            ///< some walls are one
@@ -279,6 +291,12 @@ struct Map {
     const Sun& operator[](SunId id) const { return suns[id.index]; }
     const Trigger& operator[](TriggerId id) const { return triggers[id.index]; }
     const Sound& operator[](SoundId id) const { return sounds[id.index]; }
+    /// The solid things that a body may touch whose middle is in the sector.
+    std::span<const NearThing> near(SectorId sector) const {
+        if (first_near.empty()) return {};
+        const std::uint32_t first = first_near[sector.index];
+        return std::span(near_things).subspan(first, first_near[sector.index + 1] - first);
+    }
     /// The sectors that the trigger is about.
     std::span<const SectorId> targets_of(const Trigger& trigger) const {
         return std::span(targets).subspan(trigger.targets.first, trigger.targets.count);

@@ -1,7 +1,7 @@
 // The fields of everything a built map consists of, in order, each kind once: whoever writes or reads a map as bytes
 // goes by them. Each takes its struct apart by a structured binding, so that one with a field more does not compile.
 // fields(whole, visit) returns visit(field, field, …). Left out is where something was written in its file, which
-// nobody asks a built map, and of walls and sectors what is quickly worked out again (derive(), map/compiled_map.cpp).
+// nobody asks a built map, and what is quickly worked out again (map/compiled_map.cpp).
 #pragma once
 #include <type_traits>
 
@@ -156,11 +156,11 @@ constexpr auto fields(Some<RenderRecord> auto& whole, auto visit) {
 
 constexpr auto fields(Some<Map> auto& whole, auto visit) {
     auto& [name, sectors, walls, surfaces, links, grid_links, flat_layers, panels, things, sprites, lights, suns,
-           solid_things, widest_solid_m, touchables, triggers, targets, at_start, sounds, sounding_things,
+           solid_things, near_things, first_near, touchables, triggers, targets, at_start, sounds, sounding_things,
            has_ways_back, farthest_sound_m, has_bobs, keys, pictures, player, render] = whole;
     return visit(name, sectors, walls, surfaces, links, grid_links, flat_layers, panels, things, sprites, lights, suns,
-                 solid_things, widest_solid_m, touchables, triggers, targets, at_start, sounds, sounding_things,
-                 has_ways_back, farthest_sound_m, has_bobs, keys, pictures, player, render);
+                 solid_things, touchables, triggers, targets, at_start, sounds, sounding_things, has_ways_back,
+                 farthest_sound_m, has_bobs, keys, pictures, player, render);
 }
 
 }  // namespace enfilade

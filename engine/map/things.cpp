@@ -196,7 +196,6 @@ void list_solid_things(Map& map) {
         const Thing& thing = map.things[i];
         if (!thing.solid || thing.radius <= 0 || thing.height <= 0) continue;
         map.solid_things.push_back(ThingId(i));
-        map.widest_solid_m = std::max(map.widest_solid_m, thing.radius);
         ++map.sectors[thing.sector.index].solid_count;
     }
     std::stable_sort(map.solid_things.begin(), map.solid_things.end(),

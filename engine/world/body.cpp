@@ -26,7 +26,7 @@ Clearance clearance(const Instant& now, const Body& body, std::span<const Reache
         free.floor_z = std::max(free.floor_z, heights.floor_z - s.passage.rise);
         free.ceiling_z = std::min(free.ceiling_z, heights.ceiling_z - s.passage.rise);
     }
-    for (const Obstacle& thing : obstacles_near(now, body, 0)) {
+    for (const Obstacle& thing : obstacles_overlapped(now, body)) {
         if (is_beside(thing, body)) continue;
         if (is_at_most(thing.top, body.feet_z))
             free.floor_z = std::max(free.floor_z, thing.top);
@@ -106,27 +106,40 @@ void drop_exits_left(const Map& map, Vec2 from, const Rigid& way, double radius,
 
 namespace {
 
-void add_things_of(const Instant& now, const ReachedSector& reached, const Body& body, double way, Obstacles& found) {
-    const Sector& sector = now.map[reached.sector];
-    const Vec2 centre = snap_to_point_grid(reached.passage.apply(body.place.point));
-    for (std::uint32_t i = sector.first_solid; i < sector.first_solid + sector.solid_count; ++i) {
-        const ThingId id = now.map.solid_things[i];
-        const Thing& thing = now.map[id];
+/// Adds what a body may touch whose middle comes into a sector. to_sector: from the space of the body's place.
+void add_things_near(const Instant& now, SectorId sector, const Rigid& to_sector, const Body& body, double way,
+                     Obstacles& found) {
+    for (const NearThing& near : now.map.near(sector)) {
+        const Thing& thing = now.map[near.thing];
+        const Rigid passage = then(to_sector, near.passage);
+        const Vec2 centre = snap_to_point_grid(passage.apply(body.place.point));
         const double limit = thing.radius + body.radius;
         if (!segment_is_nearer(thing.position, thing.position, centre, limit + way)) continue;
-        const double bottom = foot_of(now, id) - reached.passage.rise;
-        found.push_back({id, reached.passage, centre, limit, bottom, bottom + thing.height});
+        const double bottom = foot_of(now, near.thing) - passage.rise;
+        found.push_back({near.thing, passage, centre, limit, bottom, bottom + thing.height});
     }
 }
 
 }  // namespace
 
-Obstacles obstacles_near(const Instant& now, const Body& body, double way) {
+Obstacles obstacles_overlapped(const Instant& now, const Body& body) {
     Obstacles found;
-    if (now.map.widest_solid_m == 0) return found;
-    const double way_on_grid = way > 0 ? snap_to_point_grid(way) + kPointGrid : 0;
-    const Reach around = reach(now.map, body.place, body.radius + now.map.widest_solid_m + way_on_grid);
-    for (const ReachedSector& reached : around.sectors) add_things_of(now, reached, body, way_on_grid, found);
+    add_things_near(now, body.place.sector, {}, body, 0, found);
+    return found;
+}
+
+Obstacles obstacles_on_way(const Instant& now, const Body& body, Vec2 target) {
+    Obstacles found;
+    if (now.map.near_things.empty()) return found;
+    const Vec2 move = target - body.place.point;
+    const double way = snap_to_point_grid(std::sqrt(dot(move, move))) + kPointGrid;
+    add_things_near(now, body.place.sector, {}, body, way, found);
+    Rigid passage;
+    for (const Crossing& crossing : trace(now.map, body.place, target).crossings) {
+        const Wall& portal = now.map[crossing.portal];
+        passage = then(passage, now.map.passage(portal));
+        add_things_near(now, portal.behind, passage, body, way, found);
+    }
     return found;
 }
 

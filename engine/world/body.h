@@ -14,6 +14,7 @@ namespace enfilade {
 /// Measures of a person [m]. A bit slimmer than Doom's marine (0.5), so that doors of 1 m can be walked through at an
 /// angle; as tall as 56 of Doom's units, and it climbs what those climb (24 units).
 inline constexpr double kBodyRadius = snap_to_point_grid(0.35);
+static_assert(kBodyRadius <= kWidestBody);
 inline constexpr double kStandingHeight = 1.75;
 inline constexpr double kCrouchedHeight = 1.0;
 inline constexpr double kMaxStep = 0.75;  ///< highest step that is climbed, and deepest that is walked down
@@ -103,10 +104,16 @@ struct Obstacle {
 /// As many as anybody stands between; more are as good, but take memory.
 using Obstacles = ShortList<Obstacle, 8>;
 
-/// The solid things whose discs come nearer to the body's than `way`; with 0, those that overlap it. At whatever height
-/// they are, and also behind portals that the body cannot pass. Exact.
-/// Cost: the solid things and the walls of the sectors around the body; none in a map without solid things.
-Obstacles obstacles_near(const Instant& now, const Body& body, double way);
+/// The solid things whose discs overlap the body's. At whatever height they are, and also behind portals that the body
+/// cannot pass. Exact.
+/// Cost: the solid things near the sector (Map::near).
+Obstacles obstacles_overlapped(const Instant& now, const Body& body);
+
+/// The same for all that the body's disc may come to overlap on its straight way, and some that are as near to where it
+/// begins as the way is long. target: on the point grid, in the space of the place.
+/// Cost: the solid things near the sectors that the middle passes, and a trace of its way; none in a map without solid
+/// things.
+Obstacles obstacles_on_way(const Instant& now, const Body& body, Vec2 target);
 
 /// Whether the obstacle is neither below the body's feet nor above its head.
 bool is_beside(const Obstacle& obstacle, const Body& body);

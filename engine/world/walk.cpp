@@ -1,5 +1,6 @@
 #include "world/body.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -71,8 +72,9 @@ class Walker {
 public:
     Walker(const Instant& now, const Body& body, Vec2 velocity)
         : now_(now), map_(now.map), body_(body), velocity_(velocity) {
-        for (const Obstacle& obstacle : obstacles_beside(body_, 0))
+        for (const Obstacle& obstacle : beside(body_, obstacles_overlapped(now_, body_)))
             overlapped_.push_back({obstacle.thing, distance_kept(obstacle)});
+        std::ranges::stable_sort(overlapped_, {}, &Overlapped::thing);
     }
 
     Walk run(double seconds) {
@@ -93,7 +95,7 @@ private:
         if (target == from) return false;
         const double way = length(target - from);
         const auto touch = nearer_of(first_contact(map_, within(way), target, body_.radius),
-                                     first_contact(map_, obstacles_beside(body_, way), target));
+                                     first_contact(map_, beside(body_, obstacles_on_way(now_, body_, target)), target));
         if (!touch) return advance_part(target);
         const Vec2 spent = move_ * touch->fraction;
         move_ = move_ - spent;
@@ -125,14 +127,16 @@ private:
         return b->fraction < a->fraction ? b : a;
     }
 
-    /// The solid things that the body might bump into on a way of this length. Of one that it was in already when the
-    /// walk began, it only may not get nearer to the middle: so it can leave, but not go deeper.
-    Obstacles obstacles_beside(const Body& body, double way) const {
-        Obstacles found = obstacles_near(now_, body, way);
+    /// Those of the solid things that the body might bump into. Of one that it was in already when the walk began, it
+    /// only may not get nearer to the middle: so it can leave, but not go deeper.
+    Obstacles beside(const Body& body, Obstacles found) const {
         found.erase_if([&](const Obstacle& obstacle) { return !is_beside(obstacle, body); });
-        for (const Overlapped& old : overlapped_)
-            for (Obstacle& obstacle : found)
-                if (obstacle.thing == old.thing) obstacle.limit = std::fmin(obstacle.limit, old.distance);
+        if (overlapped_.empty()) return found;
+        for (Obstacle& obstacle : found) {
+            const auto old = std::ranges::lower_bound(overlapped_, obstacle.thing, {}, &Overlapped::thing);
+            for (auto same = old; same != overlapped_.end() && same->thing == obstacle.thing; ++same)
+                obstacle.limit = std::fmin(obstacle.limit, same->distance);
+        }
         return found;
     }
 
@@ -169,7 +173,7 @@ private:
             const Body there = carried(way);
             Reach found = counted(around(now_, there));
             drop_exits_left(map_, body_.place.point, way.passage, body_.radius, found);
-            Obstacles things = obstacles_beside(there, 0);
+            Obstacles things = beside(there, obstacles_overlapped(now_, there));
             things.erase_if([&](const Obstacle& obstacle) { return !overlaps(map_, obstacle); });
             if (things.empty() && fits(now_, there, found)) {
                 settle(there, way);
@@ -234,7 +238,7 @@ private:
         ThingId thing;
         double distance;
     };
-    ShortList<Overlapped, 8> overlapped_;
+    ShortList<Overlapped, 8> overlapped_;  ///< in the order of the things' numbers
 };
 
 }  // namespace

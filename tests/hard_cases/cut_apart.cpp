@@ -94,6 +94,8 @@ Map on_turnable_grid(const Map& map) {
     Map rough = map;
     rough.things.clear();
     rough.solid_things.clear();
+    rough.near_things.clear();
+    rough.first_near.clear();
     for (Wall& wall : rough.walls) {
         wall.a = {rounded(wall.a.x), rounded(wall.a.y)};
         wall.b = {rounded(wall.b.x), rounded(wall.b.y)};

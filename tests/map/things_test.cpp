@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "support/generate_map.h"
 #include "support/map_builder.h"
 
 namespace enfilade {
@@ -145,12 +146,78 @@ TEST(SolidThings, AreListedByRoom) {
     std::vector<ThingRecord> things{thing_at({6, 1}), thing_at({1, 1}), thing_at({7, 1}), thing_at({2, 1})};
     for (ThingRecord& thing : things) thing.solid = true;
     things[3].solid = false;
-    things[0].radius = 0.75;
     const Map map = built(rooms_with(things));
     EXPECT_THAT(map.solid_things, ElementsAre(ThingId(1u), ThingId(0u), ThingId(2u)));
     EXPECT_EQ(map.sectors[1].first_solid, 1u);
     EXPECT_EQ(map.sectors[1].solid_count, 2u);
-    EXPECT_EQ(map.widest_solid_m, 0.75);
+}
+
+ThingRecord solid_at(Vec2 position, double radius) {
+    ThingRecord thing = thing_at(position);
+    thing.solid = true;
+    thing.radius = radius;
+    return thing;
+}
+
+/// Which things are told for the sector of that number, each as often as it is.
+std::vector<ThingId> near_of(const Map& map, std::size_t sector) {
+    std::vector<ThingId> ids;
+    for (const NearThing& near : map.near(SectorId(sector))) ids.push_back(near.thing);
+    return ids;
+}
+
+TEST(SolidThings, AreToldForTheRoomsInWhichBodiesTouchThem) {
+    const Map map = built(rooms_with({solid_at({6, 1}, 2 - 1.5 * kWidestBody), solid_at({6, 3}, 2)}));
+    EXPECT_THAT(near_of(map, 0), ElementsAre(ThingId(1u)));
+    EXPECT_THAT(near_of(map, 1), ElementsAre(ThingId(0u), ThingId(1u)));
+}
+
+TEST(SolidThings, AreNotToldThroughWalls) {
+    MapFile file = map_of({box_room("left", 0, 0, 4, 4), box_room("right", 4, 0, 8, 4)});
+    file.things = {solid_at({4.25, 2}, 3)};
+    EXPECT_THAT(near_of(built(file), 0), IsEmpty());
+}
+
+TEST(SolidThings, AreToldForWhoStandsBeforeALinkToThem) {
+    MapFile file = map_of({box_room("near", 0, 0, 4, 4), box_room("far", 100, 0, 104, 4)});
+    link(file, "near", {4, 0}, {4, 4}, "far", {100, 0}, {104, 0});
+    file.things = {solid_at({101, 0.5}, 0.5)};
+    const Map map = built(file);
+    ASSERT_THAT(near_of(map, 0), ElementsAre(ThingId(0u)));
+    EXPECT_EQ(map.near(SectorId(0u))[0].passage.apply({3.5, 1}), (Vec2{103, -0.5}));
+}
+
+TEST(SolidThings, AreToldForWhoStandsBeforeAOneWayPortalToThem) {
+    MapFile file = map_of({box_room("near", 0, 0, 4, 4), box_room("far", 100, 0, 104, 4)});
+    file.sectors[0].loops[0].walls[1].next = "far";
+    file.sectors[0].loops[0].walls[1].via = "way in";
+    file.sectors[1].loops[0].walls[3].name = "way in";
+    file.things = {solid_at({100.5, 2}, 0.5), solid_at({3.5, 2}, 0.5)};
+    const Map map = built(file);
+    EXPECT_THAT(near_of(map, 0), ElementsAre(ThingId(1u), ThingId(0u)));
+    EXPECT_THAT(near_of(map, 1), ElementsAre(ThingId(0u)));
+}
+
+TEST(SolidThings, AmongAThousandRoomsAreToldOnceForEach) {
+    MapFile file = fan_of_sectors(1000);
+    file.things = {solid_at({1, 0.5}, 40), solid_at({-1000, 0.5}, 40)};
+    const Map map = built(file);
+    EXPECT_LE(map.near_things.size(), 2 * map.sectors.size());
+    for (std::size_t i = 0; i < map.sectors.size(); ++i) EXPECT_LE(near_of(map, i).size(), 2u) << i;
+    EXPECT_GE(map.near_things.size(), map.sectors.size());
+}
+
+// Whoever spends all there is leaves the others their own rooms, and takes no more time and memory.
+TEST(SolidThings, OfAnyNumberTakeNoMoreThanTheyMay) {
+    constexpr std::size_t kThings = 2000;
+    MapFile file = fan_of_sectors(1000);
+    for (std::size_t i = 0; i < kThings; ++i) file.things.push_back(solid_at({1, 0.0009765625 * double(i + 1)}, 40));
+    const Map map = built(file);
+    EXPECT_LT(map.near_things.size(), 200'000u);
+    std::size_t told = 0;
+    for (std::size_t i = 0; i < map.sectors.size(); ++i)
+        for (const NearThing& near : map.near(SectorId(i))) told += map[near.thing].sector == SectorId(i);
+    EXPECT_EQ(told, kThings);
 }
 
 TEST(TextureSet, HoldsThePicturesOfAllDirections) {

@@ -66,6 +66,26 @@ TEST(Tick, TakesNoMemoryOnStairsAndInCornersOfAnyShape) {
     }
 }
 
+// A thing that is wide does not make anybody look through all rooms that are as near as it is wide.
+TEST(Tick, TakesNoMemoryBesideAWideThingAmongNarrowRooms) {
+    MapFile file = fan_of_sectors(1000);
+    ThingRecord tower;
+    tower.position = {200, 0.25};
+    tower.solid = true;
+    tower.radius = 30;
+    tower.height = 2;
+    file.things = {tower};
+    for (const Vec2 start : {Vec2{168, 4}, Vec2{200, 38}, Vec2{232, -4}}) {
+        const Map map = built(file);
+        place_player(file, map[locate(map, start)].name, start, kEyeOnFloor);
+        const Game game(file);
+        for (std::uint64_t seed = 0; seed < 3; ++seed) {
+            RandomKeys keys(seed);
+            EXPECT_EQ(allocations_of_ticks(game.map, game.world, &keys), 0u) << "seed " << seed;
+        }
+    }
+}
+
 TEST(Tick, TakesNoMemoryAmongPanels) {
     MapFile file = map_of({box_room("hall", 0, 0, 10, 10)});
     for (int i = 0; i < 8; ++i) {
