@@ -259,8 +259,9 @@ void step(const Map& map, World& world, const TickInput& played) {
 
     const Instant next = now(map, world);
     const Body body = body_of(next, player);
-    const Clearance free = clearance(next, body, around(next, body).sectors);
+    Clearance free = clearance(next, body, around(next, body).sectors);
     step_or_fall(player, free.floor_z);
+    if (body.radius < kBodyRadius) free = come_to_rest(next, player);
     settle_eye(player, free.ceiling_z);
     touch_what_is_near(map, world);
     feel_the_floor(map, world);

@@ -80,6 +80,23 @@ Body body_of(const Instant& now, const Player& player) {
     return squeezed(now, {player.place, player.feet_z, player.height, kBodyRadius, kWorldLimit});
 }
 
+Clearance come_to_rest(const Instant& now, Player& player) {
+    Clearance free{};
+    for (int lifts = 0; lifts <= kMostLifts; ++lifts) {
+        const Body body = body_of(now, player);
+        free = clearance(now, body, around(now, body).sectors);
+        const double feet_z = std::max(player.feet_z, free.floor_z);
+        const double height = std::clamp(free.ceiling_z - feet_z, 0.0, player.height);
+        if (feet_z == player.feet_z && height == player.height) break;
+        player.eye_lag -= feet_z - player.feet_z;
+        player.feet_z = feet_z;
+        player.height = height;
+    }
+    player.on_ground = player.feet_z <= free.floor_z;
+    if (player.on_ground) player.fall_speed = 0;
+    return free;
+}
+
 double eye_z_of(const Player& player, double ceiling_z) {
     const double feet_to_eye = eye_height(player.height);
     const double highest = std::max(player.feet_z + feet_to_eye, ceiling_z - kEyeBelowCeiling);
@@ -96,9 +113,9 @@ Player player_at(const Instant& now, const PlayerStart& start) {
     Player player;
     player.place = body.place;
     player.height = body.height;
-    const Clearance free = clearance(now, body, around(now, body).sectors);
-    player.feet_z = std::max(body.feet_z, free.floor_z);
-    player.on_ground = player.feet_z <= free.floor_z;
+    player.feet_z = body.feet_z;
+    const Clearance free = come_to_rest(now, player);
+    player.eye_lag = 0;
     player.yaw = start.yaw;
     player.eye_z = eye_z_of(player, free.ceiling_z);
     return player;

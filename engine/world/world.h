@@ -50,6 +50,16 @@ Player player_at(const Instant& now, const PlayerStart& start);
 /// The player's body, as wide and high as there is room.
 Body body_of(const Instant& now, const Player& player);
 
+/// Lifts the player onto every floor that its body is over, and ducks it below every ceiling, until nothing of it is in
+/// either; then says what is free. Who is squeezed between walls comes free of some of them where it is lifted, as of a
+/// step too high to climb, and is over more floors then: it is lifted onto those, too. Lifted by a step at most, the
+/// free have come to rest.
+/// Cost: that of body_of() for each time it is lifted or ducked, at most kMostLifts.
+Clearance come_to_rest(const Instant& now, Player& player);
+
+/// Far more than the steps that are below one disc in any honest map.
+inline constexpr int kMostLifts = 64;
+
 /// Where the eye belongs: above the feet, with its lag, below the ceiling.
 double eye_z_of(const Player& player, double ceiling_z);
 

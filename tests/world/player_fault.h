@@ -2,7 +2,6 @@
 #pragma once
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "world/world.h"
 
@@ -25,13 +24,11 @@ public:
         const Body body = body_of(at, player);
         const bool is_free = body.radius == kBodyRadius;
         if (was_free_ && !is_free && !was_sent(map, world)) return "the body got into a wall";
-        const bool stays_free = std::exchange(was_free_, is_free) && is_free;
-        // Who is squeezed between walls is lifted and lowered by one step a tick, and only then gets at what is behind.
-        const Clearance free = stays_free ? clearance(at, body, around(at, body).sectors) : over_own_floor(at, body);
+        was_free_ = is_free;
+        const Clearance free = clearance(at, body, around(at, body).sectors);
         if (!is_at_most(free.floor_z, player.feet_z)) return "the feet are below the floor";
         if (!is_at_most(player.height, free.ceiling_z - player.feet_z)) return "the head is above the ceiling";
-        if (!is_at_most(player.eye_z, stays_free ? body.ceiling_z : free.ceiling_z))
-            return "the eye is above the ceiling";
+        if (!is_at_most(player.eye_z, body.ceiling_z)) return "the eye is above the ceiling";
         const Eye eye = eye_between_ticks(map, world, 0.5);
         if (!contains(map, eye.place.sector, eye.place.point)) return "the eye between ticks is outside of its sector";
         return "";
@@ -45,11 +42,6 @@ private:
         for (; seen_ < firings.size(); ++seen_)
             is_sent = is_sent || map.triggers[firings[seen_].trigger.index].action == TriggerAction::teleport;
         return is_sent;
-    }
-
-    static Clearance over_own_floor(const Instant& at, const Body& body) {
-        const Heights own = heights_of(at, body.place.sector);
-        return {own.floor_z, own.ceiling_z};
     }
 
     std::size_t seen_ = 0;   ///< of the firings

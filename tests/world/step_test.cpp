@@ -8,6 +8,7 @@
 
 #include "base/hash.h"
 #include "world/game.h"
+#include "world/player_fault.h"
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -320,6 +321,54 @@ TEST(Step, StandsUpInARoomThatIsTooLowWithoutTheEyeLeavingIt) {
 }
 
 // hard case C22
+/// Treads of a quarter of a metre between walls that are narrower than a body, each step higher than the last.
+MapFile fine_stair(double riser) {
+    std::vector<SectorRecord> steps;
+    for (int i = 0; i < 8; ++i)
+        steps.push_back(
+            box_room("step" + std::to_string(i), 0.25 * i, 0, 0.25 * (i + 1), 0.625, riser * i, 8 + riser * i));
+    MapFile file = map_of(std::move(steps));
+    join_all(file);
+    return file;
+}
+
+// Lifted onto one step one comes free of the next, which was too high to climb and is below the body, too.
+TEST(Step, LeavesNobodyInTheStepsOfAStairThatIsFinerThanABody) {
+    for (const double riser : {0.125, 0.5, 0.625, 0.75, 1.0}) {
+        for (int step = 0; step < 8; ++step) {
+            MapFile file = fine_stair(riser);
+            place_player(file, "step" + std::to_string(step), {0.25 * step + 0.125, 0.3125},
+                         riser * step + kEyeOnFloor);
+            Game game(file);
+            PlayerWatch watch;
+            EXPECT_EQ(watch.fault_of(game.map, game.world), "") << riser << ", put onto step " << step;
+            for (const TickInput& keys : {kForward, kBack, kCrouchForward})
+                for (int tick = 0; tick < 60; ++tick) {
+                    game.hold(keys);
+                    ASSERT_EQ(watch.fault_of(game.map, game.world), "") << riser << ", from step " << step;
+                }
+        }
+    }
+}
+
+// One falls past the lintel of a low room, whose floor is higher than where one would get to in that tick.
+TEST(Step, LeavesNobodyBelowTheFloorThatIsReachedAsOneFallsPastALintel) {
+    int fallen = 0;
+    for (int start = 0; start < 20; ++start) {
+        MapFile file = map_of({box_room("shaft", 0, 0, 0.25, 4, 0, 8), box_room("low", 0.25, 0, 4, 4, 0.5, 2.2578125)});
+        join_all(file);
+        place_player(file, "shaft", {0.1875, 2}, 3 + 0.0625 * start + kEyeOnFloor);
+        Game game(file);
+        PlayerWatch watch;
+        for (int tick = 0; tick < 90; ++tick) {
+            game.hold(kNoKeys);
+            ASSERT_EQ(watch.fault_of(game.map, game.world), "") << start << ", tick " << tick;
+        }
+        fallen += game.player().feet_z == 0.5;
+    }
+    EXPECT_GT(fallen, 0);
+}
+
 TEST(Step, SurvivesASpawnInAClosedSector) {
     MapFile file = map_of({box_room("door", 0, 0, 4, 4, 1, 1)});
     place_player(file, "door", {2, 2}, 1, 0);
