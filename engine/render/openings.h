@@ -35,7 +35,7 @@ inline bool has_lower_step(const Map& map, const Wall& portal) { return static_c
 // How far one look goes through doorways. What it may cost depends only on the rooms on its way, so that all renderers
 // end it at the same doorway, whatever the size of the picture and however its work is divided among threads.
 
-/// What looking into a room costs beside its walls, each of which is looked at [walls].
+/// What looking into a room costs beside its walls, panels and things, each of which is looked at [walls].
 inline constexpr std::uint32_t kRoomCost = 32;
 
 /// A look that has cost this much goes through no further doorway; there the map's recursion colour is drawn [walls].
@@ -44,6 +44,15 @@ inline constexpr std::uint32_t kRoomCost = 32;
 /// 8000 walls all lead back into it took 10 s for 640 columns.
 inline constexpr std::uint32_t kLookBudget = 1u << 16;
 
-inline std::uint32_t cost_of_look_into(const Sector& sector) { return sector.wall_count + kRoomCost; }
+/// things: that are in the room; of the eye's own room 0, so that one can look out of it however many there are.
+inline std::uint32_t cost_of_look_into(const Sector& sector, std::size_t things) {
+    return sector.wall_count + sector.panel_count + static_cast<std::uint32_t>(things) + kRoomCost;
+}
+
+/// Pictures with holes that are seen one behind the other: things, panels and fences that a look along one column of
+/// the picture passes, whether they are in its way or above or below it. Those behind are left out: no honest map
+/// stacks so many, and one that stacks more takes no more time and memory for it. Not of a tilted picture, whose
+/// columns are no planes.
+inline constexpr std::size_t kMostPictures = 512;
 
 }  // namespace enfilade

@@ -24,7 +24,7 @@ struct Met {
 };
 
 Met follow_ray(const Map& map, const View& view, double slope) {
-    RayPath path(map, view, slope);
+    RayPath path(map, nullptr, view, slope);
     Met met;
     for (std::size_t i = 0;; ++i) {
         const RayHit& hit = path[i];

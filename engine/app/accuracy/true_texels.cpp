@@ -59,7 +59,7 @@ TrueColumn::TrueColumn(const Map& map, const Snapshot& snapshot, const View& vie
       projection_(view, width, height),
       max_depth_(map.render.max_depth),
       slope_(Quad(2 * x + 1 - width) / width * projection_.half_fov_tangent()),
-      path_(map, view, projection_.slope(x)) {}
+      path_(map, &snapshot.things, view, projection_.slope(x)) {}
 
 TrueColumn::Met TrueColumn::met(std::size_t i) {
     const RayHit& hit = path_[i];

@@ -39,7 +39,7 @@ void start_frame(FrameState& state, const Map& map, const View& view, ColumnRang
     state.pool.take_all_back();
     state.stack.clear();
     state.projections.start_frame();
-    state.masked.clear(columns.end, height);
+    state.masked.clear(columns.end);
     state.poses.assign(1, pose_of(view));
     state.deepest = 0;
     state.cut = 0;
@@ -49,7 +49,7 @@ void start_frame(FrameState& state, const Map& map, const View& view, ColumnRang
     first.entry = {};
     first.pose = 0;
     first.depth = 0;
-    first.spent = cost_of_look_into(map[view.sector]);
+    first.spent = cost_of_look_into(map[view.sector], 0);
     for (int x = columns.begin; x < columns.end; ++x) {
         first.rows_at(x) = {0, height};
         first.boundary_at(x) = std::numeric_limits<double>::infinity();

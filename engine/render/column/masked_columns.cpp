@@ -7,10 +7,10 @@
 
 namespace enfilade::column {
 
-void MaskedColumns::clear(int width, int height) {
+void MaskedColumns::clear(int width) {
     painters_.clear();
     columns_.clear();
-    rows_left_.assign(static_cast<std::size_t>(width), kMostOverdraw * height);
+    noted_.assign(static_cast<std::size_t>(width), 0);
 }
 
 int MaskedColumns::add(const WallPainter& painter) {
@@ -24,44 +24,49 @@ void MaskedColumns::draw(const ColumnScene& scene) const {
                                                                       column->rows.bottom, column->hit);
 }
 
-bool PanelColumns::gather(const RoomView& view, MaskedColumns& masked) {
+bool PanelColumns::gather(const RoomView& view) {
     boards_.clear();
     row_.clear();
     next_ = 0;
     const Sector& sector = view.scene.map[view.viewport.sector];
-    for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i)
-        add(view, PanelId(i), masked);
+    for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i) add(view, PanelId(i));
     std::sort(boards_.begin(), boards_.end(), [](const PanelBoard& a, const PanelBoard& b) {
-        return a.place.begin != b.place.begin ? a.place.begin < b.place.begin : a.painter < b.painter;
+        return a.place.begin != b.place.begin ? a.place.begin < b.place.begin : a.panel < b.panel;
     });
     return !boards_.empty();
 }
 
-void PanelColumns::add(const RoomView& view, PanelId id, MaskedColumns& masked) {
+void PanelColumns::add(const RoomView& view, PanelId id) {
     const ColumnScene& scene = view.scene;
     const Panel& panel = scene.map[id];
     if (!panel.surface.texture) return;
     const Segment seen = facing(panel, view.pose.eye);
     if (panel.one_sided && seen.a != panel.a) return;
-    PanelBoard board{seen, project(seen, view.pose, scene.screen), {}, 0};
+    PanelBoard board{seen, project(seen, view.pose, scene.screen), {}, id};
     if (board.place.begin >= view.viewport.end || board.place.end <= view.viewport.begin) return;
     if (board.place.begin >= board.place.end) return;
     if (view.viewport.entry && !is_panel_beyond(seen, scene.map[view.viewport.entry])) return;
     if (seen.a != panel.a) board.place.swapped = !board.place.swapped;
-    const double top = panel.top - view.pose.eye_z;
-    board.rows = within(view.here, panel.bottom - view.pose.eye_z, top);
-    WallPainter painter;
-    painter.start_panel(scene, panel, top, light_now(scene.snapshot, panel.sector), panel_id(scene.map, id));
-    painter.light_up(scene.light_on(id), panel.length, view.pose.eye_z);
-    board.painter = masked.add(painter);
+    board.rows = within(view.here, panel.bottom - view.pose.eye_z, panel.top - view.pose.eye_z);
+    if (board.rows.is_empty()) return;
     boards_.push_back(board);
+}
+
+int PanelColumns::painter_of(const RoomView& view, const PanelBoard& board, MaskedColumns& masked) {
+    const ColumnScene& scene = view.scene;
+    const Panel& panel = scene.map[board.panel];
+    WallPainter painter;
+    painter.start_panel(scene, panel, panel.top - view.pose.eye_z, light_now(scene.snapshot, panel.sector),
+                        panel_id(scene.map, board.panel));
+    painter.light_up(scene.light_on(board.panel), panel.length, view.pose.eye_z);
+    return masked.add(painter);
 }
 
 /// Of panels on one line the first in the map is the nearer.
 bool PanelColumns::is_before(int a, int b) const {
     const PanelBoard& one = boards_[static_cast<std::size_t>(a)];
     const PanelBoard& other = boards_[static_cast<std::size_t>(b)];
-    const bool is_first = one.painter < other.painter;
+    const bool is_first = one.panel < other.panel;
     const bool nearer = is_nearer(one.facing, other.facing);
     return nearer && (is_first || !is_nearer(other.facing, one.facing));
 }
@@ -72,7 +77,7 @@ void PanelColumns::move_to(int x) {
         if (boards_[next_].place.end <= x) continue;
         const int board = static_cast<int>(next_);
         const auto nearer_than_it = [&](int other) { return is_before(other, board); };
-        row_.insert(std::find_if_not(row_.begin(), row_.end(), nearer_than_it), board);
+        row_.insert(std::partition_point(row_.begin(), row_.end(), nearer_than_it), board);
     }
 }
 
@@ -89,7 +94,7 @@ std::span<const PanelColumns::PanelColumn> PanelColumns::at(const RoomView& view
     double depth = 0;
     for (const int index : row_) {
         const PanelBoard& board = boards_[static_cast<std::size_t>(index)];
-        if (!is_before_wall(view, board, x)) break;  // so are those behind it
+        if (shown_.size() == kMostPictures || !is_before_wall(view, board, x)) break;  // so are those behind it
         PanelColumn shown{index, hit(board.place, view.scene.screen.slopes[x])};
         depth = shown.hit.depth = std::max(depth, shown.hit.depth);  // in order whatever rounding did
         shown_.push_back(shown);
@@ -97,30 +102,42 @@ std::span<const PanelColumns::PanelColumn> PanelColumns::at(const RoomView& view
     return shown_;
 }
 
-void PanelColumns::note(const RoomView& view, const PanelColumn& shown, int x, MaskedColumns& masked) const {
-    const PanelBoard& board = boards_[static_cast<std::size_t>(shown.panel)];
+void PanelColumns::note(const RoomView& view, const PanelColumn& shown, int x, MaskedColumns& masked) {
+    if (masked.is_full(x)) return;
+    PanelBoard& board = boards_[static_cast<std::size_t>(shown.panel)];
+    if (board.painter == MaskedColumns::kNotAdded) board.painter = painter_of(view, board, masked);
     const RowSplit rows = split_rows(view.scene.screen, view.viewport.rows_at(x), shown.hit.depth, board.rows, nullptr);
     masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, shown.hit);
 }
 
 bool ThingColumns::is_nearer(const ThingBoard& a, const ThingBoard& b) {
     const std::int64_t a_steps = depth_steps(a.depth), b_steps = depth_steps(b.depth);
-    return a_steps != b_steps ? a_steps < b_steps : a.painter < b.painter;
+    return a_steps != b_steps ? a_steps < b_steps : a.number < b.number;
 }
 
-bool ThingColumns::gather(const RoomView& view, MaskedColumns& masked) {
+bool ThingColumns::gather(const RoomView& view) {
     boards_.clear();
-    for (const Presence& presence : view.scene.snapshot.things.in(view.viewport.sector)) add(view, presence, masked);
+    for (const Presence& presence : view.scene.snapshot.things.in(view.viewport.sector)) add(view, presence);
     std::sort(boards_.begin(), boards_.end(), is_nearer);  // of equals the first is the nearer one
     return !boards_.empty();
 }
 
-void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedColumns& masked) {
+/// Whether no picture of the thing gets into the viewport, or so far that a column's width of rounding were between: a
+/// narrow look into a crowd asks for hardly any of its pictures.
+bool ThingColumns::is_aside(const RoomView& view, const Presence& presence, double depth, double aside) {
+    const ColumnScene& scene = view.scene;
+    const double reach = scene.map[scene.map[presence.thing].sprite].reach_m;
+    const int before = view.viewport.begin - 1, behind = view.viewport.end;
+    return (before >= 0 && aside + reach < scene.screen.slopes[before] * depth) ||
+           (behind < scene.screen.width && aside - reach > scene.screen.slopes[behind] * depth);
+}
+
+void ThingColumns::add(const RoomView& view, const Presence& presence) {
     const ColumnScene& scene = view.scene;
     const Vec2 to_it = presence.position - view.pose.eye;
     ThingBoard board;
     board.depth = dot(view.pose.forward, to_it);
-    if (board.depth < kNearestSprite) return;
+    if (board.depth < kNearestSprite || is_aside(view, presence, board.depth, dot(view.pose.right, to_it))) return;
     const SpritePicture picture = picture_of(scene.map, scene.textures, scene.snapshot, presence, view.pose.eye);
     if (!picture.texture) return;
     board.width = picture.size_m.x;
@@ -131,17 +148,25 @@ void ThingColumns::add(const RoomView& view, const Presence& presence, MaskedCol
     board.begin = std::max(view.viewport.begin, first_column_from(board.left_v, board.depth, rays));
     board.end = std::min(view.viewport.end, first_column_from(board.left_v + board.width, board.depth, rays));
     if (board.begin >= board.end) return;
-    const double top = picture.foot_z - view.pose.eye_z + picture.origin_m.y;
+    board.top = picture.foot_z - view.pose.eye_z + picture.origin_m.y;
+    board.rows = {board.top - picture.size_m.y, board.top};
     const bool is_whole = thing_edges(scene.map.render, false) == ThingEdges::whole;
-    board.rows = {top - picture.size_m.y, top};
     if (!is_whole) board.rows = within(view.here, board.rows.floor, board.rows.ceiling);
+    if (board.rows.is_empty()) return;
+    board.picture = picture;
+    board.thing = presence.thing;
     board.place = presence.position;
-    WallPainter painter;
-    painter.start_picture(scene, scene.textures[picture.texture], top, picture.size_m.y, picture.lighting,
-                          thing_id(scene.map, presence.thing));
-    painter.light_up(scene.light_on(presence.thing), 0, 0);  // the same everywhere
-    board.painter = masked.add(painter);
+    board.number = boards_.size();
     boards_.push_back(board);
+}
+
+int ThingColumns::painter_of(const RoomView& view, const ThingBoard& board, MaskedColumns& masked) {
+    const ColumnScene& scene = view.scene;
+    WallPainter painter;
+    painter.start_picture(scene, scene.textures[board.picture.texture], board.top, board.picture.size_m.y,
+                          board.picture.lighting, thing_id(scene.map, board.thing));
+    painter.light_up(scene.light_on(board.thing), 0, 0);  // the same everywhere
+    return masked.add(painter);
 }
 
 bool ThingColumns::is_met(const RoomView& view, const ThingBoard& board, int x) {
@@ -154,25 +179,26 @@ bool ThingColumns::is_met(const RoomView& view, const ThingBoard& board, int x) 
                       {view.viewport.entry, wall, entry, exit});
 }
 
-void ThingColumns::note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked) const {
-    const ThingBoard& board = boards_[i];
+void ThingColumns::note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked) {
+    ThingBoard& board = boards_[i];
     const OpenRows open = view.viewport.rows_at(x);
     if (x < board.begin || x >= board.end || open.is_closed() || masked.is_full(x)) return;
     if (!is_met(view, board, x)) return;
     const double from_left = (view.scene.screen.slopes[x] * board.depth - board.left_v) / board.width;
+    if (board.painter == MaskedColumns::kNotAdded) board.painter = painter_of(view, board, masked);
     const WallHit hit{board.depth, std::clamp(board.mirrored ? 1 - from_left : from_left, 0.0, kLastPlace)};
     const RowSplit rows = split_rows(view.scene.screen, open, board.depth, board.rows, nullptr);
     masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, hit);
 }
 
-void ThingColumns::note_all(const RoomView& view, MaskedColumns& masked) const {
+void ThingColumns::note_all(const RoomView& view, MaskedColumns& masked) {
     for (std::size_t i = 0; i < boards_.size(); ++i)
         for (int x = boards_[i].begin; x < boards_[i].end; ++x) note(view, i, x, masked);
 }
 
 void RoomColumns::note(const RoomView& view, MaskedColumns& masked) {
-    const bool has_things = built_in::kThings && things_.gather(view, masked);
-    if (!built_in::kPanels || !panels_.gather(view, masked)) {
+    const bool has_things = built_in::kThings && things_.gather(view);
+    if (!built_in::kPanels || !panels_.gather(view)) {
         if (has_things) things_.note_all(view, masked);
         return;
     }
@@ -184,6 +210,7 @@ void RoomColumns::note(const RoomView& view, MaskedColumns& masked) {
 void RoomColumns::note_column(const RoomView& view, int x, MaskedColumns& masked) {
     std::size_t thing = 0;
     for (const PanelColumns::PanelColumn& panel : panels_.at(view, x)) {
+        if (masked.is_full(x)) return;
         for (; thing < things_.count() && depth_steps(things_.depth(thing)) <= depth_steps(panel.hit.depth); ++thing)
             things_.note(view, thing, x, masked);
         panels_.note(view, panel, x, masked);

@@ -2,6 +2,7 @@
 // were open, and laid over the finished picture back to front. A frame without such pictures keeps nothing here.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,30 +31,27 @@ inline RelativeHeights within(const RelativeHeights& room, double bottom, double
 
 class MaskedColumns {
 public:
-    /// For a picture of this size [px].
-    void clear(int width, int height);
+    /// For a picture of this width [px].
+    void clear(int width);
 
-    /// A picture that columns may be noted of.
+    /// A picture that columns may be noted of; to be added when the first is.
     int add(const WallPainter& painter);
+    static constexpr int kNotAdded = -1;
 
-    /// Rows of column x that show the picture. Of two that share a pixel the nearer one is to be noted first: a
-    /// viewport is drawn before those seen through its portals, so its own pictures come before theirs.
-    /// Those beyond kMostOverdraw, the farthest of what shares the column, are left out.
+    /// Rows of column x that show the picture, if any. Of two that share a column the nearer one is to be noted first:
+    /// a viewport is drawn before those seen through its portals, so its own pictures come before theirs. Those beyond
+    /// kMostPictures, the farthest of what shares the column, are left out.
     void note(int painter, int x, OpenRows rows, const WallHit& hit) {
-        if (rows.is_closed() || is_full(x)) return;
-        columns_.push_back({painter, x, rows, hit});
-        rows_left_[static_cast<std::size_t>(x)] -= rows.bottom - rows.top;
+        if (is_full(x)) return;
+        ++noted_[static_cast<std::size_t>(x)];
+        if (!rows.is_closed()) columns_.push_back({painter, x, rows, hit});
     }
 
     /// Nothing more is to be noted of column x.
-    bool is_full(int x) const { return rows_left_[static_cast<std::size_t>(x)] <= 0; }
+    bool is_full(int x) const { return noted_[static_cast<std::size_t>(x)] >= kMostPictures; }
 
-    /// How many columns of pictures were noted.
+    /// How many columns of pictures are to be laid over the picture.
     std::size_t count() const { return columns_.size(); }
-
-    /// How often a column is painted over from end to end at most: no honest map stacks so many pictures, and one that
-    /// stacks more takes no more time and memory for it.
-    static constexpr int kMostOverdraw = 256;
 
     /// Lays all of them over the picture, the last noted first.
     void draw(const ColumnScene& scene) const;
@@ -68,7 +66,7 @@ private:
 
     std::vector<WallPainter> painters_;
     std::vector<MaskedColumn> columns_;
-    std::vector<int> rows_left_;  ///< by column: that may be noted yet
+    std::vector<std::uint32_t> noted_;  ///< by column: pictures
 };
 
 // Which columns and rows of a viewport show panels, and in which order.
@@ -79,7 +77,7 @@ private:
 class PanelColumns {
 public:
     /// Finds the panels that are somewhere on the screen. False: there are none.
-    bool gather(const RoomView& view, MaskedColumns& masked);
+    bool gather(const RoomView& view);
 
     /// What column x shows of a panel.
     struct PanelColumn {
@@ -92,7 +90,7 @@ public:
     std::span<const PanelColumn> at(const RoomView& view, int x);
 
     /// Notes what column x shows of the panel.
-    void note(const RoomView& view, const PanelColumn& shown, int x, MaskedColumns& masked) const;
+    void note(const RoomView& view, const PanelColumn& shown, int x, MaskedColumns& masked);
 
 private:
     /// A panel that is somewhere on the screen.
@@ -100,10 +98,12 @@ private:
         Segment facing;       ///< turned so that it faces the eye
         ProjectedWall place;  ///< `swapped` says whether its left end is the panel's b
         RelativeHeights rows;
-        int painter;  ///< in MaskedColumns
+        PanelId panel;
+        int painter = MaskedColumns::kNotAdded;
     };
 
-    void add(const RoomView& view, PanelId id, MaskedColumns& masked);
+    void add(const RoomView& view, PanelId id);
+    static int painter_of(const RoomView& view, const PanelBoard& board, MaskedColumns& masked);
     bool is_before(int a, int b) const;
     void move_to(int x);
     bool is_before_wall(const RoomView& view, const PanelBoard& board, int x) const;
@@ -121,7 +121,7 @@ class ThingColumns {
 public:
     /// Finds the things that are somewhere on the screen and puts them in order, the nearest first. False: there are
     /// none.
-    bool gather(const RoomView& view, MaskedColumns& masked);
+    bool gather(const RoomView& view);
 
     std::size_t count() const { return boards_.size(); }
 
@@ -129,10 +129,10 @@ public:
     double depth(std::size_t i) const { return boards_[i].depth; }
 
     /// Notes what column x shows of the i-th of them, if it does.
-    void note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked) const;
+    void note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked);
 
     /// Notes every column of all of them.
-    void note_all(const RoomView& view, MaskedColumns& masked) const;
+    void note_all(const RoomView& view, MaskedColumns& masked);
 
 private:
     /// A picture that is somewhere on the screen.
@@ -143,12 +143,18 @@ private:
         double width;    ///< [m]
         bool mirrored;   ///< its left edge is the picture's right one
         RelativeHeights rows;
-        Vec2 place;   ///< of the thing
-        int painter;  ///< in MaskedColumns
+        double top;  ///< of the picture, above the eye [m]
+        SpritePicture picture;
+        ThingId thing;
+        Vec2 place;          ///< of the thing
+        std::size_t number;  ///< among those of the room
+        int painter = MaskedColumns::kNotAdded;
     };
 
     static bool is_nearer(const ThingBoard& a, const ThingBoard& b);
-    void add(const RoomView& view, const Presence& presence, MaskedColumns& masked);
+    static bool is_aside(const RoomView& view, const Presence& presence, double depth, double aside);
+    void add(const RoomView& view, const Presence& presence);
+    static int painter_of(const RoomView& view, const ThingBoard& board, MaskedColumns& masked);
     static bool is_met(const RoomView& view, const ThingBoard& board, int x);
 
     std::vector<ThingBoard> boards_;

@@ -204,7 +204,8 @@ Viewport* ViewportDrawer::child_of(const ColumnScene& scene, FrameState& state, 
     child.sector = wall.behind;
     child.entry = wall.exit;
     child.depth = viewport_->depth + 1;
-    child.spent = viewport_->spent + cost_of_look_into(scene.map[wall.behind]);
+    child.spent =
+        viewport_->spent + cost_of_look_into(scene.map[wall.behind], scene.snapshot.things.in(wall.behind).size());
     child.pose = viewport_->pose;
     if (is_link) {
         child.pose = static_cast<int>(state.poses.size());

@@ -76,7 +76,7 @@ void SeenRooms::follow(const Map& map, const Snapshot& snapshot, int column) {
     SeenPart part{0, {}, 0, lowest_, highest_};
     double begin = 0;  // of the segment, in parts of the whole look
     int links = 0;
-    for (std::uint32_t spent = 0; spent < kLookBudget; spent += cost_of_look_into(map[segment.sector])) {
+    for (std::uint32_t spent = 0; spent < kLookBudget; spent += cost_of_look_into(map[segment.sector], 0)) {
         part.exit = way_out(map, segment);
         const double met =
             part.exit ? fraction_along_path(segment.from, segment.to, map[part.exit].a, map[part.exit].b).value() : 1;

@@ -270,24 +270,26 @@ bool is_ambiguous(const Arrival& at) {
 
 Seen cast_ray(const ReferenceScene& scene, RayPath& path, const RayCourse& course) {
     bool ambiguous = false;
-    std::vector<Pane> panes;
+    PanesMet met;
     double entry_depth = 0;
     WallId entry;
     for (std::size_t i = 0;; ++i) {
         const Arrival at = arrive(scene, path[i], course);
         ambiguous |= is_ambiguous(at);
         if (!scene.snapshot.things.in(at.hit.sector).empty() || !at.hit.panels.empty())
-            ambiguous |= add_room_panes(scene, {at.hit, course, entry_depth, entry}, panes);
+            add_room_panes(scene, {at.hit, course, entry_depth, entry}, met);
         entry_depth = at.hit.depth;
         entry = at.wall.kind == WallKind::mirror ? at.hit.wall : at.wall.exit;
         if (const std::optional<Seen> end = end_of_ray(at)) {
-            Seen seen = through_panes(panes, *end);
-            seen.ambiguous = ambiguous;
+            Seen seen = through_panes(met.panes, *end);
+            seen.ambiguous = ambiguous || met.ambiguous;
             return seen;
         }
         if (at.kind != WallKind::portal || !scene.map[at.wall.middle].texture) continue;
-        panes.push_back(pane(at));
-        ambiguous |= panes.back().ambiguous;
+        if (met.is_full(scene)) continue;
+        ++met.passed;
+        met.panes.push_back(pane(at));
+        met.ambiguous |= met.panes.back().ambiguous;
     }
 }
 

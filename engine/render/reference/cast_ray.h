@@ -10,6 +10,7 @@
 #include "render/frame.h"
 #include "render/lighting.h"
 #include "render/mips.h"
+#include "render/openings.h"
 #include "render/reference/own_light.h"
 #include "render/reference/ray_path.h"
 #include "render/shade.h"
@@ -59,10 +60,11 @@ struct Pane {
     bool ambiguous = false;
 };
 
-/// A pane at some depth [m].
+/// What stands in the plane on the way of a ray, at some depth [m].
 struct MetPane {
     double depth = 0;
-    Pane pane;
+    bool is_hit = false;  ///< else the ray passes above or below it
+    Pane pane;            ///< where it is hit
 };
 
 /// The stretch of a ray in one room: from where it comes in to the wall it meets.
@@ -117,21 +119,34 @@ inline std::uint32_t in_fog(const ReferenceScene& scene, std::uint32_t color, do
 /// behind? size_m: of the picture.
 bool is_at_rim_of_hole(const Texture& texture, TexelPosition at, Vec2 size_m);
 
-/// Adds the things and panels that the ray goes through, the nearest first; of a thing and a panel at one depth, in
-/// steps (render/sprite.h), the thing. True where a shift of kAmbiguous would have met something else, or in another
-/// order.
-bool add_room_panes(const ReferenceScene& scene, const RoomRay& ray, std::vector<Pane>& panes);
+/// What a ray goes through on its way, the nearest first.
+struct PanesMet {
+    std::vector<Pane> panes;
+    std::size_t passed = 0;  ///< pictures, at any height; of more than kMostPictures the farthest are left out
+    bool ambiguous = false;  ///< a shift of kAmbiguous would have met something else, or in another order
+
+    /// Whether what is behind is left out.
+    bool is_full(const ReferenceScene& scene) const { return !scene.is_tilted && passed >= kMostPictures; }
+};
+
+/// Adds the things and panels that the ray goes through; of a thing and a panel at one depth, in steps
+/// (render/sprite.h), the thing is the nearer.
+void add_room_panes(const ReferenceScene& scene, const RoomRay& ray, PanesMet& met);
 
 // The panels that a ray goes through on its way through one room.
 
-/// Adds the panels that the ray goes through, the nearest first. True where a shift of kAmbiguous would have met
-/// another one, or missed one.
+/// Adds the panels that the ray passes, the nearest first. True where a shift of kAmbiguous would have met another one,
+/// or missed one.
 bool find_panels_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met);
 
 // The pictures of things that a ray meets on its way through one room.
 
-/// Adds the pictures that the ray goes through, the nearest first, by the rules of render/sprite.h. True where a shift
-/// of kAmbiguous would have met another picture.
-bool find_things_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met);
+/// Whether a shift of kAmbiguous would have met another picture: whatever its height, or gone through another one.
+struct ThingsCloseBy {
+    bool passed = false, hit = false;
+};
+
+/// Adds the pictures that the ray passes, the nearest first, by the rules of render/sprite.h.
+ThingsCloseBy find_things_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met);
 
 }  // namespace enfilade

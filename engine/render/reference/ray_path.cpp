@@ -75,8 +75,9 @@ EyeSpace through(const Rigid& link, const EyeSpace& space) {
 
 }  // namespace
 
-RayPath::RayPath(const Map& map, const View& view, double slope)
+RayPath::RayPath(const Map& map, const Presences* things, const View& view, double slope)
     : map_(map),
+      things_(things),
       slope_(slope),
       first_sector_(view.sector),
       first_space_{view.eye, view.eye_z, view.forward, view.flip, 0} {}
@@ -90,7 +91,7 @@ void RayPath::add_next() {
     if (hits_.empty()) {
         start_step(first_space_);
         hits_.push_back(next_hit(first_space_, first_sector_));
-        hits_.back().spent = cost_of_look_into(map_[first_sector_]);
+        hits_.back().spent = cost_of_look_into(map_[first_sector_], 0);
         return;
     }
     // A straight line crosses a wall at most once, so between two links no wall is met twice.
@@ -105,7 +106,8 @@ void RayPath::add_next() {
     const EyeSpace space = is_linked ? through(map_.passage(wall), last.space) : last.space;
     if (is_linked) start_step(space);
     hits_.push_back(next_hit(space, is_mirror ? last.sector : wall.behind));
-    hits_.back().spent = last.spent + cost_of_look_into(map_[hits_.back().sector]);
+    const SectorId sector = hits_.back().sector;
+    hits_.back().spent = last.spent + cost_of_look_into(map_[sector], things_ ? things_->in(sector).size() : 0);
 }
 
 void RayPath::start_step(const EyeSpace& space) {

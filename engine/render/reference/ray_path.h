@@ -6,6 +6,7 @@
 #include "map/map.h"
 #include "math/predicates.h"
 #include "render/view.h"
+#include "space/presence.h"
 
 namespace enfilade {
 
@@ -89,8 +90,9 @@ inline constexpr double kAmbiguous = 1e-7;
 /// Cost: each step looks at all walls of one sector.
 class RayPath {
 public:
-    /// view.sector contains view.eye. The map is kept by reference.
-    RayPath(const Map& map, const View& view, double slope);
+    /// view.sector contains view.eye. The map is kept by reference, and so are the things, which only count for what
+    /// the look has spent; null: there are none.
+    RayPath(const Map& map, const Presences* things, const View& view, double slope);
 
     /// The i-th wall met, i counting from 0. All before it must be portals or mirrors, as what is behind a solid wall
     /// is not defined. The reference is valid until the next call.
@@ -114,6 +116,7 @@ private:
     double depth_of(const DirectedEdge& edge, const EyeSpace& space) const;
 
     const Map& map_;
+    const Presences* things_;
     double slope_;
     SectorId first_sector_;
     EyeSpace first_space_;

@@ -19,7 +19,7 @@ class ColumnOfRays {
 public:
     ColumnOfRays(const ReferenceScene& scene, const View& view, const Projection& projection, int x)
         : scene_(scene), view_(view), projection_(projection), x_(x) {
-        if (!view.tilt) path_.emplace(scene.map, view, projection.slope(x));
+        if (!view.tilt) path_.emplace(scene.map, &scene.snapshot.things, view, projection.slope(x));
     }
 
     Seen cast_ray(int y) {
@@ -34,7 +34,7 @@ public:
 private:
     Seen follow(const RayCourse& course) {
         if (!view_.tilt) return enfilade::cast_ray(scene_, *path_, course);
-        RayPath path(scene_.map, turned(view_, course.quarters), course.slope);
+        RayPath path(scene_.map, &scene_.snapshot.things, turned(view_, course.quarters), course.slope);
         return enfilade::cast_ray(scene_, path, course);
     }
 

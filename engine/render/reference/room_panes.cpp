@@ -40,16 +40,24 @@ bool is_order_close(const MetPane& a, const MetPane& b) {
 
 }  // namespace
 
-bool add_room_panes(const ReferenceScene& scene, const RoomRay& ray, std::vector<Pane>& panes) {
-    std::vector<MetPane> things, panels, met;
-    bool ambiguous = find_things_met(scene, ray, things);
-    ambiguous |= find_panels_met(scene, ray, panels);
-    std::merge(things.begin(), things.end(), panels.begin(), panels.end(), std::back_inserter(met), is_nearer);
-    for (std::size_t i = 0; i < met.size(); ++i) {
-        ambiguous |= met[i].pane.ambiguous || (i > 0 && is_order_close(met[i - 1], met[i]));
-        panes.push_back(met[i].pane);
+void add_room_panes(const ReferenceScene& scene, const RoomRay& ray, PanesMet& met) {
+    if (met.is_full(scene)) return;
+    std::vector<MetPane> things, panels, all;
+    const ThingsCloseBy close = find_things_met(scene, ray, things);
+    met.ambiguous |= find_panels_met(scene, ray, panels) || close.hit;
+    std::merge(things.begin(), things.end(), panels.begin(), panels.end(), std::back_inserter(all), is_nearer);
+    const MetPane* last_hit = nullptr;
+    for (const MetPane& next : all) {
+        if (met.is_full(scene)) {
+            met.ambiguous |= close.passed || is_order_close(*(&next - 1), next);
+            return;
+        }
+        ++met.passed;
+        if (!next.is_hit) continue;
+        met.ambiguous |= next.pane.ambiguous || (last_hit && is_order_close(*last_hit, next));
+        met.panes.push_back(next.pane);
+        last_hit = &next;
     }
-    return ambiguous;
 }
 
 namespace {
@@ -100,8 +108,10 @@ bool find_panels_met(const ReferenceScene& scene, const RoomRay& ray, std::vecto
         const Panel& panel = scene.map[at.panel];
         const double top = std::min(panel.top, room.ceiling_z) - eye_z;
         const double bottom = std::max(panel.bottom, room.floor_z) - eye_z;
+        if (bottom >= top) continue;
         ambiguous |= is_close_to(ray, at, top) || is_close_to(ray, at, bottom);
-        if (reaches(ray, at, bottom) && !reaches(ray, at, top)) met.push_back({at.depth, pane_of(scene, ray, at)});
+        const bool is_hit = reaches(ray, at, bottom) && !reaches(ray, at, top);
+        met.push_back({at.depth, is_hit, is_hit ? pane_of(scene, ray, at) : Pane{}});
     }
     return ambiguous;
 }
@@ -168,26 +178,36 @@ struct ThingHit {
     ThingId thing;
     double depth;  ///< along the ray's course [m]
     Vec2 place_m;  ///< from the picture's upper left corner, as it was painted, right and down [m]
+    bool is_hit;   ///< else it is passed above or below
     Pane pane;
 };
 
-/// That the ray goes through the picture, if that is cut between floor and ceiling. height: of the ray above the eye
-/// [m].
-void require_on_picture(Verdict& verdict, const ReferenceScene& scene, const RoomRay& ray, const SpritePicture& picture,
-                        const ThingHit& at, double height) {
+/// Of the picture, above the eye [m].
+struct Extent {
+    double bottom, top;
+};
+
+/// What of the picture is between floor and ceiling, where it is cut there.
+Extent shown_of(const ReferenceScene& scene, const RoomRay& ray, const SpritePicture& picture) {
     const Heights room = heights_at(scene.snapshot, ray.hit.sector);
     const double eye_z = ray.hit.space.eye_z, top = picture.foot_z - eye_z + picture.origin_m.y;
     const double bottom = top - picture.size_m.y;
+    if (is_whole(scene)) return {bottom, top};
+    return {std::max(bottom, room.floor_z - eye_z), std::min(top, room.ceiling_z - eye_z)};
+}
+
+/// That the ray passes the picture, however high.
+void require_beside(Verdict& verdict, const SpritePicture& picture, const ThingHit& at) {
     verdict.require(at.place_m.x >= 0, are_close(at.place_m.x, 0));
     verdict.require(at.place_m.x < picture.size_m.x, are_close(at.place_m.x, picture.size_m.x));
-    const double passed = height + kTieClimb * at.depth;
+}
+
+/// That it goes through what is shown of it. height: of the ray above the eye [m].
+void require_between(Verdict& verdict, const RoomRay& ray, const Extent& shown, double depth, double height) {
+    const double passed = height + kTieClimb * depth;
     const bool is_level = ray.course.climb == 0;  // compared with heights without any rounding
-    const auto require_between = [&](double lower, double upper) {
-        verdict.require(passed < upper, !is_level && are_close(height, upper));
-        verdict.require(passed >= lower, !is_level && are_close(height, lower));
-    };
-    require_between(bottom, top);
-    if (!is_whole(scene)) require_between(room.floor_z - eye_z, room.ceiling_z - eye_z);
+    verdict.require(passed < shown.top, !is_level && are_close(height, shown.top));
+    verdict.require(passed >= shown.bottom, !is_level && are_close(height, shown.bottom));
 }
 
 /// What the ray sees of the picture, if it goes through it.
@@ -207,32 +227,35 @@ Pane pane_of(const ReferenceScene& scene, const RoomRay& ray, const SpritePictur
     return pane;
 }
 
-/// Adds the meeting if the ray goes through the picture. True where it almost does, or almost does not.
-bool meet(const ReferenceScene& scene, const RoomRay& ray, const Presence& presence, std::vector<ThingHit>& met) {
+/// Adds the meeting if the ray passes the picture. Says where it almost does, or almost does not.
+ThingsCloseBy meet(const ReferenceScene& scene, const RoomRay& ray, const Presence& presence,
+                   std::vector<ThingHit>& met) {
     const EyeSpace& space = ray.hit.space;
     const Vec2 to_it = presence.position - space.eye;
     const Vec2 sight = sight_of(ray);
     const double away = dot(sight, to_it);
-    ThingHit at{presence.thing, away / sight_per_course(ray.course), {}, {}};
+    ThingHit at{presence.thing, away / sight_per_course(ray.course), {}, false, {}};
     Verdict verdict;
     if (is_whole(scene))
         require_middle_in_room(verdict, scene, ray, presence.position, away);
     else
         require_in_room(verdict, ray, away, at.depth);
-    if (!verdict.possible) return false;
+    if (!verdict.possible) return {};
     const SpritePicture picture = picture_of(scene.map, scene.textures, scene.snapshot, presence, space.eye);
-    if (!picture.texture) return false;
+    const Extent shown = shown_of(scene, ray, picture);
+    if (!picture.texture || shown.bottom >= shown.top) return {};
     const Vec2 from_it = space.direction(ray.course.slope) * at.depth - to_it;
     const double height = ray.course.climb * at.depth;
     const double aside = dot(right_of(sight), from_it);
     at.place_m = {picture.origin_m.x + (picture.is_mirrored ? -aside : aside),
                   picture.origin_m.y + (picture.foot_z - space.eye_z) - height};
-    require_on_picture(verdict, scene, ray, picture, at, height);
-    if (verdict.holds) {
-        at.pane = pane_of(scene, ray, picture, at);
-        met.push_back(at);
-    }
-    return verdict.is_ambiguous();
+    require_beside(verdict, picture, at);
+    const Verdict passed = verdict;
+    require_between(verdict, ray, shown, at.depth, height);
+    at.is_hit = verdict.holds;
+    if (at.is_hit) at.pane = pane_of(scene, ray, picture, at);
+    if (passed.holds) met.push_back(at);
+    return {passed.is_ambiguous(), verdict.is_ambiguous()};
 }
 
 /// Of pictures at the same depth the one of the thing with the lower number is the nearer.
@@ -240,14 +263,17 @@ bool is_met_sooner(const ThingHit& a, const ThingHit& b) { return depth_steps(a.
 
 }  // namespace
 
-bool find_things_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met) {
-    bool ambiguous = false;
+ThingsCloseBy find_things_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met) {
+    ThingsCloseBy close;
     std::vector<ThingHit> meetings;
-    for (const Presence& presence : scene.snapshot.things.in(ray.hit.sector))
-        ambiguous |= meet(scene, ray, presence, meetings);
+    for (const Presence& presence : scene.snapshot.things.in(ray.hit.sector)) {
+        const ThingsCloseBy here = meet(scene, ray, presence, meetings);
+        close.passed |= here.passed;
+        close.hit |= here.hit;
+    }
     std::stable_sort(meetings.begin(), meetings.end(), is_met_sooner);
-    for (const ThingHit& meeting : meetings) met.push_back({meeting.depth, meeting.pane});
-    return ambiguous;
+    for (const ThingHit& meeting : meetings) met.push_back({meeting.depth, meeting.is_hit, meeting.pane});
+    return close;
 }
 
 }  // namespace enfilade

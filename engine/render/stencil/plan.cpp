@@ -45,11 +45,12 @@ private:
     const Map& map() const { return input_.map; }
 
     void start(const View& view) {
+        panes_.start();
         Layer& first = plan_.layers.emplace_back();
         first.pose = pose_of(view);
         first.box = {0, rays_.width, 0, rays_.height};
         std::vector<Visit>& visits = first_visits_.emplace_back();
-        const std::uint32_t spent = cost_of_look_into(map()[view.sector]);
+        const std::uint32_t spent = cost_of_look_into(map()[view.sector], 0);
         if (rays_.is_tilted) {
             for (std::size_t face = 0; face < kFaces; ++face)
                 visits.push_back({view.sector, {}, {}, panorama_window(screen_, rays_, face), face, 0, spent});
@@ -140,7 +141,7 @@ private:
                 std::move(beyond),
                 here.face,
                 here.depth + 1,
-                here.spent + cost_of_look_into(map()[portal.behind])};
+                here.spent + cost_of_look_into(map()[portal.behind], input_.snapshot.things.in(portal.behind).size())};
     }
 
     /// Through those of a tilted layer that are portals, in all that the layer shows. What is behind is a layer of its
@@ -159,10 +160,9 @@ private:
     }
 
     /// The picture that hangs in a portal, in every run of columns in which one looks through.
-    void note_hanging(Layer& layer, const WallOnScreen& portal, const ClipWindow& beyond) const {
-        const auto is_met = [&](int x) { return !beyond.at(x).is_closed(); };
+    void note_hanging(Layer& layer, const WallOnScreen& portal, const ClipWindow& beyond) {
         for (int x = beyond.begin, begin = x; x <= beyond.end(); ++x) {
-            if (x < beyond.end() && is_met(x)) continue;
+            if (x < beyond.end() && !beyond.at(x).is_closed() && panes_.pass(x)) continue;
             if (begin < x) {
                 layer.panes.push_back(Hanging{portal});
                 WallOnScreen& place = place_of(layer.panes.back());

@@ -12,7 +12,7 @@ void RoomPanes::note(Layer& layer, const RoomLook& room) {
     run_.clear();
     for (int x = window.begin, begin = window.begin; x <= window.end(); ++x) {
         met_.clear();
-        if (x < window.end() && !window.at(x).is_closed()) meet(layer.pose, room, x);
+        if (x < window.end() && !window.at(x).is_closed() && !is_full(x)) meet(layer.pose, room, x);
         if (met_ == run_) continue;
         add_run(layer, begin, x, room.visit().depth);
         begin = x;
@@ -59,16 +59,20 @@ void RoomPanes::meet(const Pose& pose, const RoomLook& room, int x) {
         for (; thing < things_ && depth_steps(boards_[thing].depth) <= until; ++thing) {
             const WallOnScreen& place = place_of(boards_[thing].pane);
             const bool covers = x >= place.begin && x < place.end;
-            if (covers && is_met(pose, room, boards_[thing], x)) met_.push_back(thing);
+            if (covers && is_met(pose, room, boards_[thing], x)) add_met(thing, x);
         }
     };
     double depth = 0;
     for (const std::size_t panel : met_panels_) {
         depth = std::max(depth, 1 / place_of(boards_[panel].pane).inverse_depth(slope));  // in order despite rounding
         meet_things(depth_steps(depth));
-        met_.push_back(panel);
+        add_met(panel, x);
     }
     meet_things(std::numeric_limits<std::int64_t>::max());
+}
+
+void RoomPanes::add_met(std::size_t board, int x) {
+    if (pass(x)) met_.push_back(board);
 }
 
 bool RoomPanes::is_met(const Pose& pose, const RoomLook& room, const PaneBoard& thing, int x) const {
@@ -88,7 +92,7 @@ void RoomPanes::meet_panels(const RoomLook& room, int x) {
         const WallOnScreen& place = place_of(boards_[i].pane);
         if (x < place.begin || x >= place.end || !is_before_wall(room, boards_[i], x)) continue;
         const auto nearer_than_it = [&](std::size_t other) { return is_before(boards_[other], boards_[i]); };
-        met_panels_.insert(std::find_if_not(met_panels_.begin(), met_panels_.end(), nearer_than_it), i);
+        met_panels_.insert(std::partition_point(met_panels_.begin(), met_panels_.end(), nearer_than_it), i);
     }
 }
 

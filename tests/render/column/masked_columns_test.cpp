@@ -6,30 +6,31 @@
 namespace enfilade::column {
 namespace {
 
-constexpr int kWidth = 8, kHeight = 100;
+constexpr int kWidth = 8;
 
-TEST(MaskedColumns, TakeNoMoreOfAColumnThanItIsHighSoManyTimes) {
+TEST(MaskedColumns, TakeNoMoreOfAColumnThanTheMostPictures) {
     MaskedColumns masked;
-    masked.clear(kWidth, kHeight);
-    for (int i = 0; i < 3 * MaskedColumns::kMostOverdraw; ++i) masked.note(0, 3, {0, kHeight}, {});
-    EXPECT_EQ(masked.count(), std::size_t{MaskedColumns::kMostOverdraw});
+    masked.clear(kWidth);
+    for (std::size_t i = 0; i < 3 * kMostPictures; ++i) masked.note(0, 3, {0, 100}, {});
+    EXPECT_EQ(masked.count(), kMostPictures);
     EXPECT_TRUE(masked.is_full(3));
 }
 
-TEST(MaskedColumns, CountRowsAndNotPictures) {
+TEST(MaskedColumns, CountPicturesThatAreAboveOrBelowWhatIsOpen) {
     MaskedColumns masked;
-    masked.clear(kWidth, kHeight);
-    for (int i = 0; i < 3 * MaskedColumns::kMostOverdraw; ++i) masked.note(0, 3, {50, 60}, {});
-    EXPECT_EQ(masked.count(), std::size_t{3 * MaskedColumns::kMostOverdraw});
+    masked.clear(kWidth);
+    for (std::size_t i = 0; i < kMostPictures; ++i) masked.note(0, 3, {60, 60}, {});
+    EXPECT_TRUE(masked.is_full(3));
+    EXPECT_EQ(masked.count(), 0u);
 }
 
 TEST(MaskedColumns, CountEachColumnByItselfAndEachFrameAnew) {
     MaskedColumns masked;
-    masked.clear(kWidth, kHeight);
-    for (int i = 0; i < MaskedColumns::kMostOverdraw; ++i) masked.note(0, 3, {0, kHeight}, {});
+    masked.clear(kWidth);
+    for (std::size_t i = 0; i < kMostPictures; ++i) masked.note(0, 3, {0, 100}, {});
     EXPECT_FALSE(masked.is_full(2));
     EXPECT_FALSE(masked.is_full(4));
-    masked.clear(kWidth, kHeight);
+    masked.clear(kWidth);
     EXPECT_FALSE(masked.is_full(3));
     EXPECT_EQ(masked.count(), 0u);
 }

@@ -117,7 +117,7 @@ TEST(LookBudget, BoundsTheWallsLookedAtByTheColumnsOfThePicture) {
         frame.resize(kSize.width, kSize.height);
         ColumnRenderer renderer(place.map, place.textures);
         renderer.render(frame, nullptr, at_rest(place.map), place.view);
-        const std::size_t each = cost_of_look_into(place.map.sectors[0]);
+        const std::size_t each = cost_of_look_into(place.map.sectors[0], 0);
         EXPECT_LE(renderer.counts().viewports * each, std::size_t(kSize.width) * (kLookBudget + each)) << walls;
         EXPECT_GT(renderer.counts().viewports, std::size_t(kSize.width)) << walls;
     }
