@@ -58,6 +58,16 @@ TEST(FirstRowBelow, GivesRowCentresOnTheEdgeToTheSurfaceBelowIt) {
     EXPECT_EQ(first_row_below(screen, 80.5 / 160 + 1e-12, 1, 0, 200), 19);
 }
 
+// The definition says which of two rows shows an edge also where a product meets it to the last bit.
+TEST(FirstRowBelow, IsBehindTheRowThatMeetsTheHeightToTheLastBit) {
+    const RayTables screen = screen_of(256, 200);  // focal_y 128
+    for (const int y : {3, 30, 99, 100, 150}) {
+        const double height = screen.tied_rises[static_cast<std::size_t>(y)] / 128;
+        EXPECT_EQ(first_row_below(screen, height, 1, 0, 200), y + 1);
+        EXPECT_EQ(first_row_below(screen, 4 * height, 4, 0, 200), y + 1);
+    }
+}
+
 TEST(FirstRowBelow, PutsAnEyeInTheWallsPlaneBetweenItsHeights) {
     const RayTables screen = screen_of(320, 200);
     EXPECT_EQ(first_row_below(screen, 1.0, 0, 10, 90), 10);    // the ceiling is above the eye: no row shows it
