@@ -142,7 +142,7 @@ bool WallPainter::may_be_alike(const ColumnScene& scene, const ExactColumns& exa
 
 /// The largest group of columns around x that may be alike. Lamps light each column by itself.
 WallPainter::AlikeColumns WallPainter::alike_at(const ColumnScene& scene, const ExactColumns& exact, int x) const {
-    AlikeColumns alike{{x, x}, {}, 0};
+    AlikeColumns alike{{x, x}, {}, {}};
     const int most = light_grid_ || scene.dials->dials.texel_error == 0 ? 1 : kMostHeld;
     for (int size = 2; size <= most; size *= 2) {
         const ColumnGroup columns = group_of(x, size, exact.all());
