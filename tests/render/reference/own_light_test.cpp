@@ -320,8 +320,8 @@ TEST(OwnLight, IsAModeOfTheReference) {
     const View view = look_from(rooms.map, {0.7, 0.6}, 1.4, 40);
     LightGrids grids(rooms.map);
     const Picture by_grid = rooms.look(view, 96, 64), again = rooms.look(view, 96, 64, {1, 1, &grids});
-    const Picture own = rooms.look(view, 96, 64, {1, 1, nullptr, true}),
-                  fast = rooms.look(view, 96, 64, {1, 3, nullptr, true});
+    const Picture own = rooms.look(view, 96, 64, {.own_light = true}),
+                  fast = rooms.look(view, 96, 64, {.workers = 3, .own_light = true});
     EXPECT_EQ(by_grid.frame.pixels, again.frame.pixels);
     EXPECT_EQ(own.frame.pixels, fast.frame.pixels);
     EXPECT_EQ(own.facts.ids, by_grid.facts.ids);
