@@ -55,6 +55,13 @@ void move_rooms(Map& map, const std::vector<Rigid>& moves) {
         move_flat(map.sectors[i].floor, moves[i]);
         move_flat(map.sectors[i].ceiling, moves[i]);
     }
+    for (Panel& panel : map.panels) {
+        const Rigid& m = moves[panel.sector.index];
+        panel.a = on_grid(m, panel.a);
+        panel.b = on_grid(m, panel.b);
+        panel.bottom = m.apply_height(panel.bottom);
+        panel.top = m.apply_height(panel.top);
+    }
     for (Thing& thing : map.things) {
         const Rigid& m = moves[thing.sector.index];
         thing.position = snap_to_point_grid(m.apply(thing.position));
@@ -96,11 +103,13 @@ Map on_turnable_grid(const Map& map) {
     rough.solid_things.clear();
     rough.near_things.clear();
     rough.first_near.clear();
-    for (Wall& wall : rough.walls) {
-        wall.a = {rounded(wall.a.x), rounded(wall.a.y)};
-        wall.b = {rounded(wall.b.x), rounded(wall.b.y)};
-        wall.length = std::sqrt(dot(wall.b - wall.a, wall.b - wall.a));
-    }
+    const auto make_rough = [](auto& upright) {
+        upright.a = {rounded(upright.a.x), rounded(upright.a.y)};
+        upright.b = {rounded(upright.b.x), rounded(upright.b.y)};
+        upright.length = std::sqrt(dot(upright.b - upright.a, upright.b - upright.a));
+    };
+    std::ranges::for_each(rough.walls, make_rough);
+    std::ranges::for_each(rough.panels, make_rough);
     for (Sector& sector : rough.sectors) bound(sector, rough);
     return rough;
 }

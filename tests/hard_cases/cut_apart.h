@@ -18,8 +18,8 @@ struct CutMap {
 };
 
 /// Gives each sector at random to one of a few pieces, moves each piece somewhere else and makes links of the portals
-/// between them. Sectors, walls and things keep their numbers, walls their light; pictures on floors and ceilings move
-/// along, but do not turn.
+/// between them. Sectors, walls, panels and things keep their numbers, walls and panels their light; pictures on floors
+/// and ceilings move along, but do not turn.
 ///
 /// other_angles: a turn by the triangle 3, 4, 5; vertices are multiples of five grid steps (on_turnable_grid())
 CutMap cut_apart(const Map& map, Move move, Random& random);

@@ -49,12 +49,22 @@ void make_flats_plain(Map& map, TextureSet& textures) {
     }
 }
 
+/// A sun shines from one side of the plan, whichever way a room is turned on it, and lamps are not moved with their
+/// rooms: what is compared are shapes and pictures. That lamps shine through links as through other portals is
+/// render/lights_test.cpp's.
+void put_out_lights(Map& map) {
+    map.lights.clear();
+    map.suns.clear();
+    for (Sector& sector : map.sectors) sector.sun = {};
+}
+
 class Equivalence : public testing::TestWithParam<const char*> {
 protected:
     void SetUp() override {
         LoadedMap loaded = load_map(std::string(ENFILADE_SOURCE_DIR "/maps/") + GetParam() + ".toml", {}, read_file);
         ASSERT_TRUE(loaded.map);
         map_ = std::move(*loaded.map);
+        put_out_lights(map_);
         textures_ = std::move(loaded.textures);
     }
 
