@@ -24,9 +24,7 @@ bool is_lively(const Map& map, const Wall& wall) {
     return false;
 }
 
-bool is_lively(const Map& map, const Thing& thing) {
-    return thing.sprite && (thing.turn != 0 || thing.bob || map[thing.sprite].frames.size() > 1);
-}
+bool is_lively(const Thing& thing) { return thing.sprite && (thing.turn != 0 || thing.bob); }
 
 bool is_lively(const Map& map, const Sector& sector) {
     if (sector.light_effect || sector.floor_bob || sector.ceiling_bob) return true;
@@ -48,9 +46,9 @@ bool is_same_look(const View& a, const View& b) {
 }
 
 Stillness::Stillness(const Map& map) : map_(map), is_lively_(map.sectors.size()) {
-    const auto flickers = [](const PointLight& light) { return light.effect.has_value(); };
-    const bool all = std::ranges::any_of(map.lights, flickers);  // their light goes through doorways
-    for (std::size_t i = 0; i < map.sectors.size(); ++i) is_lively_[i] = all || is_lively(map, map.sectors[i]);
+    if (std::ranges::any_of(map.lights, [](const PointLight& light) { return light.effect.has_value(); }))
+        lamps_ = LightImages(map);
+    for (std::size_t i = 0; i < map.sectors.size(); ++i) is_lively_[i] = is_lively(map, map.sectors[i]);
 }
 
 std::vector<Stillness::Moved> Stillness::moved_in(const Snapshot& snapshot) {
@@ -62,17 +60,43 @@ std::vector<Stillness::Moved> Stillness::moved_in(const Snapshot& snapshot) {
     return moved;
 }
 
+std::size_t Stillness::frame_of(ThingId thing, const Snapshot& snapshot) const {
+    return frame_at(map_[map_[thing].sprite], snapshot.time_s);
+}
+
+bool Stillness::changes_by_itself(SectorId sector, const Snapshot& snapshot) const {
+    const SectorSnapshot& now = snapshot[sector];
+    return is_lively_[sector.index] || now.effect || now.bobbing ||
+           std::ranges::any_of(snapshot.things.in(sector),
+                               [&](const Presence& presence) { return is_lively(map_[presence.thing]); });
+}
+
+void Stillness::remember_changing(SectorId sector, const Snapshot& snapshot) {
+    for (const LightImage& image : lamps_.in(sector))
+        if (map_.lights[image.light].effect) lit_.push_back({image.light, lamp_color(map_, snapshot, image.light)});
+    for (const Presence& presence : snapshot.things.in(sector)) {
+        const SpriteId sprite = map_[presence.thing].sprite;
+        if (sprite && map_[sprite].frames.size() > 1)
+            shown_.push_back({presence.thing, frame_of(presence.thing, snapshot)});
+    }
+}
+
+bool Stillness::is_as_lit_and_shown(const Snapshot& snapshot) const {
+    return std::ranges::all_of(
+               lit_, [&](const Lamp& lamp) { return lamp_color(map_, snapshot, lamp.light) == lamp.color; }) &&
+           std::ranges::all_of(shown_,
+                               [&](const Shown& shown) { return frame_of(shown.thing, snapshot) == shown.frame; });
+}
+
 void Stillness::drew(const View& view, const Snapshot& snapshot, const std::vector<SectorId>& seen) {
     forget();
-    const auto changes_by_itself = [&](SectorId id) {
-        const SectorSnapshot& now = snapshot[id];
-        return is_lively_[id.index] || now.effect || now.bobbing ||
-               std::ranges::any_of(snapshot.things.in(id),
-                                   [&](const Presence& presence) { return is_lively(map_, map_[presence.thing]); });
-    };
-    if (seen.empty() || std::ranges::any_of(seen, changes_by_itself)) return;
+    const auto changes = [&](SectorId sector) { return changes_by_itself(sector, snapshot); };
+    if (seen.empty() || std::ranges::any_of(seen, changes)) return;
     view_ = view;
     moved_ = moved_in(snapshot);
+    lit_.clear();
+    shown_.clear();
+    for (const SectorId sector : seen) remember_changing(sector, snapshot);
     taken_ = snapshot.taken;
     pressed_ = snapshot.pressed;
     way_back_ = snapshot.way_back;
@@ -80,7 +104,7 @@ void Stillness::drew(const View& view, const Snapshot& snapshot, const std::vect
 
 bool Stillness::is_same(const View& view, const Snapshot& snapshot) const {
     return view_ && is_same_look(*view_, view) && taken_ == snapshot.taken && pressed_ == snapshot.pressed &&
-           way_back_ == snapshot.way_back && moved_ == moved_in(snapshot);
+           way_back_ == snapshot.way_back && moved_ == moved_in(snapshot) && is_as_lit_and_shown(snapshot);
 }
 
 }  // namespace enfilade
