@@ -128,7 +128,10 @@ void declare_settings(CLI::App& command, PlayRequest& request) {
 
 CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     CLI::App* command = enfilade.add_subcommand("play", "Walk through a map in a window");
-    command->add_option("MAP", request.map, "The map file (.toml); if none is given, the tour of Enfilade");
+    command->add_option(
+        "MAP", request.map,
+        "The map file (.toml), or a WAD of Doom, whose first level is opened; if none is given, the tour of "
+        "Enfilade");
     command->add_flag("--mute", request.mute, "No sounds");
     declare_settings(*command, request);
     command->add_option("--record", request.tape, "Write down all input, to play it again")->type_name("TAPE");

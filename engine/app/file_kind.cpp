@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <optional>
 
@@ -111,6 +112,13 @@ Status refuse(const std::string& path, bool wants_script, const About& about_tex
 }
 
 }  // namespace
+
+bool is_wad_file(const std::string& path) {
+    std::string magic(4, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(magic.data(), static_cast<std::streamsize>(magic.size()));
+    return file && is_wad(magic);
+}
 
 bool is_file(const std::string& path) {
     std::error_code unknown;

@@ -10,6 +10,9 @@ namespace enfilade {
 /// Whether the path leads to a file, not to a folder or nowhere.
 bool is_file(const std::string& path);
 
+/// Whether the file begins as a WAD of Doom does.
+bool is_wad_file(const std::string& path);
+
 /// An error where the path leads to something that is no map and is not meant to be one: a folder, a flythrough script,
 /// a tape or saved game, a WAD, or nothing at all. It says what it is and which command takes it; of what is not there,
 /// which file is called nearly so. None for everything else, whose own findings say more.

@@ -49,6 +49,14 @@ fs::path cache_folder_of_play() {
 
 fs::path converted_folder() { return fs::path(data_folder()) / "converted"; }
 
+fs::path folder_of_wad(const fs::path& wad) { return converted_folder() / wad.stem(); }
+
+bool is_converted_since(const fs::path& folder, const fs::path& wad) {
+    std::error_code unknown;
+    const auto converted = fs::last_write_time(folder / "report.txt", unknown);
+    return !unknown && converted >= fs::last_write_time(wad, unknown) && !unknown;
+}
+
 /// "freedoom2" of ".../freedoom2", and of ".../freedoom2-1234-5678", as ./run names what it converts.
 std::string wad_of(const fs::path& folder) {
     const std::string name = folder.filename().string();
@@ -161,7 +169,7 @@ std::vector<ListedMap> find_maps() {
 }
 
 Status convert_wad(const std::string& wad_path) {
-    const fs::path folder = converted_folder() / fs::path(wad_path).stem(), scratch = folder.string() + ".unfinished";
+    const fs::path folder = folder_of_wad(wad_path), scratch = folder.string() + ".unfinished";
     std::error_code failed;
     fs::create_directories(folder.parent_path(), failed);
     fs::remove_all(scratch, failed);
@@ -172,9 +180,20 @@ Status convert_wad(const std::string& wad_path) {
     // Status 1: some levels were refused; the report is written where the others are there.
     if (end.value().exit_code > 1 || !fs::exists(scratch / "report.txt", failed))
         return Error{wad_path, "it cannot be converted: " + end.value().said.substr(0, end.value().said.find('\n'))};
+    fs::remove_all(folder, failed);  // what an older file of this name was converted to
     fs::rename(scratch, folder, failed);
     if (failed) return Error{folder.string(), "the converted levels cannot be put here: " + failed.message()};
     return {};
+}
+
+Result<std::string> first_level_of(const std::string& wad_path) {
+    const fs::path folder = folder_of_wad(wad_path);
+    if (!is_converted_since(folder, wad_path))
+        if (Status failed = convert_wad(wad_path)) return *failed;
+    const std::vector<std::string> levels = maps_in_folders({folder.string()});
+    if (levels.empty() || !levels[0].ends_with(".toml"))
+        return Error{wad_path, "no level of it could be converted; " + (folder / "report.txt").string() + " says why"};
+    return levels[0];
 }
 
 MapPictures::MapPictures() : worker_([this] { work(); }) {}

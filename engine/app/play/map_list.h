@@ -29,6 +29,10 @@ std::vector<ListedMap> find_maps();
 /// converter said.
 Status convert_wad(const std::string& wad_path);
 
+/// The map of the first level of a WAD, by its name: as convert_wad() left it where that is no older than the WAD, else
+/// converted now, which takes seconds.
+Result<std::string> first_level_of(const std::string& wad_path);
+
 /// What a map's picture is like [px].
 inline constexpr int kPictureWidth = 192, kPictureHeight = 120;
 

@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/file_kind.h"
 #include "app/messages.h"
+#include "app/play/map_list.h"
 #include "app/play/play_loop.h"
 #include "app/play/saved_game.h"
 #include "app/play/title.h"
@@ -65,6 +66,13 @@ Result<std::unique_ptr<Game>> game_for(const TitleChoice& choice, const PlayRequ
     return game;
 }
 
+/// The map that was named, the first level of a WAD that was, or the tour.
+Result<std::string> map_for(const PlayRequest& request) {
+    if (request.map.empty()) return shipped_map("enfilade.toml");
+    if (!is_wad_file(request.map)) return request.map;
+    return first_level_of(request.map);
+}
+
 /// Title screen and game by turns, until the player quits.
 Status show_title(Window& window, SettingsStore& store, const PlayRequest& request) {
     std::string note;
@@ -89,8 +97,9 @@ Status show_title(Window& window, SettingsStore& store, const PlayRequest& reque
 int run_play(const PlayRequest& request) {
     auto store = settings_for(request);
     if (!store.ok()) return refuse_usage(store.error());
-    auto game = Game::start(request.map.empty() ? shipped_map("enfilade.toml") : request.map, request.texture_folders,
-                            request.skill);
+    const auto map = map_for(request);
+    if (!map.ok()) return fail(map.error());
+    auto game = Game::start(map.value(), request.texture_folders, request.skill);
     if (!game.ok()) return fail(game.error());
     if (!request.load.empty())
         if (Status failed = game.value()->load_saved(request.load)) return fail(*failed);

@@ -101,7 +101,9 @@ TEST(CommandLine, SaysWhatAFileIsThatIsNoMap) {
         {"map", "no such file; did you mean map.toml?"}};
     for (const auto& [file, sentence] : expected) {
         EXPECT_THAT(program.run({"render", file, "--out", "a.png"}).err, HasSubstr(file + ": " + sentence));
-        EXPECT_THAT(program.run({"play", file}, "SDL_VIDEODRIVER=dummy").err, HasSubstr(file + ": " + sentence));
+        if (file != "doom.wad") {  // which play opens
+            EXPECT_THAT(program.run({"play", file}, "SDL_VIDEODRIVER=dummy").err, HasSubstr(file + ": " + sentence));
+        }
         if (file == "folder") continue;  // all maps in it are checked
         EXPECT_THAT(program.run({"check", file}).out, HasSubstr("error: " + sentence));
     }

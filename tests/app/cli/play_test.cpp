@@ -70,6 +70,29 @@ TEST(Play, RecordsWhatWasPlayed) {
     EXPECT_EQ(tape.ticks.front(), InputRecord{});
 }
 
+TEST(Play, OpensTheFirstLevelOfAWad) {
+    const Program program;
+    program.write("doomed.wad", "PWAD");
+    const std::filesystem::path folder = program.home("data/enfilade/converted/doomed");
+    std::filesystem::create_directories(folder);
+    ASSERT_FALSE(write_file((folder / "map01.toml").string(), std::string_view(test::kTwoRooms)));
+    ASSERT_FALSE(write_file((folder / "report.txt").string(), std::string_view()));
+    const Ended ended = program.run({"play", "doomed.wad", "--size", "64x40", "--record", "walk.tape"},
+                                    "SDL_VIDEODRIVER=dummy timeout --preserve-status -s INT 0.7");
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    const auto bytes = read_file(program.path("walk.tape"));
+    ASSERT_TRUE(bytes.ok()) << bytes.error().text();
+    EXPECT_THAT(read_tape(bytes.value()).value().map, HasSubstr("map01.toml"));
+}
+
+TEST(Play, SaysWhatIsWrongWithAWad) {
+    const Program program;
+    program.write("broken.wad", "PWAD and so on");
+    const Ended ended = program.run({"play", "broken.wad"}, "SDL_VIDEODRIVER=dummy");
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("broken.wad: it cannot be converted"));
+}
+
 /// The two rooms with a thing that hums ahead of the player on the left.
 std::string humming_rooms() {
     return std::string(test::kTwoRooms) +

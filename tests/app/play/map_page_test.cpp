@@ -98,6 +98,27 @@ TEST_F(Maps, SayWhyAWadCannotBeConverted) {
     EXPECT_FALSE(fs::exists(home_.path("data/enfilade/converted/broken")));
 }
 
+TEST_F(Maps, AreTheFirstLevelOfAWadThatWasConverted) {
+    const std::string wad = write("wads/doomed.wad", "PWAD");
+    write_room("data/enfilade/converted/doomed/map02.toml");
+    const std::string first = write_room("data/enfilade/converted/doomed/map01.toml");
+    const std::string report = write("data/enfilade/converted/doomed/report.txt", "");
+    const auto level = first_level_of(wad);
+    ASSERT_TRUE(level.ok()) << level.error().text();
+    EXPECT_EQ(level.value(), first);
+    fs::last_write_time(report, fs::last_write_time(wad) - std::chrono::seconds(1));
+    EXPECT_FALSE(first_level_of(wad).ok()) << "a newer WAD is converted again, and this one is broken";
+    EXPECT_TRUE(fs::exists(first)) << "what was there stays";
+}
+
+TEST_F(Maps, SayThatNoLevelOfAWadCouldBeConverted) {
+    const std::string wad = write("wads/empty.wad", "PWAD");
+    write("data/enfilade/converted/empty/report.txt", "");
+    const auto level = first_level_of(wad);
+    ASSERT_FALSE(level.ok());
+    EXPECT_NE(level.error().what.find("report.txt"), std::string::npos);
+}
+
 TEST_F(Maps, HavePicturesThatAreKept) {
     const std::string path = write_room("data/enfilade/maps/mine.toml");
     {
