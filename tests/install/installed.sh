@@ -33,6 +33,10 @@ mv "$share/maps" other/maps
 ENFILADE_SHARE=$scratch/other "$enfilade" bench --effects --size 64x40 --rounds 2 | grep "^$scratch/other/maps/effects"
 mv other/maps "$share/maps"
 "$prefix/bin/wadconv" --version
+# The menu of a desktop opens the title screen; its file manager hands over a map or a WAD.
+grep -qx 'Exec=enfilade' "$prefix/share/applications/enfilade.desktop"
+grep -qx 'Exec=enfilade play %f' "$prefix/share/applications/enfilade-play.desktop"
+if command -v desktop-file-validate; then desktop-file-validate "$prefix"/share/applications/*.desktop; fi
 
 for compiler in g++ clang++-19; do
     command -v "$compiler" >/dev/null || continue
