@@ -37,11 +37,11 @@ TextureSet white(TextureSet textures) {
     return textures;
 }
 
-struct Drawn {
+struct LitPicture {
     Frame frame;
     FrameFacts facts;
 
-    Drawn(int width, int height) {
+    LitPicture(int width, int height) {
         frame.resize(width, height);
         reset(facts, width, height);
     }
@@ -55,7 +55,7 @@ int apart(std::uint32_t a, std::uint32_t b) {
     return most;
 }
 
-void add(const Drawn& truth, const Drawn& drawn, LightErrors& errors) {
+void add(const LitPicture& truth, const LitPicture& drawn, LightErrors& errors) {
     for (std::size_t i = 0; i < truth.frame.pixels.size(); ++i) {
         const PixelSurface id = truth.facts.ids[i];
         const bool is_sky = !std::isfinite(truth.facts.depths[i]);
@@ -84,7 +84,7 @@ Result<LightErrors> measure_light(const OpenMap& map, const std::vector<View>& v
     if (!renderer.ok()) return renderer.error();
     LightErrors errors;
     for (const View& view : views) {
-        Drawn truth(width, height), drawn(width, height);
+        LitPicture truth(width, height), drawn(width, height);
         render_reference(truth.frame, &truth.facts, rooms, textures, snapshot, view,
                          {.samples = dials.samples, .own_light = true});
         if (Status failed = renderer.value()->render(drawn.frame, &drawn.facts, snapshot, view)) return *failed;

@@ -151,11 +151,12 @@ Movement wall_moves(const Arrival& at) {
 
 /// `height` above the eye. Of a flat that is seen extended, or from its wrong side, the part that is nearest to where
 /// the ray really crosses its height; a level ray does so at infinity.
-Seen flat(const Arrival& at, const FlatNow& flat, double height, FlatSide side, PixelSurface id) {
+Seen flat(const Arrival& at, const FlatNow& flat, double height,
+          LightCell (Lamplight::*lamplight_on)(SectorId, Vec2) const, PixelSurface id) {
     if (flat.sky) return sky(at, flat, id);
     const double depth = at.course.climb == 0 ? at.hit.depth : std::clamp(height / at.course.climb, 0.0, at.hit.depth);
     const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth;
-    const FlatPlace place{spot - flat.origin, depth, at.scene.lamplight.on_flat(at.hit.sector, side, spot)};
+    const FlatPlace place{spot - flat.origin, depth, (at.scene.lamplight.*lamplight_on)(at.hit.sector, spot)};
     Seen seen = painted(at, flat.surface, id, place, flat_moves(at, id, height, depth));
     for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
         const Surface layer = layer_now(at.scene.map, at.scene.snapshot, flat, i);
@@ -235,10 +236,10 @@ Seen end_of_chain(const Arrival& at) {
 std::optional<Seen> end_of_ray(const Arrival& at) {
     const SectorId sector = at.hit.sector;
     if (reaches(at, at.own.ceiling))
-        return flat(at, ceiling_now(at.scene.map, at.scene.snapshot, sector), at.own.ceiling, FlatSide::ceiling,
+        return flat(at, ceiling_now(at.scene.map, at.scene.snapshot, sector), at.own.ceiling, &Lamplight::on_ceiling,
                     ceiling_id(sector));
     if (!reaches(at, at.own.floor))
-        return flat(at, floor_now(at.scene.map, at.scene.snapshot, sector), at.own.floor, FlatSide::floor,
+        return flat(at, floor_now(at.scene.map, at.scene.snapshot, sector), at.own.floor, &Lamplight::on_floor,
                     floor_id(sector));
     if (at.kind == WallKind::solid) return wall(at, at.wall.texture, WallPart::middle);
     if (at.kind == WallKind::portal) {

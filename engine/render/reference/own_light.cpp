@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "math/predicates.h"
 #include "render/lighting.h"
@@ -80,12 +81,16 @@ LightCell OwnLight::on_panel(PanelId id, double along, double z) const {
     });
 }
 
-LightCell OwnLight::on_flat(SectorId sector, FlatSide side, Vec2 place) const {
-    const Heights room = heights_at(snapshot_, sector);
-    const bool is_floor = side == FlatSide::floor;
-    const LitPlace at{sector, place, is_floor ? room.floor_z : room.ceiling_z, {}};
-    return sum_at(at, is_floor ? sunlight_on_floor(map_, sector) : LampColor{},
-                  [&](const SeenLamp& lamp, double) -> std::optional<double> { return at.z - lamp.z; });
+LightCell OwnLight::on_floor(SectorId sector, Vec2 place) const {
+    return on_flat({sector, place, heights_at(snapshot_, sector).floor_z, {}}, sunlight_on_floor(map_, sector));
+}
+
+LightCell OwnLight::on_ceiling(SectorId sector, Vec2 place) const {
+    return on_flat({sector, place, heights_at(snapshot_, sector).ceiling_z, {}}, {});
+}
+
+LightCell OwnLight::on_flat(const LitPlace& at, const LampColor& sun) const {
+    return sum_at(at, sun, [&](const SeenLamp& lamp, double) -> std::optional<double> { return at.z - lamp.z; });
 }
 
 LightCell OwnLight::on_thing(ThingId id) const {
@@ -111,12 +116,14 @@ LightCell Lamplight::on_panel(PanelId panel, double along, double z) const {
     return own_ ? own_->on_panel(panel, along, z) : light_in(grids_->on_panel(*snapshot_, panel), along, z);
 }
 
-LightCell Lamplight::on_flat(SectorId sector, FlatSide side, Vec2 place) const {
+LightCell Lamplight::on_floor(SectorId sector, Vec2 place) const {
     if (!grids_) return 0;
-    if (own_) return own_->on_flat(sector, side, place);
-    const LightGrid* grid =
-        side == FlatSide::floor ? grids_->on_floor(*snapshot_, sector) : grids_->on_ceiling(*snapshot_, sector);
-    return light_in(grid, place.x, place.y);
+    return own_ ? own_->on_floor(sector, place) : light_in(grids_->on_floor(*snapshot_, sector), place.x, place.y);
+}
+
+LightCell Lamplight::on_ceiling(SectorId sector, Vec2 place) const {
+    if (!grids_) return 0;
+    return own_ ? own_->on_ceiling(sector, place) : light_in(grids_->on_ceiling(*snapshot_, sector), place.x, place.y);
 }
 
 LightCell Lamplight::on_thing(ThingId thing) const {

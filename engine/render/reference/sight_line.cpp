@@ -1,10 +1,11 @@
-#include "render/reference/sight_line.h"
+// Which lamps shine in which rooms, and whether their light comes straight to a place.
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "math/predicates.h"
+#include "render/reference/own_light.h"
 #include "render/reference/ray_path.h"
 
 namespace enfilade {
@@ -30,7 +31,7 @@ public:
     }
 
 private:
-    struct Room {
+    struct RoomAround {
         SectorId sector;
         SeenLamp lamp;
     };
@@ -43,7 +44,7 @@ private:
         rooms_.push_back({sector, lamp});
     }
 
-    void look_out_of(Room room) {
+    void look_out_of(RoomAround room) {
         const Sector& sector = map_[room.sector];
         for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i) {
             const Wall& wall = map_.walls[i];
@@ -61,7 +62,7 @@ private:
     const Map& map_;
     const PointLight& light_;
     std::vector<std::vector<SeenLamp>>& seen_;
-    std::vector<Room> rooms_;
+    std::vector<RoomAround> rooms_;
 };
 
 }  // namespace

@@ -51,7 +51,7 @@ struct LitRooms {
         return {};
     }
     LightCell on_floor(const std::string& name, Vec2 at) const {
-        return OwnLight(map, snapshot).on_flat(sector(name), FlatSide::floor, at);
+        return OwnLight(map, snapshot).on_floor(sector(name), at);
     }
     std::uint32_t red_on_floor(const std::string& name, Vec2 at) const { return lane(on_floor(name, at), 0); }
 };
@@ -70,9 +70,8 @@ TEST(OwnLight, IsWhatTheFormulaSaysInAnEmptyRoom) {
     Random random(5);
     for (int trial = 0; trial < 500; ++trial) {
         const double x = random.uniform(0, 8), y = random.uniform(0, 8), z = random.uniform(0, 4);
-        const auto on_flat = [&](FlatSide side) { return lane(light.on_flat(SectorId(0u), side, {x, y}), 0); };
-        EXPECT_NEAR(on_flat(FlatSide::floor), formula(length(x - 3, y - 5, 2.5), 2.5, 6), 0.51);
-        EXPECT_NEAR(on_flat(FlatSide::ceiling), formula(length(x - 3, y - 5, 1.5), 1.5, 6), 0.51);
+        EXPECT_NEAR(lane(light.on_floor(SectorId(0u), {x, y}), 0), formula(length(x - 3, y - 5, 2.5), 2.5, 6), 0.51);
+        EXPECT_NEAR(lane(light.on_ceiling(SectorId(0u), {x, y}), 0), formula(length(x - 3, y - 5, 1.5), 1.5, 6), 0.51);
         EXPECT_NEAR(lane(light.on_wall(WallId(0u), x, z), 0), formula(length(x - 3, 5, z - 2.5), 5, 6), 0.51);
         EXPECT_NEAR(lane(light.on_wall(WallId(3u), y, z), 1), formula(length(3, 8 - y - 5, z - 2.5), 3, 6), 0.51);
     }
@@ -217,10 +216,11 @@ Vec2 moved(Vec2 v, int way) {
 /// Metres that a 29th of is on the grid.
 constexpr double kUnit = 29.0 / 16;
 
-/// Two rooms with a pillar in the second, side by side or linked.
+/// Three rooms in a row, a pillar in the second and a lintel before the third, side by side or linked after the first.
 MapFile side_by_side() {
-    MapFile file = map_of(
-        {box_room("near", 0, 0, 2 * kUnit, 2 * kUnit, 0, 3), box_room("far", -3 * kUnit, 0, 0, 2 * kUnit, 0.25, 3)});
+    MapFile file = map_of({box_room("near", 0, 0, 2 * kUnit, 2 * kUnit, 0, 3),
+                           box_room("far", -2 * kUnit, 0, 0, 2 * kUnit, 0.25, 3),
+                           box_room("end", -3 * kUnit, 0, -2 * kUnit, 2 * kUnit, 0.125, 0.75)});
     cut_pillar(sector(file, "far"), -1.5 * kUnit, kUnit, -kUnit, 1.5 * kUnit);
     join_all(file);
     file.lights = {lamp(0.7, 2.2, 1.4)};
@@ -229,14 +229,13 @@ MapFile side_by_side() {
 
 MapFile far_apart(int way, double rise) {
     MapFile file = side_by_side();
-    SectorRecord& far = sector(file, "far");
-    far.floor.z += rise;
-    far.ceiling.z += rise;
-    for (LoopRecord& loop : far.loops) {
-        for (Vec2& v : loop.vertices) v = moved(v, way);
-        for (WallRecord& wall : loop.walls) wall.next.clear();
+    for (const char* name : {"far", "end"}) {
+        SectorRecord& room = sector(file, name);
+        room.floor.z += rise;
+        room.ceiling.z += rise;
+        for (LoopRecord& loop : room.loops)
+            for (Vec2& v : loop.vertices) v = moved(v, way);
     }
-    for (WallRecord& wall : sector(file, "near").loops[0].walls) wall.next.clear();
     link(file, "near", {0, 2 * kUnit}, {0, 0}, "far", moved({0, 0}, way), moved({0, 2 * kUnit}, way));
     wall(file, "near", {0, 2 * kUnit}, {0, 0}).rise = rise;
     return file;
@@ -250,17 +249,20 @@ TEST(OwnLight, GoesThroughALinkAsThroughADoorway) {
         const LitRooms linked(far_apart(way, 7.25));
         const OwnLight there(linked.map, linked.snapshot);
         Random random(9);
-        std::size_t lit = 0, dark = 0;
-        for (int trial = 0; trial < 2000; ++trial) {
+        std::size_t lit[2] = {}, dark[2] = {};
+        for (int trial = 0; trial < 4000; ++trial) {
             const Vec2 at = snap_to_point_grid(Vec2{random.uniform(-3 * kUnit, 0), random.uniform(0, 2 * kUnit)});
-            if (!contains(plain.map, plain.sector("far"), at)) continue;
+            const std::string room = at.x < -2 * kUnit ? "end" : "far";
+            if (!contains(plain.map, plain.sector(room), at)) continue;
             const Vec2 over = snap_to_point_grid(moved(at, way));
-            const LightCell expected = here.on_flat(plain.sector("far"), FlatSide::floor, at);
-            EXPECT_EQ(there.on_flat(linked.sector("far"), FlatSide::floor, over), expected) << way << ", " << at.x;
-            ++(expected ? lit : dark);
+            const LightCell expected = here.on_floor(plain.sector(room), at);
+            EXPECT_EQ(there.on_floor(linked.sector(room), over), expected) << way << ", " << at.x;
+            ++(expected ? lit : dark)[room == "end"];
         }
-        EXPECT_GT(lit, 500u);
-        EXPECT_GT(dark, 100u);
+        EXPECT_GT(lit[0], 500u);
+        EXPECT_GT(dark[0], 100u);
+        EXPECT_GT(lit[1], 50u);
+        EXPECT_GT(dark[1], 50u);
     }
 }
 
@@ -293,7 +295,7 @@ double error_of_grids(const LitRooms& rooms, const OwnLight& truth, int points_p
         const Sector& room = rooms.map[sector];
         const Vec2 at{random.uniform(room.min.x, room.max.x), random.uniform(room.min.y, room.max.y)};
         if (contains(rooms.map, sector, snap_to_point_grid(at)))
-            add(grids.on_floor(rooms.snapshot, sector), at.x, at.y, truth.on_flat(sector, FlatSide::floor, at));
+            add(grids.on_floor(rooms.snapshot, sector), at.x, at.y, truth.on_floor(sector, at));
         const WallId wall(random.below(rooms.map.walls.size()));
         const double along = random.uniform(0, rooms.map[wall].length), z = random.uniform(0, 2.4);
         if (rooms.map[wall].kind == WallKind::solid)
