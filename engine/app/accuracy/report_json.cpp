@@ -1,9 +1,12 @@
 // The report for programs: written, and read again.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <type_traits>
 
 #include "app/accuracy/report.h"
 #include "formats/text_parts.h"
@@ -79,24 +82,82 @@ Json json_of(const AccuracyScene& scene) {
     return {{"name", scene.name}, {"map_hash", fmt::format("{:016x}", scene.map_hash)}, {"rows", rows}};
 }
 
-std::uint64_t hash_in(const Json& json) { return std::stoull(json.get<std::string>(), nullptr, 16); }
+// Reading: any bytes are safe, and nothing throws where it is asked first what a value is.
 
-/// Throws where anything is missing or another thing.
-AccuracyRow row_of(const Json& json, const std::vector<AccuracySetting>& settings) {
+template <class T>
+bool is_a(const Json& json) {
+    if constexpr (std::is_same_v<T, std::string>) return json.is_string();
+    if constexpr (std::is_same_v<T, bool>) return json.is_boolean();
+    if constexpr (std::is_same_v<T, std::uint64_t>) return json.is_number_unsigned();
+    return json.is_number();
+}
+
+/// Takes what has to be there, and remembers the first that was not.
+class Taking {
+public:
+    template <class T>
+    void take(const Json& from, const char* name, T& into) {
+        if (!from.is_object() || !from.contains(name) || !is_a<T>(from[name])) return refuse(name);
+        into = from[name].get<T>();
+    }
+
+    void take_hash(const Json& from, const char* name, std::uint64_t& into) {
+        std::string text;
+        take(from, name, text);
+        const auto end = std::from_chars(text.data(), text.data() + text.size(), into, 16);
+        if (text.empty() || end.ec != std::errc() || end.ptr != text.data() + text.size()) refuse(name);
+    }
+
+    const Json& list(const Json& from, const char* name) {
+        static const Json kNone = Json::array();
+        if (from.is_object() && from.contains(name) && from[name].is_array()) return from[name];
+        refuse(name);
+        return kNone;
+    }
+
+    const Json& object(const Json& from, const char* name) {
+        static const Json kNone = Json::object();
+        if (from.is_object() && from.contains(name)) return from[name];
+        refuse(name);
+        return kNone;
+    }
+
+    void refuse(const std::string& what) {
+        if (refused_.empty()) refused_ = what;
+    }
+    const std::string& refused() const { return refused_; }
+
+private:
+    std::string refused_;
+};
+
+AccuracyRow row_of(const Json& json, const std::vector<AccuracySetting>& settings, Taking& taking) {
     AccuracyRow row;
-    const auto poses =
-        std::ranges::find(kPoseKinds, json.at("poses").get<std::string>(), [](PoseKind kind) { return name_of(kind); });
-    const auto setting = std::ranges::find(settings, json.at("setting").get<std::string>(),
-                                           [](const AccuracySetting& s) { return name_of(s); });
-    if (poses == kPoseKinds.end() || setting == settings.end())
-        throw std::invalid_argument("unknown poses or setting " + json.at("setting").get<std::string>());
+    std::string poses_name, setting_name;
+    taking.take(json, "poses", poses_name);
+    taking.take(json, "setting", setting_name);
+    const auto poses = std::ranges::find(kPoseKinds, poses_name, [](PoseKind kind) { return name_of(kind); });
+    const auto setting = std::ranges::find(settings, setting_name, [](const AccuracySetting& s) { return name_of(s); });
+    if (poses == kPoseKinds.end() || setting == settings.end()) {
+        taking.refuse("setting");
+        return row;
+    }
     row.poses = *poses;
     row.setting = *setting;
-    const Json &errors = json.at("errors"), &price = json.at("price");
-    each_error(row.errors, [&](const char* name, auto& value) { errors.at(name).get_to(value); });
-    each_price(row.price, [&](const char* name, double& value) { price.at(name).get_to(value); });
-    if (price.contains("instructions")) row.price.instructions = price["instructions"].get<double>();
+    const Json &errors = taking.object(json, "errors"), &price = taking.object(json, "price");
+    each_error(row.errors, [&](const char* name, auto& value) { taking.take(errors, name, value); });
+    each_price(row.price, [&](const char* name, double& value) { taking.take(price, name, value); });
+    if (price.is_object() && price.contains("instructions"))
+        taking.take(price, "instructions", row.price.instructions.emplace());
     return row;
+}
+
+AccuracyScene scene_of(const Json& json, const std::vector<AccuracySetting>& settings, Taking& taking) {
+    AccuracyScene scene;
+    taking.take(json, "name", scene.name);
+    taking.take_hash(json, "map_hash", scene.map_hash);
+    for (const Json& row : taking.list(json, "rows")) scene.rows.push_back(row_of(row, settings, taking));
+    return scene;
 }
 
 bool are_equal(const AccuracyErrors& a, const AccuracyErrors& b) { return json_of(a) == json_of(b); }
@@ -133,22 +194,17 @@ std::string accuracy_json(const AccuracyRun& run, const std::vector<AccuracyScen
 }
 
 Result<ReadAccuracy> read_accuracy_json(const std::string& path, std::string_view text) {
-    try {
-        const Json json = Json::parse(text);
-        ReadAccuracy read;
-        json.at("command").get_to(read.run.command);
-        json.at("quick").get_to(read.run.is_quick);
-        read.run.program_hash = hash_in(json.at("program_hash"));
-        const std::vector<AccuracySetting> settings = accuracy_settings(false);
-        for (const Json& scene : json.at("scenes")) {
-            AccuracyScene into{scene.at("name").get<std::string>(), hash_in(scene.at("map_hash")), {}};
-            for (const Json& row : scene.at("rows")) into.rows.push_back(row_of(row, settings));
-            read.scenes.push_back(std::move(into));
-        }
-        return read;
-    } catch (const std::exception& wrong) {
-        return Error{path, std::string("expected a report.json of `enfilade accuracy`; ") + wrong.what()};
-    }
+    const Json json = Json::parse(text, nullptr, false);
+    Taking taking;
+    ReadAccuracy read;
+    taking.take(json, "command", read.run.command);
+    taking.take(json, "quick", read.run.is_quick);
+    taking.take_hash(json, "program_hash", read.run.program_hash);
+    const std::vector<AccuracySetting> settings = accuracy_settings(false);
+    for (const Json& scene : taking.list(json, "scenes")) read.scenes.push_back(scene_of(scene, settings, taking));
+    if (taking.refused().empty()) return read;
+    return Error{path, "expected a report.json of `enfilade accuracy`; '" + taking.refused() +
+                           "' is missing or another thing than it should be"};
 }
 
 Status compare_errors(const std::string& path, const std::vector<AccuracyScene>& report,
