@@ -16,8 +16,8 @@ constexpr auto fields(Some<TextPlace> auto& whole, auto visit) {
 }
 
 constexpr auto fields(Some<Finding> auto& whole, auto visit) {
-    auto& [place, severity, code, sentence] = whole;
-    return visit(place, severity, code, sentence);
+    auto& [place, severity, code, sentence, file] = whole;
+    return visit(place, severity, code, sentence, file);
 }
 
 constexpr auto fields(Some<NamedFile> auto& whole, auto visit) {

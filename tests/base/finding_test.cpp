@@ -36,5 +36,41 @@ TEST(Findings, AreSortedByPlaceAndOtherwiseStayInOrder) {
     EXPECT_EQ(codes, "abcd");
 }
 
+TEST(CaretLines, ShowTheLineAndThePlaceInIt) {
+    EXPECT_EQ(caret_lines("format = 1\nname = 7\n", {2, 8}), "  2 | name = 7\n    |        ^\n");
+    EXPECT_EQ(caret_lines("a\r\nb\r\n", {2, 1}), "  2 | b\n    | ^\n");
+    EXPECT_EQ(caret_lines("a = 1", {1, 6}), "  1 | a = 1\n    |      ^\n") << "behind the last letter";
+}
+
+TEST(CaretLines, CountCharactersAsEditorsDo) {
+    EXPECT_EQ(caret_lines("\tname = \"é\", x", {1, 14}), "  1 |  name = \"é\", x\n    |              ^\n");
+}
+
+TEST(CaretLines, ShowOfALongLineWhatIsAround) {
+    const std::string text = std::string(200, 'a') + "b" + std::string(200, 'c');
+    const std::string shown = caret_lines(text, {1, 201});
+    EXPECT_EQ(shown, "  1 | …" + std::string(64, 'a') + "b" + std::string(31, 'c') + "…\n    | " +
+                         std::string(65, ' ') + "^\n");
+}
+
+TEST(CaretLines, AreNoneWhereThereIsNoSuchPlace) {
+    EXPECT_EQ(caret_lines("a\nb\n", {0, 0}), "");
+    EXPECT_EQ(caret_lines("a\nb\n", {9, 1}), "");
+    EXPECT_EQ(caret_lines("a\nb\n", {1, 7}), "");
+}
+
+TEST(CaretLines, ObeyNothing) { EXPECT_EQ(caret_lines("a\x1B[2Jb", {1, 1}), "  1 | a?[2Jb\n    | ^\n"); }
+
+TEST(Sources, TellWhoseAPlaceIs) {
+    const std::vector<SourceFile> sources{{"a.toml", 11}, {"b.toml", 31}};
+    Findings findings{{{10, 2}, Severity::error, "x", "x"},
+                      {{11, 3}, Severity::error, "y", "y"},
+                      {{33, 4}, Severity::error, "z", "z"}};
+    tell_files(findings, sources);
+    EXPECT_EQ(to_text("map.toml", findings[0]), "map.toml:10:2: error: x [x]");
+    EXPECT_EQ(to_text("map.toml", findings[1]), "a.toml:1:3: error: y [y]");
+    EXPECT_EQ(to_text("map.toml", findings[2]), "b.toml:3:4: error: z [z]");
+}
+
 }  // namespace
 }  // namespace enfilade
