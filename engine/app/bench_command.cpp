@@ -228,7 +228,8 @@ bool price_map(const std::string& path, const BenchRequest& request, const Price
     const auto map = open_map(path, request.texture_folders, {});
     const auto bytes = read_file(path);
     if (!map || !bytes.ok()) return false;
-    const Prices prices = effect_prices(read_map(as_text(bytes.value())).map, map->textures, choices);
+    const Prices prices =
+        effect_prices(read_map_at(path, as_text(bytes.value()), read_file).map, map->textures, choices);
     print_text(stdout, fmt::format("{}:\n\n{}\n", path, to_markdown(prices)));
     return true;
 }

@@ -93,7 +93,8 @@ TextPlace place_of(const SurfaceOwner& owner, const MapPlaces& places) {
 std::string place_text(const ShownSurface& shown, const std::string& path, const MapPlaces& places) {
     TextPlace place = place_of(shown.owner, places);
     if (place.line == 0 && shown.sector().index < places.sectors.size()) place = places.sectors[shown.sector().index];
-    return place.line == 0 ? path : fmt::format("{}:{}", path, place.line);
+    const SourceFile* const source = source_of(place, places.sources);
+    return place.line == 0 ? path : fmt::format("{}:{}", source ? source->path : path, place.line);
 }
 
 }  // namespace

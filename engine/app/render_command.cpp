@@ -93,7 +93,8 @@ void tell_pixels(const OpenMap& map, const PictureJob& job, const RenderRequest&
     Snapshot snapshot = snapshot_at(map.map, job.time_s);
     leave_out(job.left_out, snapshot);
     const auto text = read_file(request.map);
-    const MapPlaces places = text.ok() ? places_in(as_text(text.value()), request.skill) : MapPlaces();
+    const MapPlaces places =
+        text.ok() ? places_in(as_text(text.value()), request.skill, request.map, read_file) : MapPlaces();
     for (std::size_t i = 0; i < job.views.size(); ++i)
         for (const auto [x, y] : job.at) {
             const PixelOf pixel{job.views[i], job.size.width, job.size.height, x, y};

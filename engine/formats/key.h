@@ -271,10 +271,10 @@ constexpr auto key(std::string_view name, Dialect since, Need need = Need::optio
                        names_picture<Field> ? Files::below_folder : Files::none};
 }
 
-/// The same for arrays of tables with headers of their own, which write_map lays out.
-template <auto member>
-constexpr auto header_key(std::string_view name, Dialect since, Need need = Need::optional) {
-    auto only_read = key<member>(name, since, need);
+/// The same for what write_map lays out itself, as arrays of tables with headers of their own, or never writes.
+template <auto first, auto... rest>
+constexpr auto header_key(std::string_view name, Dialect since, Need need = Need::optional, Range range = {}) {
+    auto only_read = key<first, rest...>(name, since, need, range);
     only_read.write = nullptr;
     return only_read;
 }

@@ -9,6 +9,7 @@
 #include "base/boxed.h"
 #include "base/finding.h"
 #include "formats/effect_records.h"
+#include "formats/outline_records.h"
 #include "math/vec.h"
 
 namespace enfilade {
@@ -63,6 +64,7 @@ struct LoopRecord {
     bool is_whole = true;           ///< the reader found every vertex and as many walls; if not, its shape says nothing
     TextPlace place;
     KeyPlaces places{};
+    Boxed<Shorthand<WallRecord>> shorthand{};
     bool operator==(const LoopRecord&) const = default;
 };
 
@@ -127,6 +129,8 @@ struct SectorRecord {
     std::optional<DoomRecord> doom;
     TextPlace place;
     KeyPlaces places{};
+    Boxed<Shorthand<WallRecord>>
+        shorthand{};  ///< of its outline, which is its first loop; `wall` is that of all its loops
     bool operator==(const SectorRecord&) const = default;
 };
 
@@ -237,6 +241,36 @@ struct RenderRecord {
     bool operator==(const RenderRecord&) const = default;
 };
 
+/// An opening between two rooms, written once: it cuts a wall of each, and what lies between the two walls becomes
+/// sectors of its own. Private to the reader: a map that was read has none.
+struct OpeningRecord {
+    std::vector<std::string> between;   ///< the two sectors
+    std::optional<Vec2> at;             ///< its middle, on a wall of the first; absent: of the stretch where they face
+    std::optional<Vec2> to;             ///< a link: its middle on a wall of the second
+    std::optional<double> width;        ///< [m]; absent: the whole stretch where the walls face each other
+    std::optional<double> depth;        ///< of a link: how deep the sectors behind the first wall are [m]
+    std::optional<double> bottom, top;  ///< absolute heights of its sill and its lintel [m]
+    int steps = 0;                      ///< stairs: how many
+    std::optional<TextureSpec> leaf;    ///< a door: its picture
+    WallRecord wall;      ///< what its walls look like: `texture` its sides and steps; the others as those of a wall
+    SectorRecord sector;  ///< what its sectors are like; their name is that of the opening
+    TextPlace place;
+    KeyPlaces places{};
+    bool operator==(const OpeningRecord&) const = default;
+};
+
+/// A map file that is put into this one. Private to the reader: a map that was read has none.
+struct PrefabRecord {
+    std::string name;  ///< what its rooms are called after: "NAME.room"
+    std::string file;  ///< seen from the map's folder
+    Vec2 at;           ///< where its (0, 0) comes to lie [m]
+    double z = 0;      ///< what is added to its heights [m]
+    double turn = 0;   ///< how far it is turned to the right about its (0, 0) [degrees]
+    TextPlace place;
+    KeyPlaces places{};
+    bool operator==(const PrefabRecord&) const = default;
+};
+
 /// The whole file.
 struct MapFile {
     int format = 0;  ///< 0: tutorial dialect, 1: enfilade dialect
@@ -245,6 +279,8 @@ struct MapFile {
     std::optional<double> size;  ///< texels per metre of every wall and flat that says nothing else; absent: 1 m a tile
     RenderRecord render;
     std::vector<SectorRecord> sectors;
+    std::vector<PrefabRecord> prefabs;    ///< none once it is read: what they put in is among the others
+    std::vector<OpeningRecord> openings;  ///< none once it is read: walls are cut, and what lies between is a sector
     std::optional<PlayerRecord> player;
     std::vector<ThingRecord> things;
     std::vector<PointLightRecord> lights;

@@ -15,6 +15,26 @@ void add_trigger_infos(std::vector<KeyInfo>& all, const std::string& prefix) {
     add_key_infos<LightEffectRecord>(all, prefix + "effect.");
 }
 
+void add_wall_infos(std::vector<KeyInfo>& all, const std::string& prefix) {
+    add_key_infos<WallRecord>(all, prefix);
+    add_trigger_infos(all, prefix + "triggers.");
+    add_key_infos<DoomRecord>(all, prefix + "doom.");
+}
+
+void add_flat_infos(std::vector<KeyInfo>& all, const std::string& prefix) {
+    add_key_infos<FlatRecord>(all, prefix);
+    add_key_infos<BobRecord>(all, prefix + "bob.");
+    add_key_infos<FlatLayerRecord>(all, prefix + "layers.");
+}
+
+void add_opening_infos(std::vector<KeyInfo>& all) {
+    add_key_infos<OpeningRecord>(all, "openings.");
+    add_flat_infos(all, "openings.floor.");
+    add_flat_infos(all, "openings.ceiling.");
+    add_trigger_infos(all, "openings.triggers.");
+    add_key_infos<LightEffectRecord>(all, "openings.light_effect.");
+}
+
 }  // namespace
 
 std::size_t tables_in(TomlNode array) {
@@ -77,21 +97,22 @@ std::vector<KeyInfo> map_keys() {
     add_key_infos<SwitchRecord>(all, "switches.");
     add_key_infos<SoundRecord>(all, "sounds.");
     add_key_infos<SectorRecord>(all, "sectors.");
-    for (const std::string flat : {"sectors.floor.", "sectors.ceiling."}) {
-        add_key_infos<FlatRecord>(all, flat);
-        add_key_infos<BobRecord>(all, flat + "bob.");
-        add_key_infos<FlatLayerRecord>(all, flat + "layers.");
-    }
+    add_flat_infos(all, "sectors.floor.");
+    add_flat_infos(all, "sectors.ceiling.");
     add_trigger_infos(all, "sectors.triggers.");
     add_key_infos<LightEffectRecord>(all, "sectors.light_effect.");
     add_key_infos<DoomRecord>(all, "sectors.doom.");
+    add_key_infos<PolygonRecord>(all, "sectors.polygon.");
+    add_wall_infos(all, "sectors.wall.");
     add_key_infos<LoopRecord>(all, "sectors.loops.");
-    add_key_infos<WallRecord>(all, "sectors.loops.walls.");
-    add_trigger_infos(all, "sectors.loops.walls.triggers.");
-    add_key_infos<DoomRecord>(all, "sectors.loops.walls.doom.");
+    add_key_infos<PolygonRecord>(all, "sectors.loops.polygon.");
+    add_wall_infos(all, "sectors.loops.wall.");
+    add_wall_infos(all, "sectors.loops.walls.");
     add_key_infos<PanelRecord>(all, "sectors.panels.");
     add_trigger_infos(all, "sectors.panels.triggers.");
     add_key_infos<DoomRecord>(all, "sectors.panels.doom.");
+    add_key_infos<PrefabRecord>(all, "prefabs.");
+    add_opening_infos(all);
     add_key_infos<ThingRecord>(all, "things.");
     add_key_infos<BobRecord>(all, "things.bob.");
     add_key_infos<SpriteFrameRecord>(all, "things.frames.");

@@ -40,6 +40,9 @@ inline constexpr std::size_t kMostFlatLayers = 4;
 /// The member of that name, or null.
 const TomlEntry* find_entry(std::span<const TomlEntry> entries, std::string_view key);
 
+/// Notes missing-key: "RECORD needs 'KEY', found none".
+void missing_key(Reading& reading, TextPlace place, std::string_view record, std::string_view key);
+
 /// Notes an error at the later of two keys that must not both be given.
 void refuse_both(Reading& reading, std::span<const TomlEntry> entries, std::string_view one, std::string_view other,
                  std::string_view code);
@@ -63,6 +66,12 @@ template <>
 const KeyList<PanelRecord>& keys_of();
 template <>
 const KeyList<SectorRecord>& keys_of();
+template <>
+const KeyList<PolygonRecord>& keys_of();
+template <>
+const KeyList<OpeningRecord>& keys_of();
+template <>
+const KeyList<PrefabRecord>& keys_of();
 template <>
 const KeyList<DoomRecord>& keys_of();
 template <>
@@ -95,19 +104,15 @@ const KeyList<SoundRecord>& keys_of();
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, WallRecord&);
 template <>
-void check_record(Reading&, TomlNode, std::span<const TomlEntry>, LoopRecord&);
+void check_record(Reading&, TomlNode, std::span<const TomlEntry>, OpeningRecord&);
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, FlatRecord&);
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, PanelRecord&);
 template <>
-void check_record(Reading&, TomlNode, std::span<const TomlEntry>, SectorRecord&);
-template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, ThingRecord&);
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, PlayerRecord&);
-template <>
-void check_record(Reading&, TomlNode, std::span<const TomlEntry>, MapFile&);
 
 template <>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, TriggerRecord&);

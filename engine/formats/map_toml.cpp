@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "formats/expand.h"
 #include "formats/map_keys.h"
 #include "formats/text_keys.h"
 
@@ -65,6 +66,8 @@ constexpr std::array kMapKeys{
     header_key<&MapFile::render>("render", kNew),
     header_key<&MapFile::player>("player", kBoth),
     header_key<&MapFile::sectors>("sectors", kBoth, Need::required),
+    header_key<&MapFile::prefabs>("prefabs", kNew),
+    header_key<&MapFile::openings>("openings", kNew),
     header_key<&MapFile::things>("things", kNew),
     header_key<&MapFile::lights>("lights", kNew),
     header_key<&MapFile::suns>("suns", kNew),
@@ -106,27 +109,33 @@ void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries
     refuse_both(reading, entries, "yaw", "angle", "yaw-and-angle");
 }
 
-template <>
-void check_record(Reading&, TomlNode, std::span<const TomlEntry> entries, MapFile& map) {
-    const TomlEntry* player = find_entry(entries, "player");
-    if (player && player->value.kind() == TomlKind::table && player->value.find("z").kind() == TomlKind::absent)
-        stand_on_the_floor(map);
-}
-
 namespace {
 
 Dialect dialect_of(TomlNode root) {
     return root.find("format").kind() == TomlKind::absent ? Dialect::tutorial : Dialect::enfilade;
 }
 
+std::uint32_t lines_in(std::string_view text) { return static_cast<std::uint32_t>(std::ranges::count(text, '\n')) + 1; }
+
 }  // namespace
 
-MapReading read_map(std::string_view text) {
+void read_document(Reading& reading, TomlNode root, PrefabFiles& files, MapFile& map) {
+    read_record(reading, root, map);
+    for (SectorRecord& sector : map.sectors) write_out_loops(reading, files.expansion(), sector);
+    files.place_all(map);
+    cut_openings(reading, files.expansion(), map);
+    if (map.player && !map.player->places.has("z")) stand_on_the_floor(map);
+}
+
+MapReading read_map(std::string_view text, const FileReader& prefabs) {
     MapReading result;
     const auto document = TomlDocument::parse(text, {kMaxMapBytes, kMaxMapValues}, result.findings);
     if (!document) return result;
     Reading reading{result.findings, dialect_of(document->root())};
-    read_record(reading, document->root(), result.map);
+    Expansion expansion(reading);
+    PrefabFiles files(prefabs, reading, expansion, lines_in(text) + 1);
+    read_document(reading, document->root(), files, result.map);
+    result.sources = files.sources();
     sort_by_place(result.findings);
     return result;
 }

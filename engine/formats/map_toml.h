@@ -14,6 +14,8 @@ namespace enfilade {
 struct MapReading {
     MapFile map;
     Findings findings;  ///< sorted by place
+    std::vector<SourceFile>
+        sources;  ///< files that were read into it, by whose places tell_files() (base/finding.h) goes
 };
 
 /// Reads a map in either dialect. Every number of the records is finite and in its range, every loop has as many
@@ -22,8 +24,12 @@ struct MapReading {
 ///
 /// The dialect is told by the top-level key `format`. Never throws; any bytes are safe. Texts over kMaxMapBytes or
 /// kMaxMapValues, or nested over 64 deep, are refused before memory is taken for them.
-/// Cost: about 50 ns a byte.
-MapReading read_map(std::string_view text);
+/// What stands for something longer (openings, rectangles, prefabs) is written out: nobody else ever sees it.
+///
+/// prefabs : reads a file by its name, which leads to a place below the map's folder; where empty, a map cannot have
+///           prefabs
+/// Cost: about 50 ns a byte, and at most a second for what is written out.
+MapReading read_map(std::string_view text, const FileReader& prefabs = {});
 
 /// Whether a text is meant to be a map: one that has sectors, as no script has.
 bool is_map(std::string_view text);

@@ -116,6 +116,14 @@ void read_value(Reading& reading, const NamedValue& value, Range range, Vec2& fi
     read_value(reading, {value.name, value.node.at(1)}, range, field.y);
 }
 
+void read_value(Reading& reading, const NamedValue& value, Range range, RectRecord& field) {
+    field.place = value.node.place();
+    if (value.node.kind() != TomlKind::array || value.node.size() != 4)
+        return wrong_type(reading, value, "an array of four numbers, x0, y0, x1, y1");
+    double* const numbers[] = {&field.a.x, &field.a.y, &field.b.x, &field.b.y};
+    for (std::size_t i = 0; i < 4; ++i) read_value(reading, {value.name, value.node.at(i)}, range, *numbers[i]);
+}
+
 void read_value(Reading& reading, const NamedValue& value, Range, std::string& field) {
     if (!expect(reading, value, TomlKind::string)) return;
     if (value.node.text().empty())

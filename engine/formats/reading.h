@@ -60,6 +60,8 @@ void read_value(Reading& reading, const NamedValue& value, Range range, std::opt
 void read_value(Reading& reading, const NamedValue& value, Range range, int& field);
 void read_value(Reading& reading, const NamedValue& value, Range range, bool& field);
 void read_value(Reading& reading, const NamedValue& value, Range range, Vec2& field);
+/// "[x0, y0, x1, y1]"
+void read_value(Reading& reading, const NamedValue& value, Range range, RectRecord& field);
 /// Strings must not be empty.
 void read_value(Reading& reading, const NamedValue& value, Range range, std::string& field);
 void read_value(Reading& reading, const NamedValue& value, Range range, std::vector<std::string>& field);

@@ -53,6 +53,20 @@ constexpr std::array kPanelKeys{
     key<&PanelRecord::doom>("doom", kNew),
 };
 
+/// Keys for what stands for the corners and the walls of a loop, or of a sector's outline.
+template <class Record, auto member>
+void read_shorthand(Reading& reading, const NamedValue& value, Range range, Record& record) {
+    if (!record.shorthand) record.shorthand.emplace();
+    read_field(reading, value, range, (*record.shorthand).*member);
+}
+
+template <class Record, auto member>
+constexpr Key<Record> short_key(std::string_view name, Range range = {}) {
+    return {name, kNew, Need::optional, range, read_shorthand<Record, member>};
+}
+
+using Short = Shorthand<WallRecord>;
+
 constexpr std::array kDoomKeys{
     key<&DoomRecord::special>("special", kNew),
     key<&DoomRecord::tag>("tag", kNew),
@@ -76,7 +90,10 @@ constexpr std::array kSectorKeys{
     key<&SectorRecord::down_sound>("down_sound", kNew),
     key<&SectorRecord::stop_sound>("stop_sound", kNew),
     key<&SectorRecord::doom>("doom", kNew),
-    header_key<&SectorRecord::loops>("loops", kBoth, Need::required),
+    short_key<SectorRecord, &Short::rect>("rect", kVertices),
+    short_key<SectorRecord, &Short::polygon>("polygon"),
+    short_key<SectorRecord, &Short::wall>("wall"),
+    header_key<&SectorRecord::loops>("loops", kBoth),
     header_key<&SectorRecord::panels>("panels", kNew),
 };
 
@@ -134,20 +151,12 @@ void write_vertices(TableText& table, const Key<LoopRecord>& key, const LoopReco
 
 constexpr std::array kLoopKeys{
     key<&LoopRecord::name>("name", kBoth),
-    Key<LoopRecord>{"v", kBoth, Need::required, kVertices, read_vertices, write_vertices},
-    key<&LoopRecord::walls>("walls", kBoth, Need::required),
+    Key<LoopRecord>{"v", kBoth, Need::written, kVertices, read_vertices, write_vertices},
+    short_key<LoopRecord, &Short::rect>("rect", kVertices),
+    short_key<LoopRecord, &Short::polygon>("polygon"),
+    short_key<LoopRecord, &Short::wall>("wall"),
+    key<&LoopRecord::walls>("walls", kBoth, Need::written),
 };
-
-/// Walls that are made up for a loop that has too few. An author forgets one or two; a loop of a million vertices
-/// and no walls is no slip, and must not take the memory of a million walls.
-constexpr std::size_t kMostMissingWalls = 1024;
-
-void give_every_vertex_a_wall(LoopRecord& loop) {
-    const std::size_t count = std::min(loop.vertices.size(), loop.walls.size() + kMostMissingWalls);
-    loop.vertices.resize(count);
-    loop.vertex_places.resize(count);
-    loop.walls.resize(count);
-}
 
 constexpr KeyList<WallRecord> kWallList{"a wall", kWallKeys};
 constexpr KeyList<LoopRecord> kLoopList{"a loop", kLoopKeys};
@@ -195,13 +204,6 @@ void check_record(Reading& reading, TomlNode, std::span<const TomlEntry>, PanelR
 }
 
 template <>
-void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, SectorRecord& sector) {
-    const TomlEntry* loops = find_entry(entries, "loops");
-    if (loops && loops->value.kind() == TomlKind::array && sector.loops.empty())
-        missing_key(reading, loops->value.place(), "a sector", "loops");
-}
-
-template <>
 const KeyList<WallRecord>& keys_of() {
     return kWallList;
 }
@@ -217,22 +219,6 @@ void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries
     refuse_both(reading, entries, "lower", "down", "given-twice");
     for (const auto* spec : {&wall.texture, &wall.upper, &wall.lower, &wall.middle})
         if (*spec && wall.size) refuse_tile_and_size(reading, **spec);
-}
-
-template <>
-void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, LoopRecord& loop) {
-    const TomlEntry* walls = find_entry(entries, "walls");
-    loop.is_whole =
-        walls && walls->value.kind() == TomlKind::array && loop.places.has("v") && loop.places.is_sound("v");
-    if (loop.is_whole && loop.walls.size() != loop.vertices.size()) {
-        reading.error(walls->value.place(), "walls-vertices-mismatch",
-                      "a loop has one wall for each vertex: found " + std::to_string(loop.vertices.size()) +
-                          " vertices and " + std::to_string(loop.walls.size()) +
-                          " walls; give each wall its place in "
-                          "the list, in the order of the vertices");
-        loop.is_whole = false;
-    }
-    give_every_vertex_a_wall(loop);
 }
 
 }  // namespace enfilade

@@ -136,6 +136,10 @@ std::string value_text(bool truth) { return truth ? "true" : "false"; }
 std::string value_text(const std::string& text) { return string_text(text); }
 std::string value_text(Vec2 pair) { return "[" + number_text(pair.x) + ", " + number_text(pair.y) + "]"; }
 std::string value_text(const TextureSpec& spec) { return string_text(to_text(spec)); }
+std::string value_text(const RectRecord& rect) {
+    return "[" + number_text(rect.a.x) + ", " + number_text(rect.a.y) + ",  " + number_text(rect.b.x) + ", " +
+           number_text(rect.b.y) + "]";
+}
 
 std::string value_text(const std::vector<std::string>& texts) {
     std::string list;

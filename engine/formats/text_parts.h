@@ -80,6 +80,7 @@ std::string value_text(const std::string& text);
 std::string value_text(Vec2 pair);
 std::string value_text(const std::vector<std::string>& texts);
 std::string value_text(const TextureSpec& spec);
+std::string value_text(const RectRecord& rect);
 template <Word W>
 std::string value_text(W word) {
     return string_text(to_word(word));

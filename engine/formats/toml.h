@@ -83,6 +83,9 @@ public:
 
     TomlNode root() const;  ///< a table
 
+    /// From now on every place is said to be so many lines further down. Cost: O(values).
+    void move_lines(std::uint32_t by);
+
 private:
     struct Tree;
     explicit TomlDocument(std::unique_ptr<Tree> tree);

@@ -103,6 +103,17 @@ TomlDocument::~TomlDocument() = default;
 
 TomlNode TomlDocument::root() const { return TomlAccess::look_at(tree_->root); }
 
+void TomlDocument::move_lines(std::uint32_t by) {
+    tree_->root.place.line += by;
+    for (std::vector<TomlValue>& items : tree_->arrays)
+        for (TomlValue& item : items) item.place.line += by;
+    for (std::vector<TomlMember>& members : tree_->tables)
+        for (TomlMember& member : members) {
+            member.key_place.line += by;
+            member.value.place.line += by;
+        }
+}
+
 std::optional<TomlDocument> TomlDocument::parse(std::string_view text, const TomlLimits& limits, Findings& findings) {
     if (auto problem = scan_toml(text, limits)) {
         findings.push_back(std::move(*problem));

@@ -4,7 +4,6 @@
 
 #include "base/hash.h"
 #include "base/parallel.h"
-#include "formats/map_toml.h"
 
 namespace enfilade {
 namespace {
@@ -77,7 +76,8 @@ public:
     }
 
     void from_text(Bytes text) {
-        MapReading reading = read_map(as_text(text));
+        MapReading reading = read_map_at(path_, as_text(text), read_);
+        sources_ = std::move(reading.sources);
         text = Bytes();  // a large file need not stay in memory beside the map
         compiled_.findings = std::move(reading.findings);
         if (reading.map.name.empty()) reading.map.name = name_of(path_);
@@ -106,7 +106,7 @@ public:
     }
 
     void keep_in(const MapStore& store, std::uint64_t source) const {
-        if (is_sound_) store.keep(compile(compiled_, source));
+        if (is_sound_ && sources_.empty()) store.keep(compile(compiled_, source));
     }
 
     LoadedMap take() {
@@ -114,6 +114,8 @@ public:
         loaded.findings = std::move(compiled_.findings);
         loaded.findings.insert(loaded.findings.end(), of_pictures_.begin(), of_pictures_.end());
         sort_by_place(loaded.findings);
+        tell_files(loaded.findings, sources_);
+        loaded.sources = std::move(sources_);
         loaded.textures = std::move(textures_);
         loaded.sounds = std::move(compiled_.sounds);
         loaded.next_maps = std::move(compiled_.next_maps);
@@ -145,6 +147,7 @@ private:
     CompiledMap compiled_;
     TextureSet textures_;
     Findings of_pictures_;
+    std::vector<SourceFile> sources_;
     bool is_sound_ = false;
 };
 
@@ -182,10 +185,21 @@ LoadedMap load_map(const std::string& path, const std::vector<std::string>& more
     return loading.take();
 }
 
-MapPlaces places_in(std::string_view text, std::optional<int> skill) {
-    MapFile file = read_map(text).map;
+MapReading read_map_at(const std::string& path, std::string_view text, const FileReader& read) {
+    const std::string folder = path.find('/') == std::string::npos ? "" : folder_of(path) + "/";
+    FileReader prefabs;
+    if (read) prefabs = [&](const std::string& name) { return read(folder + name); };
+    MapReading reading = read_map(text, prefabs);
+    for (SourceFile& source : reading.sources) source.path = folder + source.path;
+    return reading;
+}
+
+MapPlaces places_in(std::string_view text, std::optional<int> skill, const std::string& path, const FileReader& read) {
+    MapReading reading = read_map_at(path, text, read);
+    MapFile& file = reading.map;
     if (skill) leave_out_things(file, *skill);
     MapPlaces places;
+    places.sources = std::move(reading.sources);
     for (const SectorRecord& sector : file.sectors) {
         places.sectors.push_back(sector.place);
         places.floors.push_back(sector.floor.place);

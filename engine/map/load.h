@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "base/finding.h"
+#include "formats/map_toml.h"
 #include "map/compiled_map.h"
 #include "map/map.h"
 #include "map/textures.h"
@@ -34,6 +35,7 @@ struct LoadedMap {
     Findings findings;                 ///< errors and warnings, sorted by place
     std::vector<NamedFile> sounds;     ///< by SoundId
     std::vector<NamedFile> next_maps;  ///< that its exits lead to, as written
+    std::vector<SourceFile> sources;   ///< its prefabs: whose places of sounds and next maps are which file's
 };
 
 /// The skill of a game where nobody chooses one: Doom's "Hurt me plenty".
@@ -56,7 +58,8 @@ inline constexpr std::size_t kLeastKeptBytes = std::size_t{8} << 20;
 /// skill : 1..kMostSkill: the map holds only the things that stand there when one plays alone; none: all things
 /// list : where given, a picture that is missing is reported with the one that is called nearly so
 /// store : where given, a text of at least kLeastKeptBytes is compiled and kept there, and read from there as long as
-///         it, the skill, the program and the sizes of its pictures are the same; the map is the same, bit for bit
+///         it, the skill, the program and the sizes of its pictures are the same; the map is the same, bit for bit. A
+///         map with prefabs is not kept
 LoadedMap load_map(const std::string& path, const std::vector<std::string>& more_texture_folders,
                    const FileReader& read, std::optional<int> skill = {}, const FolderLister& list = {},
                    const MapStore* store = nullptr);
@@ -64,10 +67,17 @@ LoadedMap load_map(const std::string& path, const std::vector<std::string>& more
 /// Where in its file each part of a map is written; each list is indexed by the parts' ids.
 struct MapPlaces {
     std::vector<TextPlace> sectors, floors, ceilings, walls, panels, things;
+    std::vector<SourceFile> sources;  ///< its prefabs: source_of() (base/finding.h) says whose a place is
 };
 
 /// Of the Map that load_map() makes of this text for this skill: not kept with the map, because hardly anybody asks.
+/// path, read : of the map's file, for its prefabs
 /// Cost: that of read_map().
-MapPlaces places_in(std::string_view text, std::optional<int> skill = {});
+MapPlaces places_in(std::string_view text, std::optional<int> skill = {}, const std::string& path = {},
+                    const FileReader& read = {});
+
+/// read_map() (formats/map_toml.h) of the map at `path`, whose prefabs lie below its folder; the paths of its sources
+/// are seen from where `path` is.
+MapReading read_map_at(const std::string& path, std::string_view text, const FileReader& read);
 
 }  // namespace enfilade

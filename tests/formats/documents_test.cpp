@@ -104,7 +104,7 @@ TEST(MapSchema, DescribesEveryKey) { EXPECT_THAT(SchemaWalk("enfilade.schema.jso
 /// Strings that name no file, though nothing but this list says so: names of what is in the map, and words for people.
 constexpr std::string_view kOtherStrings[] = {"name",       "sector",    "tags",  "class", "next",       "via",
                                               "target",     "key",       "like",  "sound", "move_sound", "down_sound",
-                                              "stop_sound", "gives_key", "group", "sun"};
+                                              "stop_sound", "gives_key", "group", "sun",   "between"};
 
 /// What a string must look like to name a file, as schemas say it.
 constexpr std::string_view kNamePattern =
@@ -218,14 +218,18 @@ INSTANTIATE_TEST_SUITE_P(
         Section{"A sector", "sectors."}, Section{"A floor or ceiling", "sectors.floor."},
         Section{"A floor or ceiling", "sectors.ceiling."}, Section{"A layer", "sectors.floor.layers."},
         Section{"A layer", "sectors.ceiling.layers."}, Section{"A loop", "sectors.loops."},
-        Section{"A wall", "sectors.loops.walls."}, Section{"A panel", "sectors.panels."}, Section{"A thing", "things."},
-        Section{"A sprite's frame", "things.frames."}, Section{"A trigger", "sectors.triggers."},
-        Section{"A trigger", "sectors.loops.walls.triggers."}, Section{"A trigger", "sectors.panels.triggers."},
-        Section{"A trigger", "things.triggers."}, Section{"A light effect", "sectors.light_effect."},
-        Section{"A light effect", "sectors.triggers.effect."}, Section{"A light effect", "lights.effect."},
-        Section{"A light", "lights."}, Section{"An animation", "animations."}, Section{"A switch", "switches."},
-        Section{"A sound", "sounds."}, Section{"Left-overs of Doom", "sectors.doom."},
-        Section{"Left-overs of Doom", "sectors.loops.walls.doom."},
+        Section{"A wall", "sectors.loops.walls."}, Section{"A wall", "sectors.wall."},
+        Section{"A wall", "sectors.loops.wall."}, Section{"A polygon", "sectors.polygon."},
+        Section{"A polygon", "sectors.loops.polygon."}, Section{"A prefab", "prefabs."},
+        Section{"An opening", "openings."}, Section{"A floor or ceiling", "openings.floor."},
+        Section{"A trigger", "openings.triggers."}, Section{"A panel", "sectors.panels."},
+        Section{"A thing", "things."}, Section{"A sprite's frame", "things.frames."},
+        Section{"A trigger", "sectors.triggers."}, Section{"A trigger", "sectors.loops.walls.triggers."},
+        Section{"A trigger", "sectors.panels.triggers."}, Section{"A trigger", "things.triggers."},
+        Section{"A light effect", "sectors.light_effect."}, Section{"A light effect", "sectors.triggers.effect."},
+        Section{"A light effect", "lights.effect."}, Section{"A light", "lights."},
+        Section{"An animation", "animations."}, Section{"A switch", "switches."}, Section{"A sound", "sounds."},
+        Section{"Left-overs of Doom", "sectors.doom."}, Section{"Left-overs of Doom", "sectors.loops.walls.doom."},
         Section{"Left-overs of Doom", "sectors.panels.doom."}, Section{"Left-overs of Doom", "things.doom."}));
 
 class FlythroughManual : public testing::TestWithParam<Section> {};

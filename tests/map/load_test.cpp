@@ -187,7 +187,11 @@ TEST(MapPlaces, FindEveryWallOfMapsThatCame) {
             for (std::size_t i = 0; i < map.walls.size(); ++i) {
                 if (map.walls[i].kind != WallKind::portal) continue;
                 const std::string& next = map[map.walls[i].behind].name;
-                ASSERT_THAT(line_of(written, places.walls[i].line), ::testing::HasSubstr('"' + next + '"')) << file;
+                // An opening stands for all portals that it makes, and names the rooms at its ends.
+                ASSERT_THAT(
+                    line_of(written, places.walls[i].line),
+                    ::testing::AnyOf(::testing::HasSubstr('"' + next + '"'), ::testing::HasSubstr("between = ")))
+                    << file;
                 ++walls;
             }
         }

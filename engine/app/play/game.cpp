@@ -209,7 +209,7 @@ const MapPlaces& Game::places() {
     if (places_) return *places_;
     const auto text = read_file(path_);
     const bool is_same = text.ok() && hash_of_text(as_text(text.value())) == map_hash_;
-    return places_.emplace(is_same ? places_in(as_text(text.value()), skill_) : MapPlaces());
+    return places_.emplace(is_same ? places_in(as_text(text.value()), skill_, path_, read_file) : MapPlaces());
 }
 
 Status Game::record(const std::string& path) {

@@ -1,0 +1,434 @@
+// What an author writes once: rectangles, polygons, walls of many, openings and prefabs become plain loops and sectors.
+#include <gmock/gmock.h>
+
+#include <ctime>
+#include <map>
+
+#include "formats/findings.h"
+#include "formats/map_toml.h"
+#include "formats/text_parts.h"
+
+namespace enfilade {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const std::string kTwoRooms = R"(format = 1
+[[sectors]]
+name = "hall"
+rect = [0, 0,  4, 4]
+wall = { texture = "brick" }
+ceiling = { z = 3 }
+[[sectors]]
+name = "yard"
+rect = [4.5, 0,  8, 4]
+wall = { texture = "hedge" }
+floor = { z = 0.5 }
+ceiling = { z = 4 }
+[[openings]]
+between = ["hall", "yard"]
+)";
+
+/// The map that a text says, which has nothing wrong.
+MapFile read_sound(const std::string& text) {
+    MapReading reading = read_map(text);
+    EXPECT_THAT(codes_and_places(reading.findings), IsEmpty()) << text;
+    return std::move(reading.map);
+}
+
+std::string code_of(const std::string& text) {
+    const MapReading reading = read_map(text);
+    return reading.findings.empty() ? "none" : reading.findings.front().code;
+}
+
+/// "0,0 4,0 …"
+std::string corners(const LoopRecord& loop) {
+    std::string text;
+    for (const Vec2& v : loop.vertices) text += (text.empty() ? "" : " ") + number_text(v.x) + "," + number_text(v.y);
+    return text;
+}
+
+/// Who is behind each wall, "-" for nobody.
+std::string behind(const LoopRecord& loop) {
+    std::string text;
+    for (const WallRecord& wall : loop.walls) text += (text.empty() ? "" : " ") + (wall.next.empty() ? "-" : wall.next);
+    return text;
+}
+
+const SectorRecord& sector(const MapFile& map, const std::string& name) {
+    for (const SectorRecord& record : map.sectors)
+        if (record.name == name) return record;
+    ADD_FAILURE() << "no sector " << name;
+    return map.sectors.front();
+}
+
+TEST(Rect, IsAnOutlineClockwiseAndAHoleTheOtherWay) {
+    const MapFile map = read_sound(R"(format = 1
+[[sectors]]
+name = "hall"
+rect = [4, 3,  0, 0]
+wall = { texture = "brick" }
+[[sectors.loops]]
+rect = [1, 1,  2, 2]
+)");
+    ASSERT_THAT(map.sectors[0].loops, SizeIs(2));
+    EXPECT_EQ(corners(map.sectors[0].loops[0]), "0,0 4,0 4,3 0,3");
+    EXPECT_EQ(corners(map.sectors[0].loops[1]), "1,2 2,2 2,1 1,1");
+    for (const LoopRecord& loop : map.sectors[0].loops)
+        for (const WallRecord& wall : loop.walls) EXPECT_EQ(wall.texture->name, "brick");
+}
+
+TEST(Polygon, HasItsCornersOnTheGrid) {
+    const MapFile map = read_sound(
+        "format = 1\n[[sectors]]\nname = \"t\"\npolygon = { x = 1, y = 2, radius = 3, corners = 4 }\nwall = {}\n");
+    EXPECT_EQ(corners(map.sectors[0].loops[0]), "4,2 1,5 -2,2 1,-1");
+    const MapFile round = read_sound(
+        "format = 1\n[[sectors]]\nname = \"t\"\npolygon = { x = 0, y = 0, radius = 1, corners = 7 }\nwall = {}\n");
+    for (const Vec2& v : round.sectors[0].loops[0].vertices) EXPECT_EQ(v, snap_to_vertex_grid(v));
+}
+
+TEST(WallOfAll, StandsForThoseThatSayNothing) {
+    const MapFile map = read_sound(R"(format = 1
+[[sectors]]
+name = "hall"
+wall = { texture = "brick", peg = "floor" }
+[[sectors.loops]]
+v = [0, 0,  4, 0,  4, 3]
+walls = [{}, { texture = "books" }, {}]
+)");
+    const std::vector<WallRecord>& walls = map.sectors[0].loops[0].walls;
+    EXPECT_EQ(walls[0].texture->name, "brick");
+    EXPECT_EQ(walls[1].texture->name, "books");
+    EXPECT_EQ(walls[1].texture_peg, Peg::ceiling);
+    EXPECT_EQ(walls[2].texture_peg, Peg::floor);
+    EXPECT_EQ(walls[2].place.line, 7u) << "each wall has its own place";
+}
+
+TEST(Opening, CutsBothWallsWhereRoomsTouch) {
+    std::string text = kTwoRooms;
+    text.replace(text.find("4.5, 0"), 6, "4, -1");
+    const MapFile map = read_sound(text + "at = [4, 2]\nwidth = 1\n");
+    EXPECT_EQ(corners(map.sectors[0].loops[0]), "0,0 4,0 4,1.5 4,2.5 4,4 0,4");
+    EXPECT_EQ(behind(map.sectors[0].loops[0]), "- - yard - - -");
+    EXPECT_EQ(corners(map.sectors[1].loops[0]), "4,-1 8,-1 8,4 4,4 4,2.5 4,1.5");
+    EXPECT_EQ(behind(map.sectors[1].loops[0]), "- - - - hall -");
+    EXPECT_THAT(map.sectors, SizeIs(2));
+}
+
+TEST(Opening, TakesTheWholeStretchThatTouchesWithoutAWidth) {
+    std::string text = kTwoRooms;
+    text.replace(text.find("4.5, 0"), 6, "4, 1");
+    const MapFile map = read_sound(text);
+    EXPECT_EQ(corners(map.sectors[0].loops[0]), "0,0 4,0 4,1 4,4 0,4");
+    EXPECT_EQ(behind(map.sectors[0].loops[0]), "- - yard - -");
+    EXPECT_EQ(behind(map.sectors[1].loops[0]), "- - - hall");
+}
+
+TEST(Opening, BetweenRoomsApartMakesTheThicknessOfTheWall) {
+    const MapFile map = read_sound(kTwoRooms + "width = 1\n");
+    ASSERT_THAT(map.sectors, SizeIs(3));
+    const SectorRecord& between = map.sectors[2];
+    EXPECT_EQ(between.name, "hall-yard");
+    EXPECT_EQ(corners(between.loops[0]), "4,2.5 4,1.5 4.5,1.5 4.5,2.5");
+    EXPECT_EQ(behind(between.loops[0]), "hall - yard -");
+    EXPECT_EQ(between.floor.z, 0.5);
+    EXPECT_EQ(between.ceiling.z, 3);
+    EXPECT_EQ(between.loops[0].walls[1].texture->name, "brick");
+    EXPECT_EQ(behind(map.sectors[0].loops[0]), "- - hall-yard - - -");
+    EXPECT_EQ(behind(map.sectors[1].loops[0]), "- - - - hall-yard -");
+}
+
+TEST(Opening, IsAWindow) {
+    const MapFile map = read_sound(
+        kTwoRooms + "width = 2\nbottom = 1\ntop = 2\nmiddle = \"bars\"\nblocks = true\ntexture = \"sill\"\n");
+    const SectorRecord& window = map.sectors[2];
+    EXPECT_EQ(window.floor.z, 1);
+    EXPECT_EQ(window.ceiling.z, 2);
+    EXPECT_EQ(window.loops[0].walls[1].texture->name, "sill");
+    const WallRecord& from_hall = map.sectors[0].loops[0].walls[2];
+    EXPECT_TRUE(from_hall.blocks);
+    EXPECT_EQ(from_hall.middle->name, "bars");
+    EXPECT_EQ(from_hall.texture->name, "brick") << "the room's own wall goes on above and below";
+    EXPECT_EQ(from_hall.upper_peg, Peg::ceiling) << "and hangs as it did";
+}
+
+TEST(Opening, IsADoorInItsFrame) {
+    const MapFile map = read_sound(kTwoRooms + "width = 1\ntop = 2\nleaf = \"oak 1,2\"\n");
+    EXPECT_EQ(sector(map, "hall-yard 1").ceiling.z, 2);
+    EXPECT_EQ(sector(map, "hall-yard 3").ceiling.z, 2);
+    const SectorRecord& leaf = sector(map, "hall-yard");
+    EXPECT_EQ(leaf.ceiling.z, leaf.floor.z) << "closed";
+    ASSERT_THAT(leaf.triggers, SizeIs(1));
+    EXPECT_EQ(leaf.triggers[0].action, TriggerAction::door);
+    EXPECT_EQ(leaf.loops[0].walls[1].texture_peg, Peg::floor);
+    EXPECT_EQ(sector(map, "hall-yard 1").loops[0].walls[2].upper->name, "oak");
+    EXPECT_EQ(sector(map, "hall-yard 3").loops[0].walls[0].upper->name, "oak");
+}
+
+TEST(Opening, IsADoorAsHighAsTheRoom) {
+    const MapFile map = read_sound(kTwoRooms + "width = 1\nleaf = \"oak 1,2\"\nname = \"gate\"\n");
+    ASSERT_THAT(map.sectors, SizeIs(3));
+    EXPECT_EQ(map.sectors[2].name, "gate");
+    EXPECT_EQ(map.sectors[0].loops[0].walls[2].upper->name, "oak");
+    EXPECT_EQ(map.sectors[0].loops[0].walls[2].upper_peg, Peg::opening_top);
+}
+
+TEST(Opening, IsStairs) {
+    std::string text = kTwoRooms;
+    text.replace(text.find("4.5, 0"), 6, "6, 0");
+    text.replace(text.find("z = 0.5"), 7, "z = 2");
+    text.replace(text.find("z = 4 "), 6, "z = 5 ");
+    const MapFile map = read_sound(text + "width = 1\nsteps = 3\nname = \"stairs\"\n");
+    ASSERT_THAT(map.sectors, SizeIs(5));
+    for (int i = 1; i <= 3; ++i) {
+        const SectorRecord& step = sector(map, "stairs " + std::to_string(i));
+        EXPECT_EQ(step.floor.z, 0.5 * i);
+        EXPECT_EQ(step.ceiling.z, 3 + 0.5 * i);
+    }
+    EXPECT_EQ(behind(sector(map, "stairs 2").loops[0]), "stairs 1 - stairs 3 -");
+}
+
+TEST(Opening, LeadsElsewhereThereAndBack) {
+    const MapFile map = read_sound(kTwoRooms + "at = [0, 2]\nto = [8, 2]\nwidth = 1\nrise = 2\n");
+    const WallRecord &there = map.sectors[0].loops[0].walls[4], &back = map.sectors[1].loops[0].walls[2];
+    EXPECT_EQ(there.next, "yard");
+    EXPECT_EQ(there.via, back.name);
+    EXPECT_EQ(back.next, "hall");
+    EXPECT_EQ(back.via, there.name);
+    EXPECT_EQ(there.rise, 2);
+    EXPECT_EQ(back.rise, -2);
+    EXPECT_THAT(map.sectors, SizeIs(2));
+}
+
+TEST(Opening, LeadsElsewhereThroughADoorOutsideTheFirstRoom) {
+    const MapFile map =
+        read_sound(kTwoRooms + "at = [0, 2]\nto = [8, 2]\nwidth = 1\ndepth = 0.5\nleaf = \"oak 1,2\"\n");
+    ASSERT_THAT(map.sectors, SizeIs(3));
+    EXPECT_EQ(corners(map.sectors[2].loops[0]), "0,1.5 0,2.5 -0.5,2.5 -0.5,1.5");
+    EXPECT_EQ(map.sectors[2].loops[0].walls[2].next, "yard");
+    EXPECT_EQ(map.sectors[1].loops[0].walls[2].next, "hall-yard");
+}
+
+TEST(Opening, LeadsFromOneRoomIntoItself) {
+    const MapFile map = read_sound(
+        "format = 1\n[[sectors]]\nname = \"a\"\nrect = [0, 0,  4, 4]\nwall = {}\n"
+        "[[openings]]\nbetween = [\"a\", \"a\"]\nat = [1, 0]\nto = [3, 0]\nwidth = 1\n");
+    EXPECT_EQ(corners(map.sectors[0].loops[0]), "0,0 0.5,0 1.5,0 2.5,0 3.5,0 4,0 4,4 0,4");
+    EXPECT_EQ(behind(map.sectors[0].loops[0]), "- a - a - - - -");
+}
+
+TEST(Opening, MayCutWhatAnotherLeft) {
+    const MapFile map =
+        read_sound(kTwoRooms + "at = [4, 1]\nwidth = 1\n[[openings]]\nbetween = [\"hall\", \"yard\"]\n" +
+                   "at = [4, 3]\nwidth = 1\n");
+    EXPECT_EQ(behind(map.sectors[0].loops[0]), "- - hall-yard - hall-yard (2) - - -");
+}
+
+TEST(Opening, IsExactOnSlantingWallsWhereTheGridIs) {
+    const std::string slanting = R"(format = 1
+[[sectors]]
+name = "a"
+wall = {}
+[[sectors.loops]]
+v = [0, 0,  4, 3,  0, 6]
+[[sectors]]
+name = "b"
+wall = {}
+[[sectors.loops]]
+v = [4, 3,  0, 0,  4, -3]
+[[openings]]
+between = ["a", "b"]
+at = [2, 1.5]
+)";
+    const MapFile map = read_sound(slanting + "width = 2.5\n");
+    EXPECT_EQ(corners(map.sectors[0].loops[0]), "0,0 1,0.75 3,2.25 4,3 0,6");
+    EXPECT_EQ(code_of(slanting + "width = 1\n"), "opening-bends-wall");
+}
+
+TEST(Opening, NamesTheAuthorsLineForWhatItMakes) {
+    const MapFile map = read_sound(kTwoRooms + "width = 1\n");
+    EXPECT_EQ(map.sectors[2].place.line, 13u);
+    EXPECT_EQ(map.sectors[2].loops[0].vertex_places[0].line, 13u);
+    EXPECT_EQ(map.sectors[0].loops[0].walls[2].place.line, 13u);
+    EXPECT_EQ(map.sectors[0].loops[0].walls[1].place.line, 5u);
+}
+
+TEST(Opening, WithAFaultBlamesNobodyElse) {
+    const MapReading reading = read_map(kTwoRooms + "at = [1, 1]\nwidth = 1\nname = \"gate\"\n[[openings]]\n" +
+                                        "between = [\"gate\", \"yard\"]\n");
+    EXPECT_THAT(codes_and_places(reading.findings), ElementsAre("opening-off-wall 15:6"));
+}
+
+// Prefabs.
+
+FileReader files(std::map<std::string, std::string> texts) {
+    return [texts = std::move(texts)](const std::string& name) -> Result<Bytes> {
+        const auto found = texts.find(name);
+        if (found == texts.end()) return Error{name, "no such file"};
+        const auto bytes = std::as_bytes(std::span(found->second));
+        return Bytes(bytes.begin(), bytes.end());
+    };
+}
+
+const std::string kCell = R"(format = 1
+[[sectors]]
+name = "cell"
+tags = ["all"]
+rect = [0, 0,  2, 1]
+wall = { texture = "brick" }
+floor = { z = 1, scroll = [1, 0] }
+triggers = [{ on = "enter", do = "light", target = ["all", "other"], light = 1 }]
+[[things]]
+name = "bed"
+x = 1
+y = 0.5
+yaw = 10
+)";
+
+std::string placed(const std::string& how) {
+    return "format = 1\n[[sectors]]\nname = \"hall\"\nrect = [90, 0,  94, 4]\nwall = {}\n[[prefabs]]\nname = "
+           "\"left\"\nfile = \"cell.toml\"\n" +
+           how;
+}
+
+TEST(Prefab, IsMovedTurnedRaisedAndCalledAfterItsPlace) {
+    const MapReading reading = read_map(placed("at = [10, 20]\nturn = 90\nz = 3\n"), files({{"cell.toml", kCell}}));
+    EXPECT_THAT(codes_and_places(reading.findings), IsEmpty());
+    ASSERT_THAT(reading.map.sectors, SizeIs(2));
+    const SectorRecord& cell = reading.map.sectors[1];
+    EXPECT_EQ(cell.name, "left.cell");
+    EXPECT_THAT(cell.tags, ElementsAre("left.all"));
+    EXPECT_THAT(cell.triggers[0].targets, ElementsAre("left.all", "other"));
+    EXPECT_EQ(corners(cell.loops[0]), "10,20 10,22 9,22 9,20");
+    EXPECT_EQ(cell.floor.z, 4);
+    EXPECT_EQ(cell.floor.scroll, (Vec2{0, 1}));
+    EXPECT_EQ(reading.map.things[0].name, "left.bed");
+    EXPECT_EQ(reading.map.things[0].position, (Vec2{9.5, 21}));
+    EXPECT_EQ(reading.map.things[0].yaw_degrees, 100);
+}
+
+TEST(Prefab, TurnedByAnyAngleHasItsCornersOnTheGrid) {
+    const MapReading reading = read_map(placed("turn = 30\n"), files({{"cell.toml", kCell}}));
+    for (const Vec2& v : reading.map.sectors[1].loops[0].vertices) EXPECT_EQ(v, snap_to_vertex_grid(v));
+}
+
+TEST(Prefab, NamesItsOwnLines) {
+    std::string wrong = kCell;
+    wrong.replace(wrong.find("brick"), 5, "brick 2");
+    MapReading reading = read_map(placed(""), files({{"cell.toml", wrong}}));
+    ASSERT_THAT(reading.findings, SizeIs(1));
+    tell_files(reading.findings, reading.sources);
+    EXPECT_EQ(*reading.findings[0].file, "cell.toml");
+    EXPECT_THAT(codes_and_places(reading.findings), ElementsAre("bad-texture-spec 6:20"));
+}
+
+TEST(Prefab, NamesItsOwnLinesWhereItIsNoToml) {
+    MapReading reading = read_map(placed(""), files({{"cell.toml", "format = 1\nname ="}}));
+    tell_files(reading.findings, reading.sources);
+    ASSERT_FALSE(reading.findings.empty());
+    EXPECT_EQ(*reading.findings[0].file, "cell.toml");
+    EXPECT_EQ(reading.findings[0].place.line, 2u);
+}
+
+TEST(Prefab, MayHaveOpeningsAndPrefabsOfItsOwn) {
+    const std::string two =
+        "format = 1\nsectors = []\n[[prefabs]]\nname = \"a\"\nfile = \"cell.toml\"\n"
+        "[[prefabs]]\nname = \"b\"\nfile = \"cell.toml\"\nat = [2.5, 0]\n"
+        "[[openings]]\nbetween = [\"a.cell\", \"b.cell\"]\n";
+    const MapReading reading = read_map("format = 1\nsectors = []\n[[prefabs]]\nname = \"x\"\nfile = \"two.toml\"\n",
+                                        files({{"cell.toml", kCell}, {"two.toml", two}}));
+    EXPECT_THAT(codes_and_places(reading.findings), IsEmpty());
+    ASSERT_THAT(reading.map.sectors, SizeIs(3));
+    EXPECT_EQ(reading.map.sectors[2].name, "x.a.cell-b.cell");
+    EXPECT_EQ(behind(reading.map.sectors[0].loops[0]), "- x.a.cell-b.cell - -");
+}
+
+TEST(Prefab, MayNotStandInItselfByWhateverWay) {
+    const auto other = [](const char* file) {
+        return std::string("format = 1\nsectors = []\n[[prefabs]]\nname = \"n\"\nfile = \"") + file + "\"\n";
+    };
+    MapReading reading = read_map(other("a.toml"), files({{"a.toml", other("b.toml")}, {"b.toml", other("a.toml")}}));
+    tell_files(reading.findings, reading.sources);
+    ASSERT_FALSE(reading.findings.empty());
+    EXPECT_EQ(reading.findings.back().code, "prefab-in-itself");
+    EXPECT_EQ(*reading.findings.back().file, "b.toml");
+    std::map<std::string, std::string> chain;
+    for (int i = 0; i < 20; ++i) chain[std::to_string(i)] = other(std::to_string(i + 1).c_str());
+    EXPECT_EQ(read_map(other("0"), files(chain)).findings.back().code, "prefab-in-itself");
+}
+
+// What is written once is written out by hostile maps, too.
+
+/// What a map of a MiB may take [s of the processor]. Sanitizers and builds that are not optimised take longer.
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+constexpr double kMostSeconds = 2;
+#else
+constexpr double kMostSeconds = 20;
+#endif
+
+double seconds_to_read(const std::string& text, const FileReader& prefabs) {
+    const std::clock_t start = std::clock();
+    read_map(text, prefabs);
+    return double(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+constexpr std::size_t kMiB = std::size_t{1} << 20;
+
+std::string filled(std::string text, const std::string& part, std::size_t size = kMiB) {
+    while (text.size() + part.size() < size) text += part;
+    return text;
+}
+
+struct Hostile {
+    const char* name;
+    std::string text;
+};
+void PrintTo(const Hostile& hostile, std::ostream* out) { *out << hostile.name; }
+
+std::vector<Hostile> hostile_maps() {
+    const std::string rooms = kTwoRooms.substr(0, kTwoRooms.find("[[openings]]"));
+    const std::string zigzag = [] {
+        std::string v = "[[sectors]]\nname = \"big\"\nwall = {}\n[[sectors.loops]]\nv = [";
+        for (int i = 0; i < 40000; ++i) v += std::to_string(i % 30000) + "," + std::to_string(i % 7) + ",";
+        return "format = 1\n" + v + "]\n";
+    }();
+    return {
+        {"OpeningsInOnePlace", filled(rooms, "[[openings]]\nbetween = [\"hall\", \"yard\"]\n")},
+        {"OpeningsAlongOneWall",
+         [&] {
+             std::string text =
+                 "format = 1\nsectors = [{ name = 'a', rect = [0,0,9999,1], wall = {} }, "
+                 "{ name = 'b', rect = [0,1,9999,2], wall = {} }]\nopenings = [\n";
+             for (int i = 1; i < 20000; ++i)
+                 text += "{between=['a','b'],width=0.1,at=[" + number_text(i * 0.45) + ",1]},\n";
+             return text + "]\n";
+         }()},
+        {"OpeningsBetweenLargeRooms", filled(zigzag, "[[openings]]\nbetween = [\"big\", \"big\"]\n")},
+        {"LinksOfALargeRoom", filled(zigzag, "[[openings]]\nbetween=['big','big']\nat=[0,0]\nto=[1,1]\nwidth=1\n")},
+        {"StairsWithoutEnd", filled(rooms, "[[openings]]\nbetween=['hall','yard']\nat=[4,1]\nwidth=1\nsteps=256\n")},
+        {"Polygons", filled("format = 1\n[[sectors]]\nname = \"a\"\nwall = {}\n",
+                            "[[sectors.loops]]\npolygon={x=0,y=0,radius=9,corners=256}\n")},
+        {"OneLongWall", filled("format = 1\n[[sectors]]\nname = \"a\"\nwall = { texture = \"" +
+                                   std::string(kMiB / 2, 'x') + "\" }\n[[sectors.loops]]\nv = [",
+                               "0,0,") +
+                            "]\n"},
+        {"UnknownRooms", filled(rooms, "[[openings]]\nbetween = [\"hlal\", \"yrad\"]\n")},
+        {"Prefabs", filled("format = 1\nsectors = []\n", "[[prefabs]]\nname='p'\nfile='big'\n")},
+        {"MissingPrefabs", filled("format = 1\nsectors = []\n", "[[prefabs]]\nname='p'\nfile='none'\n")},
+    };
+}
+
+class HostileShortWords : public testing::TestWithParam<Hostile> {};
+
+TEST_P(HostileShortWords, AreWrittenOutInAMoment) {
+    const std::string big = filled("format = 1\nsectors = []\n", "[[sounds]]\nname='s'\nfile='f'\n", kMiB / 2);
+    EXPECT_LT(seconds_to_read(GetParam().text, files({{"big", big}})), kMostSeconds);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HostileShortWords, testing::ValuesIn(hostile_maps()),
+                         [](const auto& hostile) { return std::string(hostile.param.name); });
+
+}  // namespace
+}  // namespace enfilade
