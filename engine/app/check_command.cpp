@@ -24,9 +24,20 @@ namespace {
 void print_effects(const std::string& path, const TextureSet& textures) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) return;
-    const MapFile map = read_map(as_text(bytes.value())).map;
+    const MapFile map = read_map_at(path, as_text(bytes.value()), read_file).map;
     print_text(stdout, fmt::format("{}: {}, and\n{}", path, counted(map.sectors.size(), "sector"),
                                    to_text(effect_prices(map, textures))));
+}
+
+/// "; did you mean 'X'?" with the sound that is called nearly so, where there is none of this name.
+std::string nearest_sound(const std::string& map_path, const std::string& name) {
+    const std::filesystem::path file = std::filesystem::path(map_path).parent_path() / name;
+    std::error_code unknown;
+    if (std::filesystem::exists(file, unknown)) return "";
+    const std::string folder = file.parent_path().string();
+    const std::vector<std::string> names = list_folder(folder.empty() ? "." : folder);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    return nearest_suggestion(file.filename().string(), known);
 }
 
 /// What only a look at other files shows.
@@ -35,8 +46,10 @@ Findings findings_around(const std::string& path, const LoadedMap& loaded) {
     const auto warn = [&](TextPlace place, const char* code, std::string sentence) {
         findings.push_back({place, Severity::warning, code, std::move(sentence)});
     };
-    for (const SoundFault& fault : load_sounds(*loaded.map, path, read_file).faults)
-        warn(loaded.sounds[fault.sound.index].place, "bad-sound", fault.sentence);
+    for (const SoundFault& fault : load_sounds(*loaded.map, path, read_file).faults) {
+        const NamedFile& sound = loaded.sounds[fault.sound.index];
+        warn(sound.place, "bad-sound", fault.sentence + nearest_sound(path, sound.name));
+    }
     std::error_code unknown;
     for (const NamedFile& next : loaded.next_maps)
         if (const std::string there = next_map_path(path, next.name); !std::filesystem::exists(there, unknown))
@@ -44,6 +57,7 @@ Findings findings_around(const std::string& path, const LoadedMap& loaded) {
                  fmt::format("expected a map in {}, to which this exit leads, found none; whoever takes it begins this "
                              "map again",
                              there));
+    tell_files(findings, loaded.sources);
     return findings;
 }
 
@@ -59,18 +73,10 @@ Findings findings_about(const std::string& path, const LoadedMap& loaded) {
     return findings;
 }
 
-/// Findings as people and editors read them.
-void print_findings(const CheckedMap& checked, Talk talk) {
-    std::string text;
-    for (const Finding& finding : checked.findings)
-        if (talk == Talk::usual || finding.severity == Severity::error) text += to_text(checked.path, finding) + '\n';
-    print_text(stdout, text);
-}
-
 CheckedMap check_map(const std::string& path, const CheckRequest& request) {
     const LoadedMap loaded = load_map(path, request.texture_folders, read_file, {}, list_folder);
     CheckedMap checked{path, findings_about(path, loaded), has_errors(loaded.findings)};
-    if (request.format == kText) print_findings(checked, request.talk);
+    if (request.format == kText) print_text(stdout, findings_text(path, checked.findings, request.talk));
     if (request.effects && loaded.map) print_effects(path, loaded.textures);
     return checked;
 }

@@ -21,6 +21,7 @@ Json json_of(const Finding& finding) {
     Json json{{"severity", word_for(finding.severity)}, {"code", finding.code}, {"message", finding.sentence}};
     if (finding.place.line > 0) json["line"] = finding.place.line;
     if (finding.place.column > 0) json["column"] = finding.place.column;
+    if (finding.file) json["file"] = *finding.file;
     return json;
 }
 
@@ -44,7 +45,7 @@ std::string uri_of(const std::string& path) {
 }
 
 Json sarif_result(const std::string& path, const Finding& finding) {
-    Json place{{"artifactLocation", {{"uri", uri_of(path)}}}};
+    Json place{{"artifactLocation", {{"uri", uri_of(finding.file ? *finding.file : path)}}}};
     if (finding.place.line > 0) place["region"]["startLine"] = finding.place.line;
     if (finding.place.line > 0 && finding.place.column > 0) place["region"]["startColumn"] = finding.place.column;
     return {{"ruleId", finding.code},

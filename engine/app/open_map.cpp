@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -100,18 +101,48 @@ namespace {
 
 bool is_warning(const Finding& finding) { return finding.severity == Severity::warning; }
 
-void print_errors(const std::string& path, const Findings& findings) {
-    for (const Finding& finding : findings)
-        if (!is_warning(finding)) print_text(stderr, to_text(path, finding) + "\n");
-}
+/// Findings that show their line of text: more are seen faster without.
+constexpr std::size_t kMostCarets = 64;
+
+/// Texts of the files that findings are in, each read once.
+class Texts {
+public:
+    std::string_view of(const std::string& path) {
+        const auto [found, is_new] = texts_.try_emplace(path);
+        if (is_new)
+            if (auto bytes = read_file(path); bytes.ok()) found->second = std::move(bytes).value();
+        return as_text(found->second);
+    }
+
+private:
+    std::map<std::string, Bytes> texts_;
+};
 
 void mention_warnings(const std::string& path, const Findings& findings) {
     const auto count = std::ranges::count_if(findings, is_warning);
-    if (count == 1) print_text(stderr, to_text(path, *std::ranges::find_if(findings, is_warning)) + "\n");
+    if (count == 1) print_findings(path, {*std::ranges::find_if(findings, is_warning)}, Talk::usual);
     if (count > 1) print_text(stderr, fmt::format("{0}: {1} warnings; `enfilade check {0}` shows them\n", path, count));
 }
 
 }  // namespace
+
+std::string findings_text(const std::string& path, const Findings& findings, Talk talk) {
+    Texts texts;
+    std::string text;
+    std::size_t shown = 0;
+    for (const Finding& finding : findings) {
+        if (talk == Talk::errors_only && is_warning(finding)) continue;
+        text += to_text(path, finding) + "\n";
+        if (finding.place.line > 0 && ++shown <= kMostCarets)
+            text += caret_lines(texts.of(finding.file ? *finding.file : path), finding.place);
+    }
+    return text;
+}
+
+bool print_findings(const std::string& path, const Findings& findings, Talk talk) {
+    print_text(stderr, findings_text(path, findings, talk));
+    return has_errors(findings);
+}
 
 std::string next_map_path(const std::string& map_path, const std::string& name) {
     std::filesystem::path path = std::filesystem::path(map_path).parent_path() / name;
@@ -127,7 +158,7 @@ std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::
         if (Status other = refuse_as_map(path))
             fail(*other);
         else
-            print_errors(path, loaded.findings);
+            print_findings(path, loaded.findings, Talk::errors_only);
         return {};
     }
     if (talk == Talk::usual) mention_warnings(path, loaded.findings);
@@ -135,13 +166,6 @@ std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::
 }
 
 namespace {
-
-/// Prints them; true where one is an error.
-bool print_findings(const std::string& path, const Findings& findings, Talk talk) {
-    for (const Finding& finding : findings)
-        if (talk == Talk::usual || !is_warning(finding)) print_text(stderr, to_text(path, finding) + "\n");
-    return has_errors(findings);
-}
 
 std::optional<ScriptFile> open_script(const std::string& path, Talk talk) {
     const auto bytes = read_file(path);

@@ -38,6 +38,13 @@ std::string next_map_path(const std::string& map_path, const std::string& name);
 std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::string>& texture_folders,
                                 std::optional<int> skill, Talk talk = Talk::usual);
 
+/// Findings as people read them, a line each, and below it the line of the file with a caret under the place.
+/// path : of the file that was read; what is in another one says so
+std::string findings_text(const std::string& path, const Findings& findings, Talk talk);
+
+/// Prints findings_text on stderr; true where a finding is an error.
+bool print_findings(const std::string& path, const Findings& findings, Talk talk);
+
 // A flythrough for a command: script, map and pictures, or what is wrong with them on stderr.
 
 struct OpenFlight {

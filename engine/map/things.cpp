@@ -114,14 +114,22 @@ public:
 
     /// A key that triggers ask for and no thing gives opens nothing.
     void check() {
+        std::vector<std::string_view> given;
         for (std::uint32_t key = 0; key < map_.keys.size(); ++key)
-            if (std::ranges::find(map_.things, key, &Thing::gives_key) == map_.things.end())
+            if (is_given(key)) given.push_back(map_.keys[key]);
+        for (std::uint32_t key = 0; key < map_.keys.size(); ++key)
+            if (!is_given(key))
                 draft_.warning(places_[key], "no-such-key",
                                "this trigger asks for the key " + quoted(map_.keys[key]) +
-                                   ", but no thing gives it; give a thing gives_key = " + quoted(map_.keys[key]));
+                                   ", but no thing gives it; give a thing gives_key = " + quoted(map_.keys[key]) +
+                                   nearest_suggestion(map_.keys[key], given));
     }
 
 private:
+    bool is_given(std::uint32_t key) const {
+        return std::ranges::find(map_.things, key, &Thing::gives_key) != map_.things.end();
+    }
+
     /// `place`: of who names it.
     std::uint32_t key_of(const std::string& name, TextPlace place) {
         if (name.empty()) return Trigger::kNoKey;
