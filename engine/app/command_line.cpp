@@ -1,4 +1,5 @@
-// The only file that knows CLI11: reading its headers takes longer than compiling the rest of a command.
+// The command line as a whole. Besides authoring/author_options.cpp the only file that knows CLI11: reading its headers
+// takes longer than compiling the rest of a command.
 #include "app/commands.h"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "app/authoring/author_options.h"
 #include "app/messages.h"
 #include "app/options.h"
 #include "app/play/settings.h"
@@ -22,7 +24,8 @@ namespace enfilade {
 namespace {
 
 constexpr const char* kRenderers = "column (by the CPU), stencil (by OpenGL) or reference (slow, simply right)";
-constexpr std::array<std::string_view, 6> kCommands{"play", "render", "fly", "check", "bench", "accuracy"};
+constexpr std::array<std::string_view, 10> kCommands{"play",     "render", "fly",    "check", "bench",
+                                                     "accuracy", "new",    "expand", "fmt",   "draw"};
 constexpr double kLatestMoment = 1e9;                     // [s], thirty years
 constexpr double kLeastStretch = 0.1, kMostStretch = 10;  // beyond them nothing can be told apart
 constexpr int kMostThreads = 256, kMostFramesBetween = 1'000'000, kMostRounds = 10'000;
@@ -474,7 +477,8 @@ int run_command_line(int argc, const char* const* argv) {
     const CLI::App* const declared_fly = declare_fly(app, fly);
     const CLI::App* const declared_bench = declare_bench(app, bench);
     const CLI::App* const declared_accuracy = declare_accuracy(app, accuracy);
-    declare_check(app, check);
+    const CLI::App* const declared_check = declare_check(app, check);
+    AuthorCommands author(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked_for_text) {
@@ -498,7 +502,8 @@ int run_command_line(int argc, const char* const* argv) {
     if (declared_fly->parsed()) return run_fly(fly);
     if (declared_bench->parsed()) return run_bench(bench);
     if (declared_accuracy->parsed()) return run_accuracy(accuracy);
-    return run_check(check);
+    if (declared_check->parsed()) return run_check(check);
+    return author.run();
 }
 
 }  // namespace enfilade

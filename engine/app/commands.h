@@ -81,6 +81,25 @@ struct AccuracyRequest {
     bool quick = false, resume = false;
 };
 
+// What authors of maps need besides.
+
+struct ExpandRequest {
+    std::string map, out;  ///< out: empty for standard output
+};
+
+struct NewRequest {
+    std::string name;  ///< a path, with or without .toml
+};
+
+struct FmtRequest {
+    std::vector<std::string> maps;
+    bool check = false;  ///< only say which are not laid out
+};
+
+struct DrawRequest {
+    std::string map, out;
+};
+
 /// Each does its work, says on stderr what went wrong and returns an exit code (app/messages.h).
 int run_play(const PlayRequest& request);
 /// The title screen, for who names no command.
@@ -90,6 +109,10 @@ int run_fly(const FlyRequest& request);
 int run_check(const CheckRequest& request);
 int run_bench(const BenchRequest& request);
 int run_accuracy(const AccuracyRequest& request);
+int run_expand(const ExpandRequest& request);
+int run_new(const NewRequest& request);
+int run_fmt(const FmtRequest& request);
+int run_draw(const DrawRequest& request);
 
 // The whole command line, as a function.
 

@@ -14,7 +14,7 @@ using ::testing::Not;
 TEST(CommandLine, ExplainsItself) {
     const Ended ended = Program().run({"--help"});
     EXPECT_EQ(ended.exit_code, 0);
-    for (const char* command : {"play", "render", "fly", "check", "bench", "accuracy"})
+    for (const char* command : {"play", "render", "fly", "check", "bench", "accuracy", "new", "expand", "fmt", "draw"})
         EXPECT_THAT(ended.out, HasSubstr(command));
 }
 

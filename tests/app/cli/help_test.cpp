@@ -65,7 +65,7 @@ TEST(Help, ListsNoOptionWithoutATest) {
     EXPECT_THAT(commands(), ::testing::SizeIs(::testing::Ge(5u)));
     for (const std::string& command : commands()) {
         const std::vector<std::string> options = options_in(Program().run({command, "--help"}).out);
-        EXPECT_GT(options.size(), 3u) << command;
+        EXPECT_FALSE(options.empty()) << command;
         EXPECT_THAT(untested(options, "\"" + command + "\""), IsEmpty()) << command;
     }
     EXPECT_THAT(untested(options_in(Program().run_other(WADCONV_PROGRAM, {"--help"}).out), "wadconv/"), IsEmpty());

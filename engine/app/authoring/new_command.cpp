@@ -1,0 +1,79 @@
+// `enfilade new`: a small map to begin from.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/commands.h"
+#include "app/file_kind.h"
+#include "base/files.h"
+#include "base/terminal.h"
+#include "formats/text_parts.h"
+
+namespace enfilade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two rooms, a door and a lamp: one of everything that a house begins with. {0}: what stands before, {1}: the name,
+/// {2}: the folders of pictures.
+constexpr const char* kFirstMap =
+    R"({0}# Lengths are in metres; x grows to the right, y down, as on a drawing. GUIDE.md goes on from here.
+format = 1
+name = {1}
+textures = {2}
+player = {{ sector = "room", x = 1, y = 1.5 }}
+
+# A door between the two rooms: it cuts both walls, and what lies between them is its frame.
+openings = [
+  {{ between = ["room", "yard"], width = 1, top = 2.25, leaf = "door 1,2", texture = "reveal 1,1" }},
+]
+
+lights = [
+  {{ x = 1, y = 0.5, z = 2.25, color = "#ffc070", reach = 5 }},
+]
+
+[[sectors]]
+name = "room"
+rect = [0, 0,  4, 3]
+wall = {{ texture = "plaster_ochre 2,2" }}
+floor = {{ z = 0, texture = "boards 2,2" }}
+ceiling = {{ z = 3, texture = "beams 2,2" }}
+light = 0.6
+
+[[sectors]]
+name = "yard"
+rect = [4.25, -1,  9, 4]
+wall = {{ texture = "brick 2,2" }}
+floor = {{ z = 0, texture = "cobbles 2,2" }}
+ceiling = {{ z = 4, texture = "sky_day 1,1.2", parallax = true }}
+)";
+
+bool is_same_folder(const fs::path& a, const fs::path& b) {
+    std::error_code unknown;
+    return fs::equivalent(a.empty() ? "." : a, b, unknown);
+}
+
+std::string first_map(const fs::path& path) {
+    const fs::path shipped = fs::path(shipped_map("enfilade.schema.json"));
+    const bool is_beside = is_same_folder(path.parent_path(), shipped.parent_path());
+    std::vector<std::string> folders{"textures"};
+    if (!is_beside) folders.push_back((shipped.parent_path() / "textures").string());
+    const std::string schema = "#:schema " + (is_beside ? shipped.filename() : shipped).string() + "\n";
+    return fmt::format(kFirstMap, schema, string_text(path.stem().string()), value_text(folders));
+}
+
+}  // namespace
+
+int run_new(const NewRequest& request) {
+    fs::path path = request.name;
+    if (path.extension() != ".toml") path += ".toml";
+    std::error_code unknown;
+    if (fs::exists(fs::symlink_status(path, unknown)))
+        return fail({path.string(), "there is such a file already, and it is not overwritten; choose another name"});
+    if (Status failed = write_file(path.string(), std::string_view(first_map(path)))) return fail(*failed);
+    print_text(stdout, fmt::format("{0} is a map of two rooms. `enfilade play {0}` opens it; change it meanwhile.\n",
+                                   path.string()));
+    return kDone;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,344 @@
+#include "app/authoring/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <vector>
+
+#include "base/terminal.h"
+#include "formats/text_parts.h"
+#include "formats/words.h"
+
+namespace enfilade {
+namespace {
+
+constexpr double kScale = 28;          ///< of the drawing [px/m]
+constexpr double kMargin = 1.5;        ///< around each drawing, for the numbers at its squares [m]
+constexpr double kRowWidth = 2400;     ///< where drawings go on below [px]
+constexpr double kLegendHeight = 170;  ///< [px]
+constexpr double kLeastNumbered = 36;  ///< sectors that are narrower have no numbers at their walls [px]
+constexpr double kMostSquares = 200;   ///< lines of the paper in one direction; larger drawings have wider squares
+
+struct Box {
+    Vec2 low{1e9, 1e9}, high{-1e9, -1e9};
+
+    void add(Vec2 p) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    void add(const Box& other) {
+        add(other.low);
+        add(other.high);
+    }
+    bool is_empty() const { return low.x > high.x; }
+    bool meets(const Box& other) const {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
+    }
+    Vec2 middle() const { return (low + high) * 0.5; }
+};
+
+std::string escaped(std::string_view text) {
+    std::string safe;
+    for (const char c : printable_line(text)) switch (c) {
+            case '&': safe += "&amp;"; break;
+            case '<': safe += "&lt;"; break;
+            case '>': safe += "&gt;"; break;
+            case '"': safe += "&quot;"; break;
+            default: safe += c;
+        }
+    return safe;
+}
+
+Box box_of(const SectorRecord& sector) {
+    Box box;
+    for (const LoopRecord& loop : sector.loops)
+        for (const Vec2& v : loop.vertices) box.add(v);
+    return box;
+}
+
+/// Which drawing each sector is in.
+class Drawings {
+public:
+    explicit Drawings(const MapFile& map) : parent_(map.sectors.size()) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+        std::map<std::string, std::size_t> sectors;
+        for (std::size_t i = 0; i < map.sectors.size(); ++i) {
+            sectors.try_emplace(map.sectors[i].name, i);
+            boxes_.push_back(box_of(map.sectors[i]));
+        }
+        for (std::size_t i = 0; i < map.sectors.size(); ++i)
+            for (const LoopRecord& loop : map.sectors[i].loops)
+                for (const WallRecord& wall : loop.walls)
+                    if (const auto next = sectors.find(wall.next); wall.via.empty() && next != sectors.end())
+                        join(i, next->second);
+        while (join_those_that_meet()) {
+        }
+    }
+
+    std::size_t of(std::size_t sector) const {
+        while (parent_[sector] != sector) sector = parent_[sector];
+        return sector;
+    }
+    /// The box of a drawing, by the sector that stands for it.
+    const Box& box(std::size_t drawing) const { return boxes_[drawing]; }
+
+private:
+    void join(std::size_t a, std::size_t b) {
+        a = of(a);
+        b = of(b);
+        if (a == b) return;
+        if (b < a) std::swap(a, b);
+        parent_[b] = a;
+        if (!boxes_[b].is_empty()) boxes_[a].add(boxes_[b]);
+    }
+
+    /// Drawings, from the left to the right: those whose boxes meet share one.
+    bool join_those_that_meet() {
+        std::vector<std::size_t> roots;
+        for (std::size_t i = 0; i < parent_.size(); ++i)
+            if (parent_[i] == i && !boxes_[i].is_empty()) roots.push_back(i);
+        std::ranges::sort(roots, {}, [&](std::size_t root) { return boxes_[root].low.x; });
+        bool any = false;
+        for (std::size_t i = 0; i < roots.size(); ++i)
+            for (std::size_t k = i + 1; k < roots.size() && boxes_[roots[k]].low.x <= boxes_[of(roots[i])].high.x; ++k)
+                if (of(roots[i]) != of(roots[k]) && boxes_[of(roots[i])].meets(boxes_[of(roots[k])])) {
+                    join(roots[i], roots[k]);
+                    any = true;
+                }
+        return any;
+    }
+
+    std::vector<std::size_t> parent_;
+    std::vector<Box> boxes_;
+};
+
+std::string triggers_text(const std::vector<TriggerRecord>& triggers) {
+    std::string text;
+    for (const TriggerRecord& trigger : triggers) {
+        text +=
+            (text.empty() ? "" : "; ") + std::string(to_word(trigger.on)) + ": " + std::string(to_word(trigger.action));
+        for (const std::string& target : trigger.targets) text += " " + target;
+        if (!trigger.key.empty()) text += " (key " + trigger.key + ")";
+    }
+    return text;
+}
+
+/// Writes the picture, one drawing after the other.
+class Plan {
+public:
+    explicit Plan(const MapFile& map) : map_(map), drawings_(map) {}
+
+    std::string run() {
+        for (std::size_t i = 0; i < map_.sectors.size(); ++i)
+            if (drawings_.of(i) == i && !drawings_.box(i).is_empty()) drawing(i);
+        legend();
+        const double height = row_top_ + row_height_ + kLegendHeight;
+        return fmt::format(
+                   "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 "
+                   "{0:.0f} "
+                   "{1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n<title>{2}</title>\n<rect width=\"100%\" "
+                   "height=\"100%\" fill=\"#ffffff\"/>\n",
+                   std::max(width_, 900.0), height, escaped(map_.name)) +
+               text_ + "</svg>\n";
+    }
+
+private:
+    template <class... Parts>
+    void add(fmt::format_string<Parts...> format, Parts&&... parts) {
+        text_ += fmt::format(format, std::forward<Parts>(parts)...) + "\n";
+    }
+
+    double x(double metres) const { return left_ + (metres - box_.low.x + kMargin) * scale_; }
+    double y(double metres) const { return top_ + (metres - box_.low.y + kMargin) * scale_; }
+
+    void drawing(std::size_t root) {
+        box_ = drawings_.box(root);
+        const Vec2 size = box_.high - box_.low;
+        scale_ = std::min(kScale, kRowWidth / (size.x + 2 * kMargin));
+        const double width = (size.x + 2 * kMargin) * scale_, height = (size.y + 2 * kMargin) * scale_;
+        if (left_ > 0 && left_ + width > kRowWidth) {
+            row_top_ += row_height_;
+            row_height_ = left_ = 0;
+        }
+        top_ = row_top_;
+        paper(size);
+        std::vector<std::size_t> sectors;
+        for (std::size_t i = 0; i < map_.sectors.size(); ++i)
+            if (drawings_.of(i) == root) sectors.push_back(i);
+        for (const std::size_t i : sectors) ground(map_.sectors[i]);
+        for (const std::size_t i : sectors) walls(map_.sectors[i]);
+        for (const std::size_t i : sectors) words(map_.sectors[i]);
+        inhabitants();
+        left_ += width;
+        width_ = std::max(width_, left_);
+        row_height_ = std::max(row_height_, height);
+    }
+
+    /// Squares of a metre, or of as many as keep them few; every fifth has its number.
+    void paper(Vec2 size) {
+        const double step = std::ceil(std::max({size.x, size.y, 1.0}) / kMostSquares);
+        const auto line = [&](bool upright, double at) {
+            const bool is_fifth = std::fmod(std::abs(at), 5 * step) == 0;
+            const double from = upright ? y(box_.low.y) : x(box_.low.x), to = upright ? y(box_.high.y) : x(box_.high.x);
+            const double here = upright ? x(at) : y(at);
+            add("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\"/>", upright ? here : from,
+                upright ? from : here, upright ? here : to, upright ? to : here, is_fifth ? "#d0d8e0" : "#eceff3");
+            if (is_fifth)
+                add("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"#90a0b0\">{}</text>", upright ? here - 3 : from - 28,
+                    upright ? from - 8 : here + 4, number_text(at));
+        };
+        for (double at = std::ceil(box_.low.x / step) * step; at <= box_.high.x; at += step) line(true, at);
+        for (double at = std::ceil(box_.low.y / step) * step; at <= box_.high.y; at += step) line(false, at);
+    }
+
+    void ground(const SectorRecord& sector) {
+        std::string path;
+        for (const LoopRecord& loop : sector.loops) {
+            for (std::size_t i = 0; i < loop.vertices.size(); ++i)
+                path +=
+                    fmt::format("{}{:.1f} {:.1f}", i == 0 ? 'M' : 'L', x(loop.vertices[i].x), y(loop.vertices[i].y));
+            path += 'Z';
+        }
+        const char* const color = sector.ceiling.parallax ? "#dff0df" : sector.triggers.empty() ? "#f4efe2" : "#fbe3c4";
+        add("<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.7\" fill-rule=\"evenodd\"><title>{}, line {}</title></path>",
+            path, color, escaped(sector.name), sector.place.line);
+    }
+
+    void walls(const SectorRecord& sector) {
+        const Vec2 size = box_of(sector).high - box_of(sector).low;
+        const bool is_wide = std::min(size.x, size.y) * scale_ > kLeastNumbered;
+        for (const LoopRecord& loop : sector.loops)
+            for (std::size_t i = 0; i < loop.vertices.size(); ++i)
+                wall(sector, loop, i, is_wide && &loop == &sector.loops.front());
+        for (const PanelRecord& panel : sector.panels)
+            add("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#7a5230\" stroke-width=\"2\" "
+                "stroke-dasharray=\"2 2\"><title>panel, line {} {}</title></path>",
+                x(panel.a.x), y(panel.a.y), x(panel.b.x), y(panel.b.y), panel.place.line,
+                escaped(triggers_text(panel.triggers)));
+    }
+
+    static const char* look_of(const WallRecord& wall) {
+        if (!wall.triggers.empty()) return "stroke=\"#e07000\" stroke-width=\"4\"";
+        if (!wall.via.empty()) return "stroke=\"#c000c0\" stroke-width=\"4\"";
+        if (wall.mirror) return "stroke=\"#00a0b0\" stroke-width=\"4\"";
+        if (!wall.next.empty() && wall.blocks)
+            return "stroke=\"#3070d0\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\"";
+        if (!wall.next.empty()) return "stroke=\"#3070d0\" stroke-width=\"1.5\"";
+        return "stroke=\"#202020\" stroke-width=\"2.5\"";
+    }
+
+    void wall(const SectorRecord& sector, const LoopRecord& loop, std::size_t i, bool has_number) {
+        const WallRecord& wall = loop.walls[i];
+        const Vec2 a = loop.vertices[i], b = loop.vertices[(i + 1) % loop.vertices.size()];
+        const std::string behind = wall.next.empty() ? "" : " to " + wall.next;
+        const std::string triggers = triggers_text(wall.triggers);
+        add("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}><title>{}, wall {}{}, line {} {}</title></path>", x(a.x),
+            y(a.y), x(b.x), y(b.y), look_of(wall), escaped(sector.name), i, escaped(behind), wall.place.line,
+            escaped(triggers));
+        const Vec2 along = b - a;
+        const double length = std::sqrt(dot(along, along));
+        if (length * scale_ < 12) return;
+        const Vec2 inside = right_of(along) * (8 / (length * scale_)), middle = (a + b) * 0.5 + inside;
+        if (has_number)
+            add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"8\" fill=\"#808080\" text-anchor=\"middle\">{}</text>",
+                x(middle.x), y(middle.y) + 3, i);
+        const Vec2 outside = (a + b) * 0.5 - inside * 1.5;
+        if (!wall.via.empty())
+            add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"9\" fill=\"#c000c0\" text-anchor=\"middle\">→ {}</text>",
+                x(outside.x), y(outside.y) + 3, escaped(wall.next));
+        if (!triggers.empty())
+            add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"9\" fill=\"#c05000\" text-anchor=\"middle\">{}</text>",
+                x(outside.x), y(outside.y) + 3, escaped(triggers));
+    }
+
+    /// Names stand where there is room: small sectors, as steps, only tell theirs to who points at them.
+    void words(const SectorRecord& sector) {
+        const Box box = box_of(sector);
+        const Vec2 size = box.high - box.low;
+        const std::string triggers = triggers_text(sector.triggers);
+        if (box.is_empty() || (std::max(size.x, size.y) * scale_ < 30 && triggers.empty())) return;
+        const Vec2 middle = box.middle();
+        const bool is_small = std::min(size.x, size.y) * scale_ < 40;
+        add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-size=\"{}\" font-weight=\"bold\">{}</text>",
+            x(middle.x), y(middle.y), is_small ? 8 : 12, escaped(sector.name));
+        if (!is_small)
+            add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" fill=\"#606060\">{} to {} m</text>",
+                x(middle.x), y(middle.y) + 13, number_text(sector.floor.z), number_text(sector.ceiling.z));
+        if (!triggers.empty())
+            add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-size=\"9\" fill=\"#c05000\">{}</text>",
+                x(middle.x), y(middle.y) + (is_small ? 10 : 25), escaped(triggers));
+    }
+
+    bool is_here(Vec2 p) const {
+        return p.x >= box_.low.x && p.x <= box_.high.x && p.y >= box_.low.y && p.y <= box_.high.y;
+    }
+
+    void inhabitants() {
+        for (const PointLightRecord& light : map_.lights)
+            if (is_here(light.position))
+                add("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"#ffd040\" stroke=\"#a07000\"><title>lamp, line "
+                    "{}, reach {} m</title></circle>",
+                    x(light.position.x), y(light.position.y), light.place.line, number_text(light.reach));
+        for (const ThingRecord& thing : map_.things)
+            if (is_here(thing.position))
+                add("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"#40a040\" fill-opacity=\"{}\" "
+                    "stroke=\"#207020\"><title>{} {}, line {} {}</title></circle>",
+                    x(thing.position.x), y(thing.position.y), std::clamp(thing.radius * scale_, 3.0, 12.0),
+                    thing.solid ? "0.9" : "0.4", escaped(thing.kind), escaped(thing.name), thing.place.line,
+                    escaped(triggers_text(thing.triggers)));
+        if (map_.player && is_here(map_.player->position))
+            add("<path transform=\"translate({:.1f} {:.1f}) rotate({:.1f})\" d=\"M10 0L-6 -6L-3 0L-6 6Z\" "
+                "fill=\"#d02020\"><title>the player, line {}</title></path>",
+                x(map_.player->position.x), y(map_.player->position.y), map_.player->yaw_degrees,
+                map_.player->place.line);
+    }
+
+    void legend() {
+        const std::pair<const char*, const char*> lines[] = {
+            {"stroke=\"#202020\" stroke-width=\"2.5\"", "wall, with its number in the sector's outline"},
+            {"stroke=\"#3070d0\" stroke-width=\"1.5\"", "portal"},
+            {"stroke=\"#3070d0\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\"", "portal that blocks"},
+            {"stroke=\"#c000c0\" stroke-width=\"4\"", "link, to →"},
+            {"stroke=\"#e07000\" stroke-width=\"4\"", "wall with triggers (ON: DO TARGET)"},
+            {"stroke=\"#00a0b0\" stroke-width=\"4\"", "mirror"},
+            {"stroke=\"#7a5230\" stroke-width=\"2\" stroke-dasharray=\"2 2\"", "panel"}};
+        double at = row_top_ + row_height_ + 20;
+        add("<text x=\"20\" y=\"{:.0f}\" font-size=\"14\" font-weight=\"bold\">{}</text>", at, escaped(map_.name));
+        for (const auto& [look, words] : lines) {
+            at += 18;
+            add("<path d=\"M20 {0:.0f}L60 {0:.0f}\" {1}/><text x=\"70\" y=\"{2:.0f}\">{3}</text>", at, look, at + 4,
+                words);
+        }
+        at = row_top_ + row_height_ + 38;
+        add("<path transform=\"translate(400 {:.0f})\" d=\"M10 0L-6 -6L-3 0L-6 6Z\" fill=\"#d02020\"/><text x=\"420\" "
+            "y=\"{:.0f}\">the player's start</text>",
+            at, at + 4);
+        add("<circle cx=\"400\" cy=\"{:.0f}\" r=\"6\" fill=\"#40a040\" fill-opacity=\"0.9\" stroke=\"#207020\"/><text "
+            "x=\"420\" y=\"{:.0f}\">thing (pale: not solid)</text>",
+            at + 18, at + 22);
+        add("<circle cx=\"400\" cy=\"{:.0f}\" r=\"5\" fill=\"#ffd040\" stroke=\"#a07000\"/><text x=\"420\" "
+            "y=\"{:.0f}\">lamp</text>",
+            at + 36, at + 40);
+        add("<rect x=\"392\" y=\"{:.0f}\" width=\"16\" height=\"12\" fill=\"#fbe3c4\"/><text x=\"420\" "
+            "y=\"{:.0f}\">sector with triggers</text>",
+            at + 48, at + 58);
+        add("<rect x=\"392\" y=\"{:.0f}\" width=\"16\" height=\"12\" fill=\"#dff0df\"/><text x=\"420\" "
+            "y=\"{:.0f}\">sector under a sky</text>",
+            at + 66, at + 76);
+    }
+
+    const MapFile& map_;
+    Drawings drawings_;
+    std::string text_;
+    Box box_;
+    double scale_ = kScale, left_ = 0, top_ = 0, row_top_ = 0, row_height_ = 0, width_ = 0;
+};
+
+}  // namespace
+
+std::string plan_svg(const MapFile& map) { return Plan(map).run(); }
+
+}  // namespace enfilade
