@@ -30,8 +30,10 @@ std::vector<std::string> shipped_maps() {
     return paths;
 }
 
-/// What the reader makes of a text, but for the places.
-std::string meaning_of(const std::string& text) { return write_map(read_map(text).map); }
+/// What the reader makes of a map in maps/, but for the places.
+std::string meaning_of(const std::string& path) {
+    return write_map(read_map(text_in(path), [](const std::string& name) { return read_file(kMaps + name); }).map);
+}
 
 TEST(New, WritesASoundMapAndOverwritesNothing) {
     const Program program;
@@ -65,7 +67,7 @@ TEST(Expand, GivesTheSameMapOfEveryMapThatCame) {
         ASSERT_EQ(ended.exit_code, 0) << path << ended.err;
         const MapReading again = read_map(ended.out);
         EXPECT_FALSE(has_errors(again.findings)) << path;
-        EXPECT_EQ(ended.out, meaning_of(text_in(path))) << path;
+        EXPECT_EQ(ended.out, meaning_of(path)) << path;
         EXPECT_EQ(write_map(again.map), ended.out) << path;
         EXPECT_THAT(ended.out, Not(HasSubstr("[[openings]]"))) << path;
     }
@@ -173,7 +175,8 @@ TEST_P(LodgeWithASlip, NamesTheAuthorsLine) {
     const auto line = std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n') + 1;
     const Program program;
     program.write("lodge.toml", text);
-    std::filesystem::create_directory_symlink(kMaps + "sounds", program.path("sounds"));
+    for (const char* folder : {"sounds", "prefabs"})
+        std::filesystem::create_directory_symlink(kMaps + folder, program.path(folder));
     const Ended ended = program.run({"check", "lodge.toml", "--textures", kMaps + "textures"});
     EXPECT_THAT(ended.out, StartsWith("lodge.toml:" + std::to_string(line) + ":"));
     EXPECT_THAT(ended.out, HasSubstr(std::string("[") + GetParam().code + "]\n  " + std::to_string(line) + " | "));
@@ -188,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"rect = [8.25, 0,  13.25, 6]", "rect = [8.25, 0,  13.25]", "wrong-type"},
         Slip{"wall = { texture = \"salon_green 2,2\" }", "wall = { texture = \"salon_gren 2,2\" }", "missing-texture"},
         Slip{"corners = 8", "corners = 2", "out-of-range"}, Slip{"do = \"door\"", "do = \"dor\"", "unknown-word"},
-        Slip{"z = 1.75, color", "z = 1.75, colour", "unknown-key"},
+        Slip{"at = [-4.75, 0.5] }", "at = [-4.75, 0.5], tunr = 90 }", "unknown-key"},
         Slip{"leaf = \"door 1,2\", top = 0.75", "leaf = \"door 1\", top = 0.75", "bad-texture-spec"}));
 
 }  // namespace
