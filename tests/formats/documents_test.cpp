@@ -3,10 +3,12 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/files.h"
 #include "formats/map_keys.h"
 #include "formats/map_toml.h"
+#include "formats/png.h"
 #include "formats/script_toml.h"
 #include "formats/text_parts.h"
 
@@ -274,6 +276,76 @@ TEST(FlythroughManual, HasASoundScript) {
             return;
         }
     ADD_FAILURE() << "no such example";
+}
+
+// Every key is in a map that is tested.
+
+/// A key by the kind of table that it is in: those of walls are one, wherever a wall may be written.
+std::string kind_of(const std::string& path) {
+    static const std::map<std::string, std::string> kAlike{
+        {"floor", "flat"}, {"ceiling", "flat"}, {"walls", "wall"}, {"light_effect", "effect"}};
+    const std::size_t dot = path.rfind('.');
+    if (dot == std::string::npos) return path;
+    const std::string tables = path.substr(0, dot), table = tables.substr(tables.rfind('.') + 1);
+    const auto alike = kAlike.find(table);
+    return (alike == kAlike.end() ? table : alike->second) + path.substr(dot);
+}
+
+void add_keys(TomlNode table, const std::string& prefix, std::set<std::string>& keys) {
+    for (const TomlEntry& entry : table.entries()) {
+        const std::string path = prefix + std::string(entry.key);
+        keys.insert(kind_of(path));
+        if (entry.value.kind() == TomlKind::table) add_keys(entry.value, path + ".", keys);
+        for (std::size_t i = 0; entry.value.kind() == TomlKind::array && i < entry.value.size(); ++i)
+            if (entry.value.at(i).kind() == TomlKind::table) add_keys(entry.value.at(i), path + ".", keys);
+    }
+}
+
+TEST(MapManual, HasNoKeyThatNoTestedMapHas) {
+    std::set<std::string> keys;
+    for (const std::string folder : {"/maps/", "/maps/prefabs/", "/tests/data/every_key/"})
+        for (const std::string& name : list_folder(ENFILADE_SOURCE_DIR + folder)) {
+            if (!name.ends_with(".toml")) continue;
+            const auto text = read_file(ENFILADE_SOURCE_DIR + folder + name);
+            Findings findings;
+            const auto document = TomlDocument::parse(as_text(text.value()), {kMaxMapBytes, kMaxMapValues}, findings);
+            ASSERT_TRUE(document) << name;
+            add_keys(document->root(), "", keys);
+        }
+    for (const KeyInfo& key : map_keys()) EXPECT_TRUE(keys.contains(kind_of(key.path))) << key.path;
+}
+
+// The sizes of pictures.
+
+/// "256 x 384" for each picture in a row of the manual's table of sizes.
+std::map<std::string, std::string> sizes_in_manual() {
+    std::map<std::string, std::string> sizes;
+    bool inside = false;
+    const std::string text = file_text("FORMAT.md");
+    for (LineReader lines(text); const auto line = lines.next();) {
+        if (line->text == "| width x height | names |") inside = true;
+        if (line->text.empty()) inside = false;
+        const std::string_view size = line->text.substr(0, line->text.find(" | ")).substr(inside ? 2 : 0);
+        for (std::size_t at = line->text.find('`'); inside && at != std::string_view::npos;) {
+            const std::size_t end = line->text.find('`', at + 1);
+            sizes[std::string(line->text.substr(at + 1, end - at - 1))] = size;
+            at = line->text.find('`', end + 1);
+        }
+    }
+    return sizes;
+}
+
+TEST(MapManual, HasTheSizesOfAllPictures) {
+    std::map<std::string, std::string> sizes;
+    for (const std::string& name : list_folder(ENFILADE_SOURCE_DIR "/maps/textures")) {
+        if (!name.ends_with(".png")) continue;
+        const auto bytes = read_file(ENFILADE_SOURCE_DIR "/maps/textures/" + name);
+        const auto size = png_size(bytes.value());
+        ASSERT_TRUE(size) << name;
+        sizes[name.substr(0, name.size() - 4)] = std::to_string(size->width) + " x " + std::to_string(size->height);
+    }
+    EXPECT_GT(sizes.size(), 100u);
+    EXPECT_EQ(sizes_in_manual(), sizes);
 }
 
 }  // namespace
