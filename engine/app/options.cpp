@@ -9,6 +9,7 @@
 
 #include "app/file_kind.h"
 #include "app/messages.h"
+#include "app/open_map.h"
 #include "base/files.h"
 #include "base/terminal.h"
 #include "formats/text_parts.h"
@@ -114,8 +115,7 @@ std::optional<std::vector<ViewRow>> open_views(const std::string& path) {
         return {};
     }
     ViewsReading reading = read_views(as_text(bytes.value()));
-    for (const Finding& finding : reading.findings) print_text(stderr, to_text(path, finding) + "\n");
-    if (has_errors(reading.findings)) return {};
+    if (print_findings(path, reading.findings, Talk::usual)) return {};
     if (reading.views.empty()) {
         fail({path, "expected at least one view below the names of the columns; the list has none"});
         return {};

@@ -50,12 +50,14 @@ const KeyList<Record>& keys_of();
 template <class Record>
 void check_record(Reading&, TomlNode, std::span<const TomlEntry>, Record&) {}
 
+/// Notes it. Returns the key that was meant, or nothing where none is near.
 template <class Record>
-void unknown_key(Reading& reading, const TomlEntry& entry, const KeyList<Record>& list) {
+std::string_view unknown_key(Reading& reading, const TomlEntry& entry, const KeyList<Record>& list) {
     std::vector<std::string_view> known;
     for (const Key<Record>& key : list.keys) known.push_back(key.name);
     reading.error(entry.key_place, "unknown-key",
                   std::string(list.record) + " has no key " + quoted(entry.key) + suggestion(entry.key, known));
+    return nearest_word(entry.key, known);
 }
 
 void needs_format_1(Reading& reading, const TomlEntry& entry);
@@ -96,12 +98,13 @@ void read_record(Reading& reading, TomlNode table, Record& record) {
     const std::vector<TomlEntry> entries = table.entries();
     if constexpr (requires { record.place; }) record.place = table.place();
     RecordNotes notes(reading, record, entries.size());
+    std::vector<std::string_view> misspelt;  // a key that is missing because of that is mended with it
     for (const TomlEntry& entry : entries) {
         if (reading.is_full()) return;
         const auto has_name = [&](const Key<Record>& key) { return key.name == entry.key; };
         const auto key = std::find_if(list.keys.begin(), list.keys.end(), has_name);
         if (key == list.keys.end())
-            unknown_key(reading, entry, list);
+            misspelt.push_back(unknown_key(reading, entry, list));
         else if (key->since > reading.dialect)
             needs_format_1(reading, entry);
         else
@@ -109,7 +112,8 @@ void read_record(Reading& reading, TomlNode table, Record& record) {
     }
     for (const Key<Record>& key : list.keys) {
         const auto is_given = [&](const TomlEntry& entry) { return entry.key == key.name; };
-        if (key.need == Need::required && std::none_of(entries.begin(), entries.end(), is_given))
+        if (key.need == Need::required && std::none_of(entries.begin(), entries.end(), is_given) &&
+            std::find(misspelt.begin(), misspelt.end(), key.name) == misspelt.end())
             missing_key(reading, table.place(), list.record, key.name);
     }
     notes.end();

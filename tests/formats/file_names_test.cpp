@@ -57,7 +57,8 @@ TEST(Path, MayLeadAnywhere) {
 
 /// Keys of tables that stand alone; those of all others stand in arrays.
 bool is_single(std::string_view table) {
-    for (std::string_view single : {"render", "player", "floor", "ceiling", "light_effect", "effect", "doom", "start", "wall"})
+    for (std::string_view single :
+         {"render", "player", "floor", "ceiling", "light_effect", "effect", "doom", "start", "wall"})
         if (table == single) return true;
     return false;
 }

@@ -26,6 +26,9 @@ export ENFILADE_MAP_CACHE HOME
 "$enfilade" check "$share/maps" >checked
 "$enfilade" render "$share/maps/enfilade.toml" --size 320x200 --out start.png
 "$enfilade" fly "$share/maps/flythroughs/tutorial.toml" --check
+# An author's first map finds its pictures, wherever it lies.
+"$enfilade" new mine
+[ "$("$enfilade" check mine.toml)" = "1 map checked, 0 refused: 0 errors, 0 warnings" ]
 # What comes along is found beside the program, or where the environment says.
 "$enfilade" bench --effects --size 64x40 --rounds 2 | grep "^$share/maps/effects.toml"
 mkdir other

@@ -1,12 +1,14 @@
 // What one feels when walking: pace, stairs, ledges, low ceilings, the eye.
 #include "world/step.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/files.h"
 #include "base/hash.h"
+#include "formats/text_parts.h"
 #include "world/game.h"
 #include "world/player_fault.h"
 
@@ -394,6 +396,20 @@ TEST(Step, StaysInTheWorldFromEverySpawnOnALatticeOfTies) {
                 ASSERT_TRUE(game.is_contained()) << x << "," << y;
             }
         }
+}
+
+/// "| what | measure" in the manual for authors.
+TEST(PlayerMeasures, AreThoseOfTheManual) {
+    const auto bytes = read_file(ENFILADE_SOURCE_DIR "/maps/FORMAT.md");
+    const std::string manual(as_text(bytes.value()));
+    const std::string radius = std::to_string(std::lround(kBodyRadius * 100));
+    for (const std::string& row : {"| radius | 0." + radius + " m",
+                                   "| height | " + number_text(kStandingHeight) + " m standing, " +
+                                       number_text(kCrouchedHeight) + " m crouched |",
+                                   "| highest step | " + number_text(kMaxStep) + " m",
+                                   "| speed | " + number_text(kWalkSpeed) + " m/s walking, " + number_text(kRunSpeed) +
+                                       " m/s running, " + number_text(kCrouchSpeed) + " m/s crouched |"})
+        EXPECT_THAT(manual, ::testing::HasSubstr(row));
 }
 
 }  // namespace
