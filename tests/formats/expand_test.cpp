@@ -430,5 +430,19 @@ TEST_P(HostileShortWords, AreWrittenOutInAMoment) {
 INSTANTIATE_TEST_SUITE_P(All, HostileShortWords, testing::ValuesIn(hostile_maps()),
                          [](const auto& hostile) { return std::string(hostile.param.name); });
 
+TEST(ShortWords, MakeOnlySoMuch) {
+    const std::string polygon = "[[sectors.loops]]\npolygon = { x = 0, y = 0, radius = 9, corners = 256 }\n";
+    const std::string start = "format = 1\n[[sectors]]\nname = \"a\"\nwall = {}\n";
+    const auto text_with = [&](std::size_t count) {
+        std::string text = start;
+        for (std::size_t i = 0; i < count; ++i) text += polygon;
+        return text;
+    };
+    constexpr std::size_t kFit = 262'144 / 512;  // corners, and as many walls
+    EXPECT_EQ(code_of(text_with(kFit)), "none");
+    const MapReading beyond = read_map(text_with(kFit + 100));
+    EXPECT_THAT(codes_and_places(beyond.findings), ElementsAre("too-large " + std::to_string(6 + 2 * kFit) + ":11"));
+}
+
 }  // namespace
 }  // namespace enfilade
