@@ -5,6 +5,8 @@
 
 #include "app/accuracy/crops.h"
 #include "app/accuracy/entries.h"
+#include "app/accuracy/light_error.h"
+#include "app/accuracy/motion.h"
 #include "app/accuracy/report.h"
 #include "app/child_program.h"
 #include "app/commands.h"
@@ -110,11 +112,38 @@ Status write_crops_of(const AccuracyRequest& request, const std::string& folder)
     return write_crops(folder, *map, crop_settings());
 }
 
-Status write_report(const AccuracyRequest& request, const AccuracyRun& run, const std::vector<AccuracyScene>& scenes) {
+/// What is not about dials of texels.
+struct Besides {
+    std::vector<LightRow> light;
+    std::vector<DriftRow> drifts;
+    std::vector<CrossingRow> crossings;
+};
+
+Result<Besides> measure_besides(const AccuracyRequest& request) {
+    const AccuracyPlan plan = plan_of(request.quick);
+    const MotionPlan motion = request.quick ? MotionPlan{10'000, 20'000, 3} : MotionPlan();
+    Besides besides{{}, measure_drift(motion), measure_crossings(motion)};
+    for (const std::string& path : maps_of(request)) {
+        const auto map = open_map(path, request.texture_folders, {});
+        ENFILADE_CHECK(map);  // it was measured
+        auto rows = measure_light_grids(scene_name(path), *map, poses_in(map->map, PoseKind::random, plan.timed, kSeed),
+                                        plan.width, plan.height);
+        if (!rows.ok()) return rows.error();
+        besides.light.insert(besides.light.end(), rows.value().begin(), rows.value().end());
+    }
+    return besides;
+}
+
+std::string whole_page(const AccuracyRun& run, const std::vector<AccuracyScene>& scenes, const Besides& besides) {
+    return accuracy_page(scenes, run.command) + light_page(besides.light) + "\n## Motion\n\n" +
+           motion_page(besides.drifts, besides.crossings);
+}
+
+Status write_report(const AccuracyRequest& request, const std::string& page, const std::vector<AccuracyScene>& scenes) {
     const std::string& folder = request.out;
     if (Status failed = write_crops_of(request, folder + "/crops")) return failed;
     if (Status failed = write_file(folder + "/accuracy.csv", accuracy_csv(scenes))) return failed;
-    if (Status failed = write_file(folder + "/README.md", accuracy_page(scenes, run.command))) return failed;
+    if (Status failed = write_file(folder + "/README.md", page)) return failed;
     return write_plot(folder, scenes);
 }
 
@@ -216,10 +245,14 @@ Status measure_accuracy(const AccuracyRequest& request) {
     auto scenes = scenes_to_go_on_from(request, run.value());
     if (!scenes.ok()) return scenes.error();
     if (Status failed = measure_scenes(request, run.value(), scenes.value())) return failed;
-    print_text(stdout, accuracy_page(scenes.value(), run.value().command));
+    const auto besides = measure_besides(request);
+    if (!besides.ok()) return besides.error();
+    const std::string page = whole_page(run.value(), scenes.value(), besides.value());
+    print_text(stdout, page);
     if (!request.out.empty())
-        if (Status failed = write_report(request, run.value(), scenes.value())) return failed;
+        if (Status failed = write_report(request, page, scenes.value())) return failed;
     if (Status broken = check_promises(scenes.value())) return broken;
+    if (Status broken = check_motion(besides.value().drifts, besides.value().crossings)) return broken;
     return request.verify.empty() ? Status() : verify(request.verify, scenes.value());
 }
 

@@ -1,4 +1,5 @@
-// The command line as a whole. Besides authoring/author_options.cpp the only file that knows CLI11: reading its headers
+// The command line as a whole. Besides the options of authors and of accuracy the only file that knows CLI11: reading
+// its headers
 // takes longer than compiling the rest of a command.
 #include "app/commands.h"
 
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "app/accuracy/accuracy_options.h"
 #include "app/authoring/author_options.h"
 #include "app/messages.h"
 #include "app/options.h"
@@ -390,40 +392,6 @@ CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
     return command;
 }
 
-CLI::App* declare_accuracy(CLI::App& enfilade, AccuracyRequest& request) {
-    CLI::App* command = enfilade.add_subcommand("accuracy", "Measure what accuracy costs in time");
-    command->add_option("MAP", request.maps, "Maps to measure in; if none is given, some that come with Enfilade");
-    command
-        ->add_option("--out", request.out,
-                     "A folder for the report: README.md, report.json, accuracy.csv, accuracy.svg, scenes.svg")
-        ->type_name("DIR");
-    command->add_flag("--quick", request.quick, "Fewer places and settings: under a minute");
-    command
-        ->add_option("--verify", request.verify,
-                     "The report.json of an earlier run: fail unless its errors are found again")
-        ->type_name("FILE.json");
-    command
-        ->add_option("--export", request.export_to,
-                     "Measure nothing: write views, and true colours and surfaces as pictures, for other renderers to "
-                     "be held against")
-        ->type_name("DIR");
-    command
-        ->add_option("--score", request.score,
-                     "Measure nothing: hold pictures of those views against the true ones, in folders as --export "
-                     "writes them")
-        ->type_name("DIR")
-        ->excludes("--export");
-    command->add_flag("--resume", request.resume, "Go on with the report in --out, where it was cut off");
-    declare_textures(*command, request.texture_folders);
-    command->footer(
-        "Draws rooms by every accuracy and dial (see `render --help`), and holds what each pixel shows against places "
-        "on "
-        "pictures worked out in numbers of 113 bits. Instructions are counted where valgrind is installed, the picture "
-        "is drawn where gnuplot is.\nExit status: 0 every promise is kept, 1 one is broken or something is at fault, 2 "
-        "wrong usage.");
-    return command;
-}
-
 /// The subcommand that was being read, or the whole program: whose help to point to.
 std::string command_at_fault(const CLI::App& enfilade) {
     const auto chosen = enfilade.get_subcommands();
@@ -471,12 +439,11 @@ int run_command_line(int argc, const char* const* argv) {
     FlyRequest fly;
     CheckRequest check;
     BenchRequest bench;
-    AccuracyRequest accuracy;
     const CLI::App* const declared_play = declare_play(app, play);
     const CLI::App* const declared_render = declare_render(app, render);
     const CLI::App* const declared_fly = declare_fly(app, fly);
     const CLI::App* const declared_bench = declare_bench(app, bench);
-    const CLI::App* const declared_accuracy = declare_accuracy(app, accuracy);
+    const AccuracyCommand accuracy(app);
     const CLI::App* const declared_check = declare_check(app, check);
     AuthorCommands author(app);
     try {
@@ -501,7 +468,7 @@ int run_command_line(int argc, const char* const* argv) {
     if (declared_render->parsed()) return run_render(render);
     if (declared_fly->parsed()) return run_fly(fly);
     if (declared_bench->parsed()) return run_bench(bench);
-    if (declared_accuracy->parsed()) return run_accuracy(accuracy);
+    if (accuracy.is_asked_for()) return accuracy.run();
     if (declared_check->parsed()) return run_check(check);
     return author.run();
 }

@@ -9,6 +9,7 @@
 #include "app/accuracy/true_texels.h"
 #include "render/reference/reference_renderer.h"
 #include "space/trace.h"
+#include "support/map_builder.h"
 
 namespace enfilade {
 namespace {
@@ -129,12 +130,17 @@ TEST(MeasureErrors, FindsOutWhatADialDoes) {
     EXPECT_LT(mip.shimmer_stepped, exact.shimmer_stepped);
 }
 
-// From there, columns of a wall across the look are exactly two texels apart: their mean is off by one.
+// Columns of a wall 5 m ahead, of 64 texels a metre, are exactly two texels apart: their mean is off by one.
 TEST(MeasureErrors, CountsWhatRoundingAddsToAPromise) {
-    const OpenMap map = shipped("rooms.toml");
+    const MapFile file = test::map_of({test::box_room("hall", 0, 0, 10, 10, 0, 3)});
+    const OpenMap map{test::built(file), test::textures_for(file)};
+    View view;
+    view.sector = SectorId(0u);
+    view.eye = {5, 5};
+    view.eye_z = 1.5;
     AccuracySetting one{{"--accuracy", "1"}, {}, 1};
     one.dials.texel_error = 1;
-    const auto errors = measure_errors(map, {poses_in(map.map, PoseKind::lattice, 12, 1).back()}, {one}, 320, 200);
+    const auto errors = measure_errors(map, {view}, {one}, 320, 200);
     ASSERT_TRUE(errors.ok());
     EXPECT_EQ(errors.value()[0].broken, 0u);
     EXPECT_GT(errors.value()[0].largest, 0.4);

@@ -16,7 +16,8 @@ std::vector<AccuracySetting> accuracy_settings(bool is_quick) {
     std::vector<AccuracySetting> settings{{{}, {}, 0}};
     for (const double texels : {1e-6, 1e-4, 0.01, 0.1, 0.25, 0.5, 1.0, 4.0}) settings.push_back(promise_of(texels));
     for (const char* dial : {"span=4", "span=8", "span=16", "span=32", "number=float", "number=fixed", "number=vanilla",
-                             "sampling=mip", "samples=2", "samples=4", "light=bands", "light=smooth", "links=4"})
+                             "sampling=mip", "sampling=bilinear", "sampling=trilinear", "samples=2", "samples=4",
+                             "light=bands", "light=smooth", "links=4"})
         settings.push_back(dial_of(dial));
     if (is_quick)
         std::erase_if(settings, [](const AccuracySetting& s) { return s.dials.samples > 2 || s.promise == 1e-4; });

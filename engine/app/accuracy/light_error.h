@@ -1,6 +1,7 @@
 // How far the light of lamps in pictures is from the light itself.
 #pragma once
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "app/open_map.h"
@@ -34,5 +35,19 @@ struct LightErrors {
 /// An error where the renderer cannot be made.
 Result<LightErrors> measure_light(const OpenMap& map, const std::vector<View>& views, int width, int height,
                                   const Dials& dials);
+
+/// One map by one grid.
+struct LightRow {
+    std::string scene;
+    int points_per_m = 0;  ///< of the dial light_grid
+    LightErrors errors;
+};
+
+/// The views by grids from 1 to 64 points per metre. Nothing for a map without lamps.
+Result<std::vector<LightRow>> measure_light_grids(const std::string& scene, const OpenMap& map,
+                                                  const std::vector<View>& views, int width, int height);
+
+/// A section of the report, in Markdown.
+std::string light_page(const std::vector<LightRow>& rows);
 
 }  // namespace enfilade
