@@ -25,6 +25,16 @@ converted() {
     "$maps/quarter_turn.toml" "$maps/facing_doors.toml" $(converted freedoom1 E1M1) $(converted freedoom2 MAP01) \
     --out "$here" "$@" >/dev/null
 
+# Another renderer of two maps, held against the truth as anybody's pictures can be; nothing where it does not start.
+score_of() {
+    for map in rooms quarter_turn; do
+        "$build/engine/app/enfilade" render "$maps/$map.toml" --views "$work/truth/$map/views.csv" --size 320x200 \
+            --renderer "$1" --out "$work/$1/$map/colors" --ids "$work/$1/$map/ids" --quiet || return 0
+    done
+    printf '\nThe %s renderer:\n\n' "$1"
+    "$build/engine/app/enfilade" accuracy "$maps/rooms.toml" "$maps/quarter_turn.toml" --score "$work/$1"
+}
+
 # Scripts and pictures name no folder of this machine.
 sed -i "s|$here/||g" "$here/accuracy.gp"
 {
@@ -51,4 +61,13 @@ Three claims, tried today:
   Division Free Perspective Correct Rendering", 2000). They find the right texels, and are slower by half: a texel's
   step waits for the one before.
 TEXT
+    cat <<'TEXT'
+
+## Other renderers
+
+Held against the truth by `enfilade accuracy --score`, as the pictures of anybody else can be.
+TEXT
+    "$build/engine/app/enfilade" accuracy "$maps/rooms.toml" "$maps/quarter_turn.toml" --export "$work/truth"
+    score_of column
+    score_of stencil
 } >>"$here/README.md"
