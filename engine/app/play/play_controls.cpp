@@ -162,8 +162,9 @@ void PlayLoop::change_settings(Settings changed) {
     is_changed_ = true;
     input_.obey(changed);
     if (window_.fullscreen() != changed.fullscreen) window_.set_fullscreen(changed.fullscreen);
-    const bool is_drawn_alike =
-        changed.renderer == before.renderer && dials_of(changed, changed.renderer) == dials_of(before, before.renderer);
+    const Map& map = game_.map();
+    const bool is_drawn_alike = changed.renderer == before.renderer &&
+                                dials_of(changed, changed.renderer, map) == dials_of(before, before.renderer, map);
     if (is_drawn_alike && changed.vsync == before.vsync) return;
     use_or_replace(changed.renderer);
     if (changed.renderer != before.renderer) tell("Drawn by the " + name_of(drawn_by_) + " renderer.");

@@ -33,7 +33,7 @@ Status PlayLoop::use_renderer(RendererKind kind) {
         static_cast<void>(window_.show_by_gpu(wants_gpu));
         const GlContextOpener open_gl = window_.is_shown_by_gpu() ? window_.gl() : GlContextOpener(open_gl_for_play);
         const int most = kMaxPictureSide / std::max({1, picture_size().width, picture_size().height});
-        Dials dials = dials_of(settings(), kind);
+        Dials dials = dials_of(settings(), kind, game_.map());
         dials.samples = std::clamp(dials.samples, 1, std::max(most, 1));
         auto renderer = make_renderer({kind, dials, hardware_threads(), open_gl}, game_.map(), game_.textures());
         if (!renderer.ok()) failed = renderer.error();

@@ -16,6 +16,7 @@ constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
 constexpr std::array<std::string_view, 2> kPlayRenderers{"column", "stencil"};
 constexpr std::array<std::string_view, 2> kAutomapWords{"usual", "safe"};
 constexpr std::array<std::string_view, 3> kAccuracies{"exact", "fine", "fast"};
+constexpr std::array<std::string_view, 5> kTextureFilters{"map", "nearest", "mip", "bilinear", "trilinear"};
 constexpr std::string_view kAsWindow = "window";
 
 /// What the menu goes through; a file or an option may name any other.
@@ -142,9 +143,10 @@ constexpr Setting kSettings[] = {
     choice<&Settings::accuracy, kAccuracies>(
         "accuracy", "Accuracy",
         "How far texels may be off, by the column renderer: exact, fine (a quarter of a texel) or fast (one)"),
-    choice<&Settings::sampling, kWords<Sampling>>(
+    choice<&Settings::sampling, kTextureFilters>(
         "sampling", "Texture filter",
-        "nearest (as painted), mip (distant pictures made smaller, so that floors do not glitter), bilinear (texels "
+        "map (trilinear, but nearest in maps of Doom's light), nearest (as painted), mip (distant pictures made "
+        "smaller, so that floors do not glitter), bilinear (texels "
         "blended with their neighbours) or trilinear (both, without steps), by the column renderer"),
     size_row(),
     number<&Settings::scale>(
@@ -245,12 +247,23 @@ const Setting& setting_named(std::string_view name) {
     return *found;
 }
 
-Dials dials_of(const Settings& settings, RendererKind kind) {
+Sampling sampling_of(TextureFilter filter, const Map& map) {
+    switch (filter) {
+        case TextureFilter::as_map: break;
+        case TextureFilter::nearest: return Sampling::nearest;
+        case TextureFilter::mip: return Sampling::mip;
+        case TextureFilter::bilinear: return Sampling::bilinear;
+        case TextureFilter::trilinear: return Sampling::trilinear;
+    }
+    return map.render.light == LightModel::classic ? Sampling::nearest : Sampling::trilinear;
+}
+
+Dials dials_of(const Settings& settings, RendererKind kind, const Map& map) {
     Dials dials;
     dials.samples = static_cast<int>(settings.samples);
     if (kind != RendererKind::column) return dials;
     ENFILADE_CHECK(!set_accuracy(dials, kAccuracies[static_cast<std::size_t>(settings.accuracy)]));
-    dials.sampling = settings.sampling;
+    dials.sampling = sampling_of(settings.sampling, map);
     return dials;
 }
 

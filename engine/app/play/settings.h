@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "formats/dials.h"
 #include "formats/script.h"
+#include "map/map.h"
 #include "platform/input_event.h"
 
 namespace enfilade {
@@ -82,11 +83,15 @@ enum class AutomapColors : std::uint8_t { usual, safe };
 /// The promises that have a name (formats/dials.h).
 enum class NamedAccuracy : std::uint8_t { exact, fine, fast };
 
+/// Which texels the column renderer shows (formats/dials.h). as_map: blended and without glitter, but as painted in
+/// maps of Doom's light, whose pictures are looked at as they are.
+enum class TextureFilter : std::uint8_t { as_map, nearest, mip, bilinear, trilinear };
+
 struct Settings {
     RendererKind renderer = RendererKind::column;
     double samples = 1;                             ///< rays along each side of a pixel, 1..kMostSamples
     NamedAccuracy accuracy = NamedAccuracy::exact;  ///< by the column renderer, as is the next
-    Sampling sampling = Sampling::nearest;
+    TextureFilter sampling = TextureFilter::as_map;
     std::optional<PictureSize> size;  ///< of the picture, scaled to the window; none: as large as the window
     double scale = 1;                 ///< without a size: pixels of the window along each side of one of the picture
     bool fullscreen = false;
@@ -105,7 +110,7 @@ struct Settings {
 };
 
 /// What a renderer is told of them. kind: of the renderer that is.
-Dials dials_of(const Settings& settings, RendererKind kind);
+Dials dials_of(const Settings& settings, RendererKind kind, const Map& map);
 
 // Beyond these fields of view nobody finds the way: a keyhole, and all of it at the rim.
 inline constexpr double kSmallestFov = 10, kLargestFov = 160;  ///< [degrees]

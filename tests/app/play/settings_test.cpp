@@ -27,9 +27,19 @@ TEST(DialsOfSettings, AreTheColumnRenderersButForSamples) {
     Settings settings;
     settings.samples = 3;
     settings.accuracy = NamedAccuracy::fast;
-    settings.sampling = Sampling::mip;
-    EXPECT_EQ(to_text(dials_of(settings, RendererKind::column)), "accuracy=1 sampling=mip samples=3");
-    EXPECT_EQ(to_text(dials_of(settings, RendererKind::stencil)), "samples=3");
+    settings.sampling = TextureFilter::mip;
+    EXPECT_EQ(to_text(dials_of(settings, RendererKind::column, Map())), "accuracy=1 sampling=mip samples=3");
+    EXPECT_EQ(to_text(dials_of(settings, RendererKind::stencil, Map())), "samples=3");
+}
+
+TEST(DialsOfSettings, BlendTexelsButThoseOfMapsInDoomsLight) {
+    Map map;
+    EXPECT_EQ(to_text(dials_of(Settings(), RendererKind::column, map)), "sampling=trilinear");
+    map.render.light = LightModel::classic;
+    EXPECT_EQ(to_text(dials_of(Settings(), RendererKind::column, map)), "exact");
+    Settings settings;
+    settings.sampling = TextureFilter::bilinear;
+    EXPECT_EQ(to_text(dials_of(settings, RendererKind::column, map)), "sampling=bilinear");
 }
 
 class EverySetting : public ::testing::TestWithParam<const Setting*> {
