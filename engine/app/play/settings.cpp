@@ -145,7 +145,7 @@ constexpr Setting kSettings[] = {
         "How far texels may be off, by the column renderer: exact, fine (a quarter of a texel) or fast (one)"),
     choice<&Settings::sampling, kTextureFilters>(
         "sampling", "Texture filter",
-        "map (trilinear, but nearest in maps of Doom's light), nearest (as painted), mip (distant pictures made "
+        "map (mip, but nearest in maps of Doom's light), nearest (as painted), mip (distant pictures made "
         "smaller, so that floors do not glitter), bilinear (texels "
         "blended with their neighbours) or trilinear (both, without steps), by the column renderer"),
     size_row(),
@@ -255,7 +255,7 @@ Sampling sampling_of(TextureFilter filter, const Map& map) {
         case TextureFilter::bilinear: return Sampling::bilinear;
         case TextureFilter::trilinear: return Sampling::trilinear;
     }
-    return map.render.light == LightModel::classic ? Sampling::nearest : Sampling::trilinear;
+    return map.render.light == LightModel::classic ? Sampling::nearest : Sampling::mip;
 }
 
 Dials dials_of(const Settings& settings, RendererKind kind, const Map& map) {

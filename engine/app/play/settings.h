@@ -83,8 +83,8 @@ enum class AutomapColors : std::uint8_t { usual, safe };
 /// The promises that have a name (formats/dials.h).
 enum class NamedAccuracy : std::uint8_t { exact, fine, fast };
 
-/// Which texels the column renderer shows (formats/dials.h). as_map: blended and without glitter, but as painted in
-/// maps of Doom's light, whose pictures are looked at as they are.
+/// Which texels the column renderer shows (formats/dials.h). as_map: without glitter in the distance, but as painted
+/// in maps of Doom's light, whose pictures are looked at as they are.
 enum class TextureFilter : std::uint8_t { as_map, nearest, mip, bilinear, trilinear };
 
 struct Settings {

@@ -32,9 +32,9 @@ TEST(DialsOfSettings, AreTheColumnRenderersButForSamples) {
     EXPECT_EQ(to_text(dials_of(settings, RendererKind::stencil, Map())), "samples=3");
 }
 
-TEST(DialsOfSettings, BlendTexelsButThoseOfMapsInDoomsLight) {
+TEST(DialsOfSettings, DoNotGlitterButInMapsOfDoomsLight) {
     Map map;
-    EXPECT_EQ(to_text(dials_of(Settings(), RendererKind::column, map)), "sampling=trilinear");
+    EXPECT_EQ(to_text(dials_of(Settings(), RendererKind::column, map)), "sampling=mip");
     map.render.light = LightModel::classic;
     EXPECT_EQ(to_text(dials_of(Settings(), RendererKind::column, map)), "exact");
     Settings settings;
