@@ -17,6 +17,8 @@ double texels_of(Vec2 metres, Vec2 tile_m, const Texture& picture) {
 void FlatPainter::start_dials(const ColumnScene& scene) {
     vanilla_.reset();
     is_dialled_ = scene.dials != nullptr && !(built_in::kSky && flat_.sky);
+    // Lamps, fog and layers make each column another one: a promise alone has nothing to give there.
+    if (is_dialled_ && !is_plain_ && is_only_promise(scene.dials->dials)) is_dialled_ = false;
     if (!is_dialled_) return;
     const RayTables& screen = scene.screen;
     texels_across_ = texels_of(pose_->right, picture_.tile_m, *picture_.texture) / screen.column_scale;
