@@ -249,7 +249,8 @@ TEST(AccuracyReport, ShowsEachSettingOnce) {
     const std::vector<AccuracyScene> scenes{two_rows(), two_rows()};
     const std::string page = accuracy_page(scenes, "enfilade accuracy");
     EXPECT_THAT(page, HasSubstr("| 0.5 | 5.0e-01 | 0 | 0.00 | not counted | 0.75 (0.50 to 1.00) |"));
-    EXPECT_THAT(page, HasSubstr("takes 75 % of the time of the exact one in the mean, and 75 % in room, where it saves most"));
+    EXPECT_THAT(
+        page, HasSubstr("takes 75 % of the time of the exact one in the mean, and 75 % in room, where it saves most"));
     EXPECT_EQ(page.find("| `exact` | 2.5e-01"), page.rfind("| `exact` | 2.5e-01"));
     EXPECT_NE(page.find("| `exact` | 2.5e-01"), page.npos);
     EXPECT_THAT(accuracy_plot(scenes, "dir"), HasSubstr("0.7500 5.0000e-01 0.5 \"0.5\"\n"));
