@@ -80,6 +80,10 @@ Result<Image> read_indexed(PngHolder& png) {
     return image;
 }
 
+/// The signature, and what stands around the data of a chunk: its length and type before it, a sum behind it (PNG
+/// specification, §5.2 and §5.3) [bytes].
+constexpr std::size_t kSignature = 8, kBeforeData = 8, kSum = 4;
+
 /// Where the header has the width; the height follows (PNG specification, §5.2 and §11.2.2) [bytes].
 constexpr std::size_t kWidthAt = 16;
 
@@ -87,6 +91,21 @@ std::uint32_t big_endian(std::span<const std::byte> bytes, std::size_t at) {
     std::uint32_t number = 0;
     for (const std::byte b : bytes.subspan(at, 4)) number = number << 8 | std::to_integer<std::uint32_t>(b);
     return number;
+}
+
+/// libpng takes as much memory as a chunk says it is long, up to 2 GiB, before it sees that there are no such bytes. Not
+/// so of the image's own data, which come last.
+Status refuse_long_chunks(std::span<const std::byte> bytes) {
+    for (std::size_t at = kSignature; bytes.size() >= at + kBeforeData;) {
+        const std::uint32_t length = big_endian(bytes, at), type = big_endian(bytes, at + 4);
+        constexpr std::uint32_t kImageData = 0x49444154;  // "IDAT"
+        if (type == kImageData) return {};
+        if (std::size_t{length} + kSum > bytes.size() - at - kBeforeData)
+            return Error{"", "not a PNG image: a chunk of " + std::to_string(length) + " bytes begins at byte " +
+                                 std::to_string(at) + ", but the file ends after " + std::to_string(bytes.size())};
+        at += kBeforeData + length + kSum;
+    }
+    return {};
 }
 
 }  // namespace
@@ -100,6 +119,8 @@ std::optional<ImageSize> png_size(std::span<const std::byte> bytes) {
 }
 
 Result<Image> read_png(std::span<const std::byte> bytes) {
+    if (png_size(bytes))
+        if (Status refused = refuse_long_chunks(bytes)) return *refused;
     PngHolder png;
     if (!png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size())) return not_an_image(png.image);
     if (Status refused = refuse_size(png.image, bytes.size())) return *refused;

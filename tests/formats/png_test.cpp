@@ -122,6 +122,20 @@ TEST(Png, SurvivesChunksThatClaimToBeHuge) {
     EXPECT_FALSE(read_png(with_u32(write_png(some_image(3, 2)), 33, 0x7FFFFFFF)).ok());
 }
 
+// libpng would take as much memory as the chunk says.
+TEST(Png, IsRefusedForAChunkLongerThanTheFile) {
+    Bytes png = write_png(some_image(3, 2));
+    const std::size_t begin = 33;  // of the first chunk after the header
+    const Bytes text = with_u32(with_u32(Bytes(12), 0, 0x7FFFFFFF), 4, 0x69545874);  // "iTXt"
+    png.insert(png.begin() + begin, text.begin(), text.end());
+    const auto refused = read_png(png);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().what,
+              "not a PNG image: a chunk of 2147483647 bytes begins at byte 33, but the file ends "
+              "after " +
+                  std::to_string(png.size()));
+}
+
 TEST(IndexedPng, KeepsColoursAndAlpha) {
     const IndexedImage image{3, 1, {2, 0, 1}, {0xFF030201u, 0x00000000u, 0xFFFFFFFFu}};
     EXPECT_EQ(read_png(write_indexed_png(image)).value().pixels, (std::vector{0xFFFFFFFFu, 0xFF030201u, 0u}));
