@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "math/predicates.h"
 #include "math/vec.h"
@@ -11,6 +12,10 @@ namespace {
 
 /// Rounded down, and a step more, so that a disc of the result certainly does not touch.
 double grid_length_below(double length) { return std::max(0.0, snap_to_point_grid(length) - 2 * kPointGrid); }
+
+/// Who is under a lower ceiling gets through fewer portals, is narrower, and may be under a higher one again: each time
+/// narrower, at most by so many walls.
+constexpr int kMostSqueezes = 8;
 
 double distance_to(const ReachedWall& wall) {
     const Vec2 to_it = nearest_point(wall.stretch, wall.centre) - wall.centre;
@@ -64,15 +69,19 @@ bool fits(const Instant& now, const Body& body, const Reach& around) {
 }
 
 Body squeezed(const Instant& now, Body body) {
-    const Heights here = heights_of(now, body.place.sector);
-    body.ceiling_z = here.ceiling_z;
-    body.height = std::clamp(here.ceiling_z - body.feet_z, 0.0, body.height);
-    Reach found = around(now, body);
-    for (const ReachedWall& wall : found.walls)
-        if (!is_one_way_exit(now.map, wall)) body.radius = std::min(body.radius, grid_length_below(distance_to(wall)));
-    if (!found.walls.empty()) found = around(now, body);
-    body.ceiling_z = clearance(now, body, found.sectors).ceiling_z;
-    body.height = std::clamp(body.ceiling_z - body.feet_z, 0.0, body.height);
+    const double wanted = body.height;
+    body.ceiling_z = heights_of(now, body.place.sector).ceiling_z;
+    for (int tries = 0; tries < kMostSqueezes; ++tries) {
+        body.height = std::clamp(body.ceiling_z - body.feet_z, 0.0, wanted);
+        Reach found = around(now, body);
+        for (const ReachedWall& wall : found.walls)
+            if (!is_one_way_exit(now.map, wall))
+                body.radius = std::min(body.radius, grid_length_below(distance_to(wall)));
+        if (!found.walls.empty()) found = around(now, body);
+        const double before = std::exchange(body.ceiling_z, clearance(now, body, found.sectors).ceiling_z);
+        if (body.ceiling_z == before) break;
+    }
+    body.height = std::clamp(body.ceiling_z - body.feet_z, 0.0, wanted);
     return body;
 }
 

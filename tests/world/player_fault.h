@@ -23,7 +23,9 @@ public:
         if (!contains(map, player.place.sector, player.place.point)) return "the player is outside of the sector";
         const Body body = body_of(at, player);
         const bool is_free = body.radius == kBodyRadius;
-        if (was_free_ && !is_free && !was_sent(map, world)) return "the body got into a wall";
+        const bool is_sent = was_sent(map, world);
+        if (!is_one_way_exit_near(map, at, body) && !around(at, body).walls.empty()) return "the body is in a wall";
+        if (was_free_ && !is_free && !is_sent) return "the body got into a wall";
         was_free_ = is_free;
         const Clearance free = clearance(at, body, around(at, body).sectors);
         if (!is_at_most(free.floor_z, player.feet_z)) return "the feet are below the floor";
@@ -35,6 +37,13 @@ public:
     }
 
 private:
+    /// Which alone may touch a body.
+    static bool is_one_way_exit_near(const Map& map, const Instant& at, const Body& body) {
+        bool is_near = false;
+        for (const ReachedWall& wall : around(at, body).walls) is_near = is_near || is_one_way_exit(map, wall);
+        return is_near;
+    }
+
     /// Whether the last tick ended somewhere else, be it between walls.
     bool was_sent(const Map& map, const World& world) {
         bool is_sent = false;

@@ -323,6 +323,26 @@ TEST(Walk, GoesAnyDistanceInOneTickWithoutPassingAWall) {
     }
 }
 
+// A low ceiling over one side of the body and a step under the other: what it may do under one it may not on both.
+TEST(Squeezed, BodiesTouchNothingUnderTheCeilingThatTheyAreGiven) {
+    const Map map = built([] {
+        MapFile file = map_of({box_room("low", -4, 0, 0, 4, 0, 1.25), box_room("middle", 0, 0, 0.5, 4, 0, 1.5),
+                               box_room("step", 0.5, 0, 4, 4, 0.25, 1.5)});
+        join_all(file);
+        return file;
+    }());
+    int narrow = 0;
+    for (int h = 0; h <= 28; ++h)
+        for (const double x : {0.125, 0.25, 0.3125}) {
+            const Body body = squeezed(map, {{SectorId(1u), {x, 2}}, 0, 0.0625 * h, kBodyRadius, kWorldLimit});
+            const Reach reached = around(map, body);
+            EXPECT_TRUE(reached.walls.empty()) << body.height << " high at " << x;
+            EXPECT_EQ(body.ceiling_z, clearance(map, body, reached.sectors).ceiling_z);
+            narrow += body.radius < kBodyRadius;
+        }
+    EXPECT_GT(narrow, 0);
+}
+
 /// The dearest of many walks near the middle of a fan.
 struct Dearest {
     int queries = 0;
