@@ -322,7 +322,6 @@ TEST(Step, StandsUpInARoomThatIsTooLowWithoutTheEyeLeavingIt) {
     EXPECT_GT(game.point().x, 3) << "and can walk";
 }
 
-// hard case C22
 /// Treads of a quarter of a metre between walls that are narrower than a body, each step higher than the last.
 MapFile fine_stair(double riser) {
     std::vector<SectorRecord> steps;
@@ -335,6 +334,7 @@ MapFile fine_stair(double riser) {
 }
 
 // Lifted onto one step one comes free of the next, which was too high to climb and is below the body, too.
+// hard case C22
 TEST(Step, LeavesNobodyInTheStepsOfAStairThatIsFinerThanABody) {
     for (const double riser : {0.125, 0.5, 0.625, 0.75, 1.0}) {
         for (int step = 0; step < 8; ++step) {
@@ -371,6 +371,7 @@ TEST(Step, LeavesNobodyBelowTheFloorThatIsReachedAsOneFallsPastALintel) {
     EXPECT_GT(fallen, 0);
 }
 
+// hard case C22
 TEST(Step, SurvivesASpawnInAClosedSector) {
     MapFile file = map_of({box_room("door", 0, 0, 4, 4, 1, 1)});
     place_player(file, "door", {2, 2}, 1, 0);
