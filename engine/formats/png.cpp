@@ -93,8 +93,8 @@ std::uint32_t big_endian(std::span<const std::byte> bytes, std::size_t at) {
     return number;
 }
 
-/// libpng takes as much memory as a chunk says it is long, up to 2 GiB, before it sees that there are no such bytes. Not
-/// so of the image's own data, which come last.
+/// libpng takes as much memory as a chunk says it is long, up to 2 GiB, before it sees that there are no such bytes.
+/// Not so of the image's own data, which come last.
 Status refuse_long_chunks(std::span<const std::byte> bytes) {
     for (std::size_t at = kSignature; bytes.size() >= at + kBeforeData;) {
         const std::uint32_t length = big_endian(bytes, at), type = big_endian(bytes, at + 4);
