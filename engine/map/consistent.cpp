@@ -99,7 +99,7 @@ private:
         return trigger.key == Trigger::kNoKey || trigger.key < map_.keys.size();
     }
     bool own_rules_hold(const Thing& thing) const {
-        return thing.sector && is_in_world(thing.position) &&
+        return thing.sector && is_in_world(thing.position) && thing.radius >= 0 && thing.radius <= kWorldLimit &&
                (thing.gives_key == Trigger::kNoKey || thing.gives_key < map_.keys.size());
     }
     bool own_rules_hold(const PointLight& light) const { return light.sector && is_in_world(light.position); }
