@@ -65,8 +65,9 @@ public:
         bool is_smaller = true;
         while (is_smaller && questions_left_ > 0) {
             is_smaller = false;
-            is_smaller |= shrink_list(&MapFile::things) | shrink_list(&MapFile::lights);
-            is_smaller |= shrink_sectors() | shrink_loops() | shrink_corners() | shrink_runs() | shrink_walls();
+            for (const bool shrunk : {shrink_list(&MapFile::things), shrink_list(&MapFile::lights), shrink_sectors(),
+                                      shrink_loops(), shrink_corners(), shrink_runs(), shrink_walls()})
+                is_smaller |= shrunk;
         }
         return std::move(file_);
     }
