@@ -27,26 +27,47 @@ double reach_of(const Sprite& sprite) {
     return sprite.reach_m > 0 ? snap_to_point_grid(std::min(sprite.reach_m, kWidestReach)) + kPointGrid : 0;
 }
 
-void spread(const Map& map, ThingId id, std::vector<FoundPresence>& found) {
-    const Thing& thing = map[id];
-    const std::size_t begin = found.size();
-    const double radius = begin < kMostPresences ? reach_of(map[thing.sprite]) : 0;
-    for (const ReachedSector& reached : reach(map, {thing.sector, thing.position}, radius).sectors) {
-        const Vec2 position = snap_to_point_grid(reached.passage.apply(thing.position));
-        const FoundPresence next{reached.sector, {id, reached.passage, position}};
+class Spreading {
+public:
+    explicit Spreading(const Map& map) : map_(map) {}
+
+    void add(ThingId id) {
+        const Thing& thing = map_[id];
+        const std::size_t begin = found.size();
+        const bool may_spread = begin < kMostPresences && steps < kMostPresenceSteps;
+        const double radius = may_spread ? reach_of(map_[thing.sprite]) : 0;
+        const Reach reached = reach(map_, {thing.sector, thing.position}, radius);
+        steps += may_spread ? reached.walls_looked_at : 0;
+        for (const ReachedSector& there : reached.sectors) {
+            const Vec2 position = snap_to_point_grid(there.passage.apply(thing.position));
+            add_new({there.sector, {id, there.passage, position}}, begin);
+        }
+    }
+
+    std::vector<FoundPresence> found;
+    std::size_t steps = 0;
+
+private:
+    /// Unless it is among those from `begin` on.
+    void add_new(const FoundPresence& next, std::size_t begin) {
+        steps += found.size() - begin;
         const auto is_known = [&](const FoundPresence& other) { return is_same(next, other); };
         if (std::none_of(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(), is_known))
             found.push_back(next);
     }
-}
+
+    const Map& map_;
+};
 
 }  // namespace
 
 Presences presences_of(const Map& map) {
-    std::vector<FoundPresence> found;
+    Spreading spreading(map);
     for (std::size_t i = 0; i < map.things.size(); ++i)
-        if (map.things[i].sprite) spread(map, ThingId(i), found);
+        if (map.things[i].sprite) spreading.add(ThingId(i));
+    std::vector<FoundPresence>& found = spreading.found;
     Presences presences;
+    presences.steps = spreading.steps;
     if (found.empty()) return presences;
     std::stable_sort(found.begin(), found.end(),
                      [](const FoundPresence& a, const FoundPresence& b) { return a.sector < b.sector; });

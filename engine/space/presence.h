@@ -21,6 +21,7 @@ struct Presences {
     std::vector<Presence> all;
     std::vector<std::uint32_t> first;  ///< those of sector i are all[first[i]] to all[first[i + 1]]; empty where no
                                        ///< thing has a picture
+    std::size_t steps = 0;             ///< what it took to find them [walls looked at, and presences compared]
 
     /// In the order of the things' numbers.
     std::span<const Presence> in(SectorId sector) const {
@@ -32,11 +33,16 @@ struct Presences {
 /// Where the things with pictures are. A thing is in every sector that a disc as wide as its widest picture reaches
 /// (space/reach.h), whatever the heights there are; in one that it reaches in two ways that put it at different
 /// places, as through two links, it is twice.
-/// Cost: the walls of the sectors that the pictures reach. Beyond kMostPresences things are in their own sector only.
+/// Cost: the walls of the sectors that the pictures reach. Beyond kMostPresences or kMostPresenceSteps things are in
+/// their own sector only.
 Presences presences_of(const Map& map);
 
 /// Far more than there are in any honest map; a file full of pictures a thousand metres wide must not fill the memory.
 inline constexpr std::size_t kMostPresences = 1u << 20;
+
+/// A quarter of a second, which no honest map comes near; pictures as wide as a thousand narrow rooms do [as
+/// Presences::steps].
+inline constexpr std::size_t kMostPresenceSteps = std::size_t{1} << 26;
 
 /// Pictures reach no further into other rooms [m].
 inline constexpr double kWidestReach = 1024;

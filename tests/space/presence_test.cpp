@@ -87,5 +87,22 @@ TEST(Presences, ThroughTwoLinksThatLeadApartAreTwo) {
     EXPECT_THAT(things_in(presences_of(built(file)), 1), ElementsAre(0u, 0u));
 }
 
+TEST(Presences, OfPicturesWiderThanHundredsOfRoomsAreLookedForOnlySoLong) {
+    std::vector<SectorRecord> rooms;
+    for (int i = 0; i < 600; ++i)
+        rooms.push_back(box_room("room" + std::to_string(i), i * 0.0625, 0, (i + 1) * 0.0625, 16));
+    MapFile file = map_of(std::move(rooms));
+    split_and_join(file);
+    for (int i = 0; i < 1000; ++i) {
+        file.things.push_back(tree_at({18.75, 8}));
+        file.things.back().size = 1;  // the picture is as wide as all rooms
+    }
+    const Presences presences = presences_of(built(file));
+    EXPECT_GT(presences.all.size(), 100'000u);  // the first ones are everywhere
+    EXPECT_THAT(things_in(presences, 300), ::testing::Contains(999u));
+    EXPECT_THAT(things_in(presences, 0), ::testing::Not(::testing::Contains(999u)));
+    EXPECT_LE(presences.steps, kMostPresenceSteps + (std::size_t{1} << 20));
+}
+
 }  // namespace
 }  // namespace enfilade
