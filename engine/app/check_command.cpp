@@ -17,6 +17,8 @@
 #include "formats/map_toml.h"
 #include "formats/text_parts.h"
 #include "map/load.h"
+#include "map/names.h"
+#include "render/light_images.h"
 
 namespace enfilade {
 namespace {
@@ -57,6 +59,11 @@ Findings findings_around(const std::string& path, const LoadedMap& loaded) {
                  fmt::format("expected a map in {}, to which this exit leads, found none; whoever takes it begins this "
                              "map again",
                              there));
+    if (const auto first = LightImages(*loaded.map).left_out())
+        warn({}, "lights-left-out",
+             fmt::format("expected lights that together take a second at most to work out; the light at {} and all "
+                         "after it light nothing more. Give them a shorter reach, or divide rooms of very many walls",
+                         point_text(loaded.map->lights[*first].position)));
     tell_files(findings, loaded.sources);
     return findings;
 }

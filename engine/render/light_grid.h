@@ -72,6 +72,10 @@ constexpr std::uint32_t lit_above(std::uint32_t darkened, std::uint32_t color, S
     return result;
 }
 
+/// What the grid of a surface covers at most as densely as is asked for [m^2]: 362 m each way. Where lamps on one
+/// surface lie farther apart, the points of its grid do, too.
+inline constexpr double kMostGridArea = 0x1p17;
+
 /// The light on a rectangle of a surface. A place is (u, v) on it: walls and panels (metres along from a, height z),
 /// flats (x, y), all in the space of the surface's own sector.
 struct LightGrid {

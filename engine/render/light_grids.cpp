@@ -22,11 +22,11 @@ LightGrids::Memo& LightGrids::memo(std::size_t number) {
 void LightGrids::note_sectors(SectorId home, Memo& memo) const {
     memo.sectors = {home};
     for (const LampOnSurface& lamp : memo.lamps) {
-        const SectorId lit_from = map_.lights[lamp.image.light].sector;
-        if (std::find(memo.sectors.begin(), memo.sectors.end(), lit_from) == memo.sectors.end())
-            memo.sectors.push_back(lit_from);
+        memo.sectors.push_back(map_.lights[lamp.image.light].sector);
         lamp.rays.add_sectors(map_, memo.sectors);
     }
+    std::ranges::sort(memo.sectors);
+    memo.sectors.erase(std::ranges::unique(memo.sectors).begin(), memo.sectors.end());
 }
 
 /// own_height: of a thing; else 0.
@@ -58,7 +58,31 @@ bool LightGrids::colors_changed(const Snapshot& snapshot, Memo& memo) const {
     return changed;
 }
 
-/// make(image): the lamp on this surface. patch(lamp, side): what arrives of it now.
+namespace {
+
+/// That the grid of all lamps covers [m^2].
+double area_of(const std::vector<LampOnSurface>& lamps, double per_m) {
+    LightBox all;
+    for (const LampOnSurface& lamp : lamps) all = box_around(all, lamp.box);
+    return all.columns / per_m * (all.rows / per_m);
+}
+
+}  // namespace
+
+/// make(image, per_m): the lamp on this surface.
+template <class Make>
+void LightGrids::note_lamps(std::span<const LightImage> images, Make make, Memo& memo) const {
+    for (memo.per_m = per_m_;; memo.per_m /= 2) {
+        memo.lamps.clear();
+        for (const LightImage& image : images) {
+            memo.lamps.push_back(make(image, memo.per_m));
+            if (memo.lamps.back().box.columns == 0) memo.lamps.pop_back();
+        }
+        if (area_of(memo.lamps, memo.per_m) * (memo.per_m * memo.per_m) <= kMostGridArea * (per_m_ * per_m_)) return;
+    }
+}
+
+/// make: as for note_lamps(). patch(lamp, side): what arrives of it now.
 template <class Make, class Patch>
 const LightGrid* LightGrids::grid(const Snapshot& snapshot, std::size_t number, SectorId home, int side,
                                   double own_height, const Suns& suns, Make make, Patch patch) {
@@ -67,8 +91,7 @@ const LightGrid* LightGrids::grid(const Snapshot& snapshot, std::size_t number, 
     Memo& memo = this->memo(number);
     const Held held(memo.lock);
     if (memo.is_new) {
-        for (const LightImage& image : images) memo.lamps.push_back(make(image));
-        std::erase_if(memo.lamps, [](const LampOnSurface& lamp) { return lamp.box.columns == 0; });
+        note_lamps(images, make, memo);
         note_sectors(home, memo);
         memo.is_new = false;
     }
@@ -79,7 +102,7 @@ const LightGrid* LightGrids::grid(const Snapshot& snapshot, std::size_t number, 
         if (moved) memo.patches[s].clear();
         for (const LampOnSurface& lamp : memo.lamps)
             if (moved) memo.patches[s].push_back(patch(lamp, s));
-        memo.grids[s] = in_sun(sum_of(memo.patches[s], memo.colors, per_m_), suns[static_cast<std::size_t>(s)]);
+        memo.grids[s] = in_sun(sum_of(memo.patches[s], memo.colors, memo.per_m), suns[static_cast<std::size_t>(s)]);
     }
     return memo.grids[side].columns > 0 ? &memo.grids[side] : nullptr;
 }
@@ -106,7 +129,7 @@ auto one_sided(Patch patch) {
 const LightGrid* LightGrids::on_wall(const Snapshot& snapshot, WallId id) {
     const UprightSurface surface = upright(map_, id);
     const Heights room = heights_at(snapshot, surface.sector);
-    const auto make = [&](const LightImage& image) { return lamp_on(map_, surface, image, per_m_); };
+    const auto make = [&](const LightImage& image, double per_m) { return lamp_on(map_, surface, image, per_m); };
     const auto patch = [&](const LampOnSurface& lamp) {
         return patch_on(map_, snapshot, surface, lamp, room.floor_z, room.ceiling_z);
     };
@@ -117,7 +140,7 @@ const LightGrid* LightGrids::on_panel(const Snapshot& snapshot, PanelId id) {
     const UprightSurface surface = upright(map_, id);
     const Heights room = heights_at(snapshot, surface.sector);
     const double bottom = std::max(map_[id].bottom, room.floor_z), top = std::min(map_[id].top, room.ceiling_z);
-    const auto make = [&](const LightImage& image) { return lamp_on(map_, surface, image, per_m_); };
+    const auto make = [&](const LightImage& image, double per_m) { return lamp_on(map_, surface, image, per_m); };
     const auto patch = [&](const LampOnSurface& lamp) { return patch_on(map_, snapshot, surface, lamp, bottom, top); };
     return grid(snapshot, map_.walls.size() + id.index, surface.sector, 0, 0, {sunlight_on(map_, map_[id])}, make,
                 one_sided(patch));
@@ -126,7 +149,9 @@ const LightGrid* LightGrids::on_panel(const Snapshot& snapshot, PanelId id) {
 const LightGrid* LightGrids::on_thing(const Snapshot& snapshot, ThingId id) {
     const Thing& thing = map_[id];
     const double z = thing_at(map_, snapshot, id).z + thing.height / 2;
-    const auto make = [&](const LightImage& image) { return lamp_on(map_, thing.sector, thing.position, image); };
+    const auto make = [&](const LightImage& image, double) {
+        return lamp_on(map_, thing.sector, thing.position, image);
+    };
     const auto patch = [&](const LampOnSurface& lamp) { return patch_at(map_, snapshot, thing.position, z, lamp); };
     const std::size_t number = map_.walls.size() + map_.panels.size() + id.index;
     return grid(snapshot, number, thing.sector, 0, z, {sunlight_on(map_, thing)}, make, one_sided(patch));
@@ -150,7 +175,7 @@ const LightGrid* LightGrids::on_flat(const Snapshot& snapshot, SectorId sector, 
         return which == kFloor ? map_[sector].floor : map_[sector].ceiling;
     };
     if (flat(side).sky) return nullptr;
-    const auto make = [&](const LightImage& image) { return lamp_on(map_, sector, image, per_m_); };
+    const auto make = [&](const LightImage& image, double per_m) { return lamp_on(map_, sector, image, per_m); };
     const auto patch = [&](const LampOnSurface& lamp, int which) {
         if (flat(which).sky) return LightPatch{};
         return patch_on(map_, snapshot, which == kFloor ? room.floor_z : room.ceiling_z, lamp);

@@ -40,6 +40,7 @@ private:
     struct Memo {
         Lock lock;
         bool is_new = true;
+        double per_m = 0;  ///< points along a metre
         std::vector<LampOnSurface> lamps;
         std::vector<SectorId> sectors;       ///< whose heights count
         std::vector<double> heights;         ///< of the moment that patches are of [m]
@@ -50,6 +51,8 @@ private:
 
     const LightGrid* on_flat(const Snapshot& snapshot, SectorId sector, int side);
     Memo& memo(std::size_t number);
+    template <class Make>
+    void note_lamps(std::span<const LightImage> images, Make make, Memo& memo) const;
     void note_sectors(SectorId home, Memo& memo) const;
     static bool heights_changed(const Snapshot& snapshot, Memo& memo, double own_height);
     bool colors_changed(const Snapshot& snapshot, Memo& memo) const;

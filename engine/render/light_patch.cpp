@@ -5,48 +5,9 @@
 #include <optional>
 
 #include "math/vec.h"
-#include "space/reach.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
-namespace {
-
-struct Reached {
-    SectorId sector;
-    LightImage image;
-};
-
-bool is_known(const std::vector<Reached>& all, std::size_t first, const Reached& reached) {
-    return std::any_of(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), [&](const Reached& other) {
-        return other.sector == reached.sector && is_same_place(other.image.from, reached.image.from) &&
-               other.image.z == reached.image.z;
-    });
-}
-
-void add_light(const Map& map, std::uint32_t number, std::vector<Reached>& all) {
-    const PointLight& light = map.lights[number];
-    const std::size_t first = all.size();
-    for (const ReachedSector& there : reach(map, {light.sector, light.position}, light.reach).sectors) {
-        const LightImage image{number, there.passage, snap_to_point_grid(there.passage.apply(light.position)),
-                               there.passage.apply_height(light.z)};
-        if (!is_known(all, first, {there.sector, image})) all.push_back({there.sector, image});
-    }
-}
-
-}  // namespace
-
-LightImages::LightImages(const Map& map) {
-    std::vector<Reached> all;
-    for (std::size_t i = 0; i < map.lights.size(); ++i) add_light(map, static_cast<std::uint32_t>(i), all);
-    std::stable_sort(all.begin(), all.end(), [](const Reached& a, const Reached& b) { return a.sector < b.sector; });
-    first_.assign(map.sectors.size() + 1, 0);
-    for (const Reached& reached : all) {
-        images_.push_back(reached.image);
-        ++first_[reached.sector.index + 1];
-    }
-    for (std::size_t i = 0; i < map.sectors.size(); ++i) first_[i + 1] += first_[i];
-}
-
 namespace {
 
 /// How far behind a wall one aims to be sure to meet it [m].
@@ -112,8 +73,8 @@ bool LightRays::arrives(const Map& map, const Snapshot& snapshot, const LightIma
 
 void LightRays::add_sectors(const Map& map, std::vector<SectorId>& sectors) const {
     for (const PortalOnRay& opening : openings_) {
-        for (const SectorId sector : {map[opening.portal].sector, map[opening.portal].behind})
-            if (std::find(sectors.begin(), sectors.end(), sector) == sectors.end()) sectors.push_back(sector);
+        sectors.push_back(map[opening.portal].sector);
+        sectors.push_back(map[opening.portal].behind);
     }
 }
 
@@ -144,6 +105,13 @@ LightBox light_box(double u_low, double u_high, double v_low, double v_high, dou
         return std::max(static_cast<int>(std::ceil(high * per_m)) - first(low) + 1, 2);
     };
     return {first(u_low), count(u_low, u_high), first(v_low), count(v_low, v_high)};
+}
+
+LightBox box_around(const LightBox& a, const LightBox& b) {
+    if (a.columns == 0 || b.columns == 0) return a.columns == 0 ? b : a;
+    const int column = std::min(a.column, b.column), row = std::min(a.row, b.row);
+    return {column, std::max(a.column + a.columns, b.column + b.columns) - column, row,
+            std::max(a.row + a.rows, b.row + b.rows) - row};
 }
 
 double light_facing(double cosine) { return kGrazing + (1 - kGrazing) * std::fabs(cosine); }

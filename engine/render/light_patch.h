@@ -6,6 +6,7 @@
 
 #include "map/map.h"
 #include "render/light_grid.h"
+#include "render/light_images.h"
 #include "space/trace.h"
 #include "world/snapshot.h"
 
@@ -13,42 +14,6 @@ namespace enfilade {
 
 // The ways from a point light to places on the surfaces around it: found once, as nothing moves in the plane, and then
 // asked at any heights.
-
-// Where point lights shine: which sectors each reaches, and from where it seems to shine there.
-
-/// A light as one sector sees it: in its own place, or through a link, somewhere else.
-struct LightImage {
-    std::uint32_t light = 0;  ///< index into Map::lights
-    Rigid passage;            ///< from the space of the light's sector into that of this one
-    Vec2 from;                ///< where it seems to be, on the point grid
-    double z = 0;             ///< [m]
-};
-
-/// All of them, by sector.
-class LightImages {
-public:
-    LightImages() = default;
-
-    /// A light is in every sector that a disc as wide as its reach overlaps (space/reach.h), whatever the heights; in
-    /// one that it reaches by two ways that put it at different places, twice.
-    /// Cost: the walls of the sectors reached.
-    explicit LightImages(const Map& map);
-
-    std::span<const LightImage> in(SectorId sector) const {
-        if (first_.empty()) return {};
-        return std::span(images_).subspan(first_[sector.index], first_[sector.index + 1] - first_[sector.index]);
-    }
-
-private:
-    std::vector<LightImage> images_;
-    std::vector<std::uint32_t> first_;  ///< those of sector i are images_[first_[i]] to images_[first_[i + 1]]
-};
-
-/// Images of one light nearer to each other than this are one: links that lead round a pillar agree but for rounding
-/// [m].
-inline constexpr double kSameImage = 0x1p-10;
-
-inline bool is_same_place(Vec2 p, Vec2 q) { return dot(p - q, p - q) < kSameImage * kSameImage; }
 
 /// Where a way is to end.
 struct LightSpot {
@@ -73,7 +38,7 @@ public:
     /// above. z: of the spot, in its sector's space [m].
     bool arrives(const Map& map, const Snapshot& snapshot, const LightImage& image, std::size_t ray, double z) const;
 
-    /// Adds the sectors whose heights the answers depend on, the spots' own among them.
+    /// Adds the sectors whose heights the answers depend on, the spots' own among them, each any number of times.
     void add_sectors(const Map& map, std::vector<SectorId>& sectors) const;
 
 private:
@@ -110,6 +75,9 @@ struct LightBox {
 /// empty. per_m: points along a metre.
 LightBox light_box(double u_low, double u_high, double v_low, double v_high, double per_m);
 
+/// Around both; a box without columns counts as none.
+LightBox box_around(const LightBox& a, const LightBox& b);
+
 /// What arrives at each point of a box, 0..1, by column.
 struct LightPatch {
     LightBox box;
@@ -120,8 +88,8 @@ struct LightPatch {
 struct LampOnSurface {
     LightImage image;
     double per_m = kUsualLightPoints;  ///< points along a metre
-    LightBox box;                      ///< of a flat: all of it; of a wall: its columns
-    LightRays rays;                    ///< one for each point of a flat, or each column of a wall
+    LightBox box;    ///< that it reaches, whatever the heights of the room; of a wall: rays by columns
+    LightRays rays;  ///< one for each point of a flat, or each column of a wall
 };
 
 /// An upright surface, a wall or a panel: u is metres along it from a, v is the height.

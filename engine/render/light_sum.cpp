@@ -53,16 +53,8 @@ std::optional<Vec2> place_for(const Map& map, SectorId sector, Vec2 q, double pe
 /// The box around all of them.
 LightBox box_around(std::span<const LightPatch> patches) {
     LightBox all;
-    for (const auto& [box, arrives] : patches) {
-        if (arrives.empty()) continue;
-        if (all.columns == 0) all = box;
-        const int right = std::max(all.column + all.columns, box.column + box.columns);
-        const int end = std::max(all.row + all.rows, box.row + box.rows);
-        all.column = std::min(all.column, box.column);
-        all.row = std::min(all.row, box.row);
-        all.columns = right - all.column;
-        all.rows = end - all.row;
-    }
+    for (const auto& [box, arrives] : patches)
+        if (!arrives.empty()) all = box_around(all, box);
     return all;
 }
 
@@ -117,7 +109,8 @@ LampOnSurface lamp_on(const Map& map, const UprightSurface& surface, const Light
     const double reach = map.lights[image.light].reach, aside = dot(right_of(along), to_light);
     if (std::fabs(aside) >= reach || (surface.wall && aside <= 0)) return lamp;
     const double before = dot(along, to_light), half = std::sqrt(reach * reach - aside * aside);
-    lamp.box = light_box(std::max(before - half, 0.0), std::min(before + half, surface.length), 0, 0, per_m);
+    lamp.box = light_box(std::max(before - half, 0.0), std::min(before + half, surface.length), image.z - half,
+                         image.z + half, per_m);
     const double inside = kInside / per_m, margin = std::min(inside, surface.length / 2);
     const Vec2 off = surface.wall ? Vec2{} : right_of(along) * std::copysign(inside, aside);
     for (int i = 0; i < lamp.box.columns; ++i) {

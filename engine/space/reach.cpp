@@ -19,7 +19,8 @@ struct Room {
     Rigid passage;
     Vec2 centre;
     std::optional<Cone> window;
-    WallId entrance;            ///< wall of the sector that the window is in; none: the middle is inside
+    WallId entrance;  ///< wall of the sector that the window is in; none: the middle is inside
+    std::uint32_t rooms_on_way = 1, walls_on_way = 0;  ///< to it, itself the last
     std::uint32_t earlier = 0;  ///< the room before with an entrance of the same row of Search::latest_; 0: none
 };
 
@@ -32,11 +33,11 @@ public:
         : map_(map), place_(place), radius_(radius), may_pass_(may_pass) {}
 
     Reach run() {
-        rooms_.push_back({place_.sector, {}, place_.point, {}, {}});
+        rooms_.push_back({place_.sector, {}, place_.point, {}, {}, 1, map_[place_.sector].wall_count});
         for (std::size_t i = 0; i < rooms_.size(); ++i) {
             const Room room = rooms_[i];
-            found_.sectors.push_back({room.sector, room.passage});
             const Sector& sector = map_[room.sector];
+            found_.sectors.push_back({room.sector, room.passage, room.rooms_on_way, room.walls_on_way});
             found_.walls_looked_at += sector.wall_count;
             for (std::uint32_t w = sector.first_wall; w < sector.first_wall + sector.wall_count; ++w)
                 look_at(room, WallId(w));
@@ -202,14 +203,16 @@ private:
         const Wall& wall = map_[id];
         if (rooms_.size() >= kMaxReachedSectors || !is_open(id, room.passage)) return false;
         if (wall.link != Wall::kNoLink) return pass_link(room, wall, cone);
-        enter({wall.behind, room.passage, room.centre, cone, wall.exit});
+        enter(room, {wall.behind, room.passage, room.centre, cone, wall.exit});
         return true;
     }
 
     /// A look that has been taken shows nothing new. Without this a fan of rooms that each consist of many parts would
     /// be gone through by every part of every room before: portals behind other walls are passed, too.
-    void enter(const Room& room) {
+    void enter(const Room& before, Room room) {
         if (is_shown(room)) return;
+        room.rooms_on_way = before.rooms_on_way + 1;
+        room.walls_on_way = before.walls_on_way + map_[room.sector].wall_count;
         rooms_.push_back(room);
         if (rooms_.size() > kFewRooms) note_entrances();
     }
@@ -247,8 +250,8 @@ private:
             return v == wall.a ? exit.b : v == wall.b ? exit.a : snap_to_point_grid(link.apply(v));
         };
         ++links_passed_;
-        enter(
-            {wall.behind, then(room.passage, link), *centre, Cone{carried(cone.left), carried(cone.right)}, wall.exit});
+        enter(room, {wall.behind, then(room.passage, link), *centre, Cone{carried(cone.left), carried(cone.right)},
+                     wall.exit});
         return true;
     }
 

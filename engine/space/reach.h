@@ -6,6 +6,7 @@
 // that the portals lead to counts. A wall or panel that stands behind another wall of the same room is reported, too:
 // then the other one is nearer.
 #pragma once
+#include <cstdint>
 #include <optional>
 
 #include "base/short_list.h"
@@ -67,7 +68,9 @@ struct ReachedWall {
 /// A sector that a disc overlaps.
 struct ReachedSector {
     SectorId sector;
-    Rigid passage;  ///< from the space of the place into that of the sector
+    Rigid passage;                   ///< from the space of the place into that of the sector
+    std::uint32_t rooms_on_way = 0;  ///< that a straight look from the place into it goes through, itself the last
+    std::uint32_t walls_on_way = 0;  ///< of these together
 };
 
 struct Reach {

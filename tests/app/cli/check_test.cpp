@@ -193,5 +193,26 @@ TEST(Check, LooksForPicturesWhereItIsTold) {
     EXPECT_THAT(ended.out, HasSubstr("1 error, 1 warning"));
 }
 
+// Each of these lamps reaches every wall.
+TEST(Check, TellsOfLightsThatAreLeftOut) {
+    std::string corners, walls, lights;
+    const auto corner = [](double along, double across) {
+        return std::to_string(along) + ", " + std::to_string(across) + ", ";
+    };
+    for (int i = 0; i < 500; ++i) corners += corner(i / 16.0, i % 2 / 16.0);
+    for (int i = 500; i > 0; --i) corners += corner(i / 16.0, 16 + i % 2 / 16.0);
+    for (int i = 0; i < 1000; ++i) walls += "{ texture = \"-\" }, ";
+    for (int i = 0; i < 100; ++i) lights += "[[lights]]\nx = 16\ny = 8\nz = 1\nreach = 50\n";
+    const Program program;
+    program.write("map.toml",
+                  "format = 1\nname = \"hall\"\n[player]\nsector = \"hall\"\nx = 16\ny = 8\n"
+                  "[[sectors]]\nname = \"hall\"\nfloor = { z = 0 }\nceiling = { z = 4 }\n"
+                  "[[sectors.loops]]\nv = [" +
+                      corners + "]\nwalls = [" + walls + "]\n" + lights);
+    const Ended ended = program.run({"check", "map.toml"});
+    EXPECT_THAT(ended.out, HasSubstr("[lights-left-out]"));
+    EXPECT_THAT(ended.out, HasSubstr("the light at (16, 8) and all after it light nothing more"));
+}
+
 }  // namespace
 }  // namespace enfilade
