@@ -147,6 +147,7 @@ private:
 }  // namespace
 
 LightImages::LightImages(const Map& map) {
+    if (map.lights.empty()) return;
     LightSearch search(map);
     for (std::uint32_t i = 0; i < map.lights.size() && !left_out_; ++i)
         if (!search.add(i)) left_out_ = i;
