@@ -154,7 +154,7 @@ private:
     /// A wall that ends in the corner blocks with that end, also where the rooms together make more than a full turn,
     /// so that no straight look shows the wall.
     void look_around_corner(const Room& room, Vec2 corner, const Round& round, Rigid passage) {
-        if (!segment_is_nearer(corner, corner, room.centre, radius_)) return;
+        if (!is_corner_near(corner, room.centre)) return;
         const Corner here{round.exit, round.end, passage};
         if (std::ranges::find(corners_, here) != corners_.end()) return;
         corners_.push_back(here);
@@ -167,7 +167,8 @@ private:
             const Vec2 centre = snap_to_point_grid(passage.apply(place_.point));
             if (map_[map_[at].sector].active_panels > 0) touch_panels_at(there, map_[map_[at].sector], passage, centre);
             if (!is_open(at, passage)) {
-                found_.walls.push_back({at, {}, map_[at].a, map_[at].b, passage, centre, {there, there}, true});
+                if (is_corner_near(there, centre))
+                    found_.walls.push_back({at, {}, map_[at].a, map_[at].b, passage, centre, {there, there}, true});
                 return;
             }
             passage = then(passage, map_.passage(map_[at]));
@@ -176,8 +177,12 @@ private:
         }
     }
 
+    /// Asked anew in each space on the way around: links round, and what is touched is touched in its own space.
+    bool is_corner_near(Vec2 corner, Vec2 centre) const { return segment_is_nearer(corner, corner, centre, radius_); }
+
     /// Panels of a room around the corner block with the point that is in it.
     void touch_panels_at(Vec2 corner, const Sector& sector, const Rigid& passage, Vec2 centre) {
+        if (!is_corner_near(corner, centre)) return;
         for (std::uint32_t i = sector.first_panel; i < sector.first_panel + sector.panel_count; ++i) {
             const Panel& panel = map_.panels[i];
             if (!panel.blocks || !segment_is_nearer(panel.a, panel.b, corner, kPointGrid)) continue;

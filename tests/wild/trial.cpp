@@ -4,6 +4,7 @@
 #include "hard_cases/comparison.h"
 #include "space/hearing.h"
 #include "space/triangle_faults.h"
+#include "world/body.h"
 #include "world/player_fault.h"
 #include "world/step.h"
 #include "world/voices.h"
@@ -32,6 +33,20 @@ std::string hearing_fault(const Map& map, const Place& listener) {
     const auto own = hearing.from(listener);
     constexpr double kOffACorner = 0x1p-15;  // who stands exactly in one listens a bit beside it [m]
     if (!own || own->length_m > kOffACorner) return "what sounds where one stands is heard from elsewhere";
+    return "";
+}
+
+/// Cheap, and what is wrong with a body is wrong in few places.
+constexpr int kBodies = 20;
+
+/// A body may be put anywhere: it gets so narrow that it touches no wall.
+std::string body_fault(const Map& map, Random& random) {
+    const HardPose pose = hard_pose(map, {1, 1}, random);
+    const Place place{pose.view.sector, pose.view.eye};
+    const Instant at_rest(map);
+    const Body body = squeezed(at_rest, {place, heights_of(at_rest, place.sector).floor_z});
+    for (const ReachedWall& wall : around(at_rest, body).walls)
+        if (!is_one_way_exit(map, wall)) return "a body put into a narrow place is in a wall";
     return "";
 }
 
@@ -91,6 +106,7 @@ std::string ground_fault(const TrialMap& on, std::uint64_t seed) {
     const Place place{pose.view.sector, pose.view.eye};
     std::string fault = triangles_fault(on.map);
     if (fault.empty()) fault = hearing_fault(on.map, place);
+    for (int i = 0; i < kBodies && fault.empty(); ++i) fault = body_fault(on.map, random);
     if (fault.empty()) draw_automap(on.map, place);
     return fault;
 }

@@ -43,7 +43,7 @@ std::string picture_fault(const TrialMap& on, const HardPose& pose);
 /// What is wrong after one of the ticks; empty: nothing. The fault's inputs end with that tick.
 std::string walk_fault(const TrialMap& on, std::vector<TickInput>& inputs);
 
-/// What is wrong with the map by itself: triangles, sound, the automap; empty: nothing.
+/// What is wrong with the map by itself: triangles, sound, bodies, the automap; empty: nothing.
 std::string ground_fault(const TrialMap& on, std::uint64_t seed);
 
 }  // namespace enfilade::test
