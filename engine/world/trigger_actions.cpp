@@ -278,13 +278,15 @@ Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tic
     const double z = height_now(now, in_the_way.sector, in_the_way.channel);
     const std::uint8_t heading = stop_at(old, now.tick);
     Change answer = in_the_way;
-    if (old.count == 2 && now.map[in_the_way.cause].action != TriggerAction::close) {
-        const Stop back = old.stops[1 - heading], on = old.stops[heading];
+    const Stop back = old.stops[1 - heading], on = old.stops[heading];
+    // Both stops of a door lie below where it hangs if there is no height to open to.
+    const bool leads_off = old.count == 2 && (back.value - z) * (on.value - z) <= 0;
+    if (leads_off && now.map[in_the_way.cause].action != TriggerAction::close) {
         // A door that came down opens and closes again; one that only comes down to open afterwards opens.
         answer.track = old.loops || heading == 1 ? Track{tick, z, {back, on}, 2, old.loops} : once(z, back);
     } else {
         const Stop held{z, std::numeric_limits<double>::infinity(), kPatience};
-        answer.track = there_and_back(z, held, old.stops[heading]);
+        answer.track = {tick, z, {held, on}, 2, old.loops};
     }
     answer.track.start = tick;
     return answer;

@@ -159,6 +159,23 @@ TEST(Door, OpensForWhoStandsInItWhenItCloses) {
     EXPECT_LT(lowest, kStandingHeight + 0.1);
 }
 
+// hard case C21
+TEST(Door, ThatOpensDownwardsWaitsForWhoStandsInIt) {
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "room").ceiling.z = 1;  // a hand below this it is open
+    sector(file, "passage").triggers = {trigger_on(Activation::enter, TriggerAction::door)};
+    Game game(file);
+    walk_into_passage(game);
+    double lowest = 3;
+    for (int i = 0; i < 600; ++i) {
+        game.hold(kNoKeys);
+        ASSERT_TRUE(is_in_the_open(game)) << i;
+        lowest = std::min(lowest, passage(game).ceiling_z);
+    }
+    EXPECT_GE(lowest, kStandingHeight - 0x1p-10);
+    EXPECT_LT(lowest, kStandingHeight + 0.1);
+}
+
 TEST(Door, WithAKeyOpensOnlyForWhoHasIt) {
     TriggerRecord door = trigger_on(Activation::use, TriggerAction::door);
     door.key = "red";
