@@ -31,12 +31,12 @@ Clearance clearance(const Instant& now, const Body& body, std::span<const Reache
         free.floor_z = std::max(free.floor_z, heights.floor_z - s.passage.rise);
         free.ceiling_z = std::min(free.ceiling_z, heights.ceiling_z - s.passage.rise);
     }
+    const Clearance rooms = free;
     for (const Obstacle& thing : obstacles_overlapped(now, body)) {
         if (is_beside(thing, body)) continue;
-        if (is_at_most(thing.top, body.feet_z))
-            free.floor_z = std::max(free.floor_z, thing.top);
-        else
-            free.ceiling_z = std::min(free.ceiling_z, thing.bottom);
+        const bool is_below = is_at_most(thing.top, body.feet_z);
+        if (is_below && thing.top <= rooms.ceiling_z) free.floor_z = std::max(free.floor_z, thing.top);
+        if (!is_below && thing.bottom >= rooms.floor_z) free.ceiling_z = std::min(free.ceiling_z, thing.bottom);
     }
     return free;
 }

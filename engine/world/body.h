@@ -28,7 +28,8 @@ struct Body {
 };
 
 /// The highest floor under a body and the lowest ceiling over it, in the space of its place [m]. A solid thing below
-/// its feet is a floor, too, and one above its head a ceiling.
+/// its feet is a floor, too, and one above its head a ceiling, unless that is beyond the rooms' own ceiling or floor:
+/// a thing that reaches in through a portal leaves room for nobody there.
 struct Clearance {
     double floor_z;
     double ceiling_z;

@@ -150,6 +150,26 @@ TEST(SolidThing, CarriesWhoFallsOntoIt) {
     EXPECT_TRUE(game.player().on_ground);
 }
 
+TEST(SolidThing, CarriesNobodyAboveACeiling) {
+    const Map map = built(hall_with({barrel_at({10, 5}, 1.3)}, 1));
+    const Body lying{.place = {SectorId(0u), {10, 5}}, .feet_z = 1.4, .height = 0};
+    const Reach found = around(map, lying);
+    const Clearance free = clearance(map, lying, found.sectors);
+    EXPECT_EQ(free.floor_z, 0);
+    EXPECT_EQ(free.ceiling_z, 1);
+}
+
+TEST(SolidThing, HangsNotBelowAFloor) {
+    ThingRecord lamp = barrel_at({10, 5}, 1.5);
+    lamp.hanging = true;
+    const Map map = built(hall_with({lamp}, 1));
+    const Body sunken{.place = {SectorId(0u), {10, 5}}, .feet_z = -1, .height = 0.4};
+    const Reach found = around(map, sunken);
+    const Clearance free = clearance(map, sunken, found.sectors);
+    EXPECT_EQ(free.floor_z, 0);
+    EXPECT_EQ(free.ceiling_z, 1);
+}
+
 TEST(SolidThing, LetsWhoStartsInsideOutButNotDeeperIn) {
     for (const auto& keys : {kForward, kBack, kLeft, kRight}) {
         MapFile file = hall_with({barrel_at({2.3, 5})});
