@@ -70,6 +70,8 @@ void add_loop(Draft& draft, const SectorRecord& sector, const LoopRecord& record
 /// True where nothing is wrong with any of its loops so far.
 bool add_loops(Draft& draft, const SectorRecord& record) {
     bool all = !record.loops.empty();
+    if (!all && draft.was_sound)
+        draft.error(record.place, "missing-key", "sector " + quoted(record.name) + " needs 'loops', found none");
     for (const LoopRecord& loop : record.loops) {
         if (!check_count(draft, record, loop)) {
             all = false;

@@ -212,6 +212,13 @@ TEST(EmptyLoop, AndTheLoopOfTwoAreRefused) {
     EXPECT_THAT(errors_of(room("r", {{0, 0}, {4, 0}})), ElementsAre("too-few-vertices"));
 }
 
+// hard case T16
+TEST(SectorWithoutLoops, IsRefused) {
+    SectorRecord nowhere;
+    nowhere.name = "nowhere";
+    EXPECT_THAT(errors_of(map_of({box_room("r", 0, 0, 4, 4), nowhere})), ElementsAre("missing-key"));
+}
+
 TEST(EmptyLoop, DoesNotHideOtherFindings) {
     SectorRecord r = box_room("r", 0, 0, 4, 4, 1, 0);
     r.loops.push_back(loop_of({{1, 1}}));
