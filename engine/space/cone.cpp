@@ -69,13 +69,19 @@ Stretch stretch_in(const Face& wall, Vec2 p, const Cone& cone) {
 
 bool is_beyond(const Face& wall, const Face& window_wall, Vec2 p, const Cone& cone) {
     const int a = corner(window_wall.a, window_wall.b, wall.a), b = corner(window_wall.a, window_wall.b, wall.b);
-    if (a >= 0 && b >= 0) return true;
     if (a <= 0 && b <= 0) return false;
+    if (a >= 0 && b >= 0) return true;
     // The wall crosses the window's line beside the window: one look down the middle of the cone tells.
     const Vec2 ahead = unit(direction_to(cone.left, p)) + unit(direction_to(cone.right, p));
     const Vec2 window_along = window_wall.b - window_wall.a;
     const double to_window = exact_cross(window_wall.a, window_wall.b, p) / -cross(window_along, ahead);
     return lengths_to_wall(wall, p, ahead) > to_window;
+}
+
+bool is_panel_beyond(const Face& panel, const Face& window_wall, Vec2 p, const Cone& cone) {
+    const bool is_in_it =
+        corner(window_wall.a, window_wall.b, panel.a) == 0 && corner(window_wall.a, window_wall.b, panel.b) == 0;
+    return is_in_it || is_beyond(panel, window_wall, p, cone);
 }
 
 }  // namespace enfilade

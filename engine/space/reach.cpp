@@ -50,7 +50,7 @@ private:
     void look_at(const Room& room, WallId id) {
         const Wall& wall = map_[id];
         if (!box_is_near(wall, room.centre) || !segment_is_nearer(wall.a, wall.b, room.centre, radius_)) return;
-        each_cone(room, wall, [&](const Cone& cone) { look_at_part(room, id, cone); });
+        each_cone(room, wall, is_beyond, [&](const Cone& cone) { look_at_part(room, id, cone); });
     }
 
     void look_at_part(const Room& room, WallId id, const Cone& cone) {
@@ -67,10 +67,10 @@ private:
     }
 
     /// Calls visit(cone) for each in which a wall or panel of the room is seen through its window, past all screens.
-    template <class Visit>
-    void each_cone(const Room& room, const Face& face, Visit visit) const {
+    template <class IsBeyond, class Visit>
+    void each_cone(const Room& room, const Face& face, IsBeyond is_past, Visit visit) const {
         const auto whole = cone_of(face, room.centre, room.window);
-        if (!whole || (room.entrance && !is_beyond(face, map_[room.entrance], room.centre, *whole))) return;
+        if (!whole || (room.entrance && !is_past(face, map_[room.entrance], room.centre, *whole))) return;
         if (!map_[room.sector].has_screens) return visit(*whole);
         for (const Cone& cone : seen_past_screens(room, face, *whole)) visit(cone);
     }
@@ -92,7 +92,7 @@ private:
         if (!shade || (room.entrance && !is_beyond(screen, map_[room.entrance], room.centre, *shade))) return;
         const auto hidden = cone_of(face, room.centre, shade);
         const Face from_behind{screen.b, screen.a};
-        if (!hidden || !is_beyond(face, from_behind, room.centre, *hidden)) return;
+        if (!hidden || !is_panel_beyond(face, from_behind, room.centre, *hidden)) return;
         Cones seen;
         for (const Cone& cone : cones) seen.append(without(cone, *shade, room.centre));
         cones = std::move(seen);
@@ -106,7 +106,7 @@ private:
     void look_at_panel(const Room& room, PanelId id) {
         const Face face = facing(map_[id], room.centre);
         if (!box_is_near(face, room.centre) || !segment_is_nearer(face.a, face.b, room.centre, radius_)) return;
-        each_cone(room, face, [&](const Cone& cone) {
+        each_cone(room, face, is_panel_beyond, [&](const Cone& cone) {
             const Stretch stretch = stretch_in(face, room.centre, cone);
             const bool is_cut = cone.left != face.a || cone.right != face.b;
             if (is_cut && !is_near(stretch, room.centre)) return;

@@ -50,8 +50,12 @@ struct Stretch {
 Stretch stretch_in(const Face& wall, Vec2 p, const Cone& cone);
 
 /// True where the wall, inside a cone that lies within `window_wall`, is farther from p than that one: seen through
-/// it, not before it; also where both lie on one line. The two do not cross.
+/// it, not before it. Where both lie on one line, the wall bounds a part of its room on the side of p, and is not. The
+/// two do not cross.
 bool is_beyond(const Face& wall, const Face& window_wall, Vec2 p, const Cone& cone);
+
+/// The same for a panel: what lies in the window belongs to the room the panel is in.
+bool is_panel_beyond(const Face& panel, const Face& window_wall, Vec2 p, const Cone& cone);
 
 /// A wall that a disc touches and that nothing passes: solid, a mirror, or a portal that may not be passed; or a panel
 /// that blocks. Where only its end is touched, around the corner of an open portal, the stretch is that one point.

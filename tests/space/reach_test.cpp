@@ -123,6 +123,16 @@ TEST(Reach, LooksThroughPortals) {
     EXPECT_EQ(map[found.walls[0].wall].a, (Vec2{4.25, 0}));
 }
 
+TEST(Reach, FindsNoWallOnTheBackOfTheDoorway) {
+    // The room behind the doorway has another part, on the near side of it: where the first room is, too.
+    SectorRecord behind = box_room("behind", 4, 0, 8, 4);
+    behind.loops.push_back(box_room("", 0, 0, 4, 4).loops[0]);
+    MapFile file = map_of({box_room("before", 0, 0, 4, 4), std::move(behind)});
+    join(file, "before", "behind", {4, 0}, {4, 4});
+    const Map map = built(file);
+    EXPECT_THAT(reach(map, {kFirst, {3.9, 2}}, 1).walls, IsEmpty());
+}
+
 TEST(Reach, FindsAWallThatOnlyShowsItsEndAroundACorner) {
     // Outside, the corner of a hut whose whole front is a door; inside, the door is a hole in a long wall.
     SectorRecord yard = box_room("yard", 0, 0, 12, 12);
