@@ -57,7 +57,9 @@ private:
         for (const ReachedSector& reached : around_.sectors) {
             const Heights before = heights_of(here(), reached.sector), after = heights_of(then(), reached.sector);
             if (after.floor_z > before.floor_z) add(reached.sector, Channel::floor, found);
-            if (after.ceiling_z < before.ceiling_z) add(reached.sector, Channel::ceiling, found);
+            // A floor that carried the ceiling lets it down.
+            const Channel above = before.ceiling_z > before.floor_z ? Channel::ceiling : Channel::floor;
+            if (after.ceiling_z < before.ceiling_z) add(reached.sector, above, found);
         }
         return found;
     }
@@ -260,8 +262,9 @@ void step(const Map& map, World& world, const TickInput& played) {
     const Instant next = now(map, world);
     const Body body = body_of(next, player);
     Clearance free = clearance(next, body, around(next, body).sectors);
+    const double feet_z = player.feet_z;
     step_or_fall(player, free.floor_z);
-    if (body.radius < kBodyRadius) free = come_to_rest(next, player);
+    if (body.radius < kBodyRadius || player.feet_z != feet_z) free = come_to_rest(next, player);
     settle_eye(player, free.ceiling_z);
     touch_what_is_near(map, world);
     feel_the_floor(map, world);

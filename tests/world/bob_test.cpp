@@ -7,6 +7,7 @@
 
 #include "base/hash.h"
 #include "world/game.h"
+#include "world/player_fault.h"
 #include "world/snapshot.h"
 #include "world/step.h"
 
@@ -116,6 +117,24 @@ TEST(BobbingRoom, WithBothItsFlatsPressesNobody) {
     Game game(file);
     most_moved_in_a_tick(game, 0, kNoKeys, 1200);
     EXPECT_GT(game.world.history.changes().size(), 10u);
+}
+
+// hard case C21
+TEST(BobbingRoom, ThatIsClosedSinksNoDeeperThanWhoLiesInItMay) {
+    MapFile file = bobbing_room(bob(0.5, 4));
+    sector(file, "room").ceiling.z = 0;  // the floor carries it up, and lets it down again
+    sector(file, "hall").floor.z = 0.3;
+    place_player(file, "room", {3.5, 2}, kEyeOnFloor);
+    Game game(file);
+    PlayerWatch watch;
+    bool has_lain_half_in_the_hall = false;
+    for (int tick = 0; tick < 600; ++tick) {
+        const bool is_before_the_hall = game.point().x < 4 - kBodyRadius / 2;
+        game.hold(is_before_the_hall ? kForward : kNoKeys);
+        ASSERT_EQ(watch.fault_of(game.map, game.world), "") << tick;
+        has_lain_half_in_the_hall |= game.room() == "room" && game.point().x > 4 - kBodyRadius;
+    }
+    EXPECT_TRUE(has_lain_half_in_the_hall);
 }
 
 /// Four rooms whose floors and ceilings bob, each in its own way; in their middle stands the player.

@@ -7,6 +7,7 @@
 #include "math/predicates.h"
 #include "world/body.h"
 #include "world/game.h"
+#include "world/player_fault.h"
 
 namespace enfilade {
 namespace {
@@ -168,6 +169,21 @@ TEST(SolidThing, HangsNotBelowAFloor) {
     const Clearance free = clearance(map, sunken, found.sectors);
     EXPECT_EQ(free.floor_z, 0);
     EXPECT_EQ(free.ceiling_z, 1);
+}
+
+TEST(SolidThing, IsOverTheEyesOfWhoStepsDownBelowIt) {
+    MapFile file = map_of({box_room("step", 0, 0, 5, 10, 0.7, 6), box_room("yard", 5, 0, 20, 10, 0, 6)});
+    join_all(file);
+    ThingRecord lamp = barrel_at({4.6, 5}, 6 - 1.8);
+    lamp.hanging = true;
+    file.things = {lamp};
+    place_player(file, "step", {4.9, 5}, 0.7 + kEyeOnFloor);  // in it
+    Game game(file);
+    PlayerWatch watch;
+    for (int tick = 0; tick < 60; ++tick) {
+        game.hold(kForward);
+        ASSERT_EQ(watch.fault_of(game.map, game.world), "") << tick;
+    }
 }
 
 TEST(SolidThing, LetsWhoStartsInsideOutButNotDeeperIn) {
