@@ -51,7 +51,7 @@ Result<std::vector<std::string>> choose_maps(const WadPile& pile, const std::vec
     std::vector<std::string> chosen;
     for (const std::string& name : wanted)
         if (std::ranges::find(all, in_case(name, 'a', 'A')) == all.end())
-            return Error{file, "there is no map " + enfilade::quoted(name) + "; " + there_are(all)};
+            return Error{file, "there is no map " + in_quotes(name) + "; " + there_are(all)};
     for (const std::string& name : all)
         if (std::ranges::any_of(wanted, [&](const std::string& w) { return in_case(w, 'a', 'A') == name; }))
             chosen.push_back(name);

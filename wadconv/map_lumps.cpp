@@ -132,7 +132,7 @@ Result<MapLumps> find_map(const WadPile& pile, std::string_view name) {
         for (std::size_t i = lumps.size(); i-- > 0;)
             if (lumps[i].name == name && is_map_name(name)) return take_lumps(wad->file(), name, lumps_after(lumps, i));
     }
-    return Error{pile.wads().empty() ? "" : pile.wads().back().file(), "there is no map " + enfilade::quoted(name)};
+    return Error{pile.wads().empty() ? "" : pile.wads().back().file(), "there is no map " + in_quotes(name)};
 }
 
 namespace {

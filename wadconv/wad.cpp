@@ -34,7 +34,7 @@ bool fits(std::int64_t offset, std::int64_t size, std::size_t total) {
 }
 
 Error outside_file(const std::string& file, std::size_t index, const DirectoryEntry& entry, std::size_t total) {
-    return {file, "lump " + std::to_string(index) + " " + quoted(entry.name) + " is said to take " +
+    return {file, "lump " + std::to_string(index) + " " + in_quotes(entry.name) + " is said to take " +
                       std::to_string(entry.size) + " bytes from byte " + std::to_string(entry.offset) +
                       ", but the file has " + std::to_string(total)};
 }

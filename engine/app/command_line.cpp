@@ -38,7 +38,7 @@ CLI::Validator number_within(double low, double high) {
         [=](std::string& text) -> std::string {
             const auto number = parse_number(text);
             if (number && *number >= low && *number <= high) return {};
-            return fmt::format("expected a number from {} to {}; found {}", low, high, enfilade::quoted(text));
+            return fmt::format("expected a number from {} to {}; found {}", low, high, in_quotes(text));
         },
         "");
 }
@@ -104,7 +104,7 @@ void declare_quiet(CLI::App& command, Talk& talk) {
 void declare_format(CLI::App& command, std::string& format, std::vector<std::string> names, const std::string& what) {
     const auto check = [names](const std::string& text) -> std::string {
         if (std::ranges::find(names, text) != names.end()) return {};
-        return fmt::format("expected {}; found {}", fmt::join(names, " or "), enfilade::quoted(text));
+        return fmt::format("expected {}; found {}", fmt::join(names, " or "), in_quotes(text));
     };
     command.add_option("--format", format, what)->type_name("NAME")->check(CLI::Validator(check, ""));
 }

@@ -46,7 +46,7 @@ Result<PictureSize> parse_size(const std::string& text) {
     }
     return Error{"--size", fmt::format("expected WIDTHxHEIGHT in pixels, each from 1 to {}, for example 1280x800; "
                                        "found {}",
-                                       kMaxPictureSide, quoted(text))};
+                                       kMaxPictureSide, in_quotes(text))};
 }
 
 Result<Dials> dials_from(const DialRequest& request, Dials from, RendererKind renderer, PictureSize size) {
@@ -68,7 +68,7 @@ Result<PixelPlace> parse_pixel(const std::string& text, PictureSize size) {
     }
     return Error{"--at",
                  fmt::format("expected X,Y in pixels of the picture, X from 0 to {} and Y from 0 to {}; found {}",
-                             size.width - 1, size.height - 1, quoted(text))};
+                             size.width - 1, size.height - 1, in_quotes(text))};
 }
 
 Result<FrameRange> parse_frames(const std::string& text) {
@@ -77,7 +77,7 @@ Result<FrameRange> parse_frames(const std::string& text) {
     const auto last = dots == std::string::npos ? first : whole_number_in(std::string_view(text).substr(dots + 2));
     if (first && last && *first >= 0 && *first <= *last) return FrameRange{*first, *last};
     return Error{"--frames",
-                 fmt::format("expected FIRST..LAST, counted from 0, for example 0..59; found {}", quoted(text))};
+                 fmt::format("expected FIRST..LAST, counted from 0, for example 0..59; found {}", in_quotes(text))};
 }
 
 Result<FramePart> parse_part(const std::string& text) {
@@ -87,7 +87,7 @@ Result<FramePart> parse_part(const std::string& text) {
     if (slash != std::string::npos && number && count && *number >= 1 && *number <= *count)
         return FramePart{*number, *count};
     return Error{"--part",
-                 fmt::format("expected K/N, the K-th of N parts, for example 1/8; found {}", enfilade::quoted(text))};
+                 fmt::format("expected K/N, the K-th of N parts, for example 1/8; found {}", in_quotes(text))};
 }
 
 Result<FrameRange> frames_of(const FramePart& part, int frames) {
@@ -100,12 +100,12 @@ Result<FrameRange> frames_of(const FramePart& part, int frames) {
 
 std::string unknown_command(const std::string& word, std::span<const std::string_view> commands) {
     if (is_file(word)) return "expected a command, " + about_file(word);
-    return "expected a command, found " + quoted(word) + suggestion(word, commands);
+    return "expected a command, found " + in_quotes(word) + suggestion(word, commands);
 }
 
 std::string unknown_option(const std::string& word, std::span<const std::string_view> options) {
     const std::string name = word.substr(0, word.find('='));
-    return "there is no option " + quoted(name) + " here" + nearest_suggestion(name, options);
+    return "there is no option " + in_quotes(name) + " here" + nearest_suggestion(name, options);
 }
 
 std::optional<std::vector<ViewRow>> open_views(const std::string& path) {

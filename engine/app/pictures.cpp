@@ -120,7 +120,7 @@ std::string ending_of(const std::string& path) {
 bool names_picture(const std::string& path) { return ending_of(path) == ".png" || names_stream(path); }
 
 Error not_a(const std::string& argument, const std::string& expected, const std::string& path) {
-    return {argument, fmt::format("expected {}; found {}", expected, enfilade::quoted(path))};
+    return {argument, fmt::format("expected {}; found {}", expected, in_quotes(path))};
 }
 
 Status refuse_other_kinds(const std::string& argument, const std::string& expected, const std::string& path) {

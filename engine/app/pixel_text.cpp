@@ -37,7 +37,7 @@ std::string wall_text(const Wall& wall, WallPart part, std::uint32_t number) {
 
 std::string thing_text(const Thing& thing, std::uint32_t number) {
     const std::string& name = thing.name.empty() ? thing.kind : thing.name;
-    return name.empty() ? fmt::format("thing {}", number) : fmt::format("thing {} ({})", number, quoted(name));
+    return name.empty() ? fmt::format("thing {}", number) : fmt::format("thing {} ({})", number, in_quotes(name));
 }
 
 std::string surface_text(const ShownSurface& shown) {
@@ -79,7 +79,7 @@ std::string texel_text(const ShownSurface& shown, const TextureSet& textures, Te
     if (!id) return fmt::format("at {:.3f}, {:.3f} of its picture", at.u, at.v);
     const Texture& texture = textures[id];
     return fmt::format("texel {}, {} of {}", texel_of(place_on_picture(double(at.u)), texture.width),
-                       texel_of(place_on_picture(double(at.v)), texture.height), quoted(texture.name));
+                       texel_of(place_on_picture(double(at.v)), texture.height), in_quotes(texture.name));
 }
 
 TextPlace place_of(const SurfaceOwner& owner, const MapPlaces& places) {
@@ -107,7 +107,7 @@ std::string pixel_text(const OpenMap& map, const Snapshot& snapshot, const Pixel
     if (!owner) return fmt::format("the end of a chain of links, {} m ahead", number_text(facts.depth));
     const ShownSurface shown{map.map, snapshot, *owner};
     const std::string away = std::isinf(facts.depth) ? "" : fmt::format(", {:.2f} m ahead", facts.depth);
-    return fmt::format("{} of sector {}{}, {}; {}", surface_text(shown), quoted(map.map[shown.sector()].name), away,
+    return fmt::format("{} of sector {}{}, {}; {}", surface_text(shown), in_quotes(map.map[shown.sector()].name), away,
                        texel_text(shown, map.textures, facts.texel), place_text(shown, path, places));
 }
 

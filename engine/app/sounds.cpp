@@ -41,7 +41,7 @@ LoadedSounds load_sounds(const Map& map, const std::string& map_path, const File
         auto samples = keep_within(room, load_sound(path, read), path);
         if (!samples.ok())
             loaded.faults.push_back(
-                {SoundId(i), "sound " + enfilade::quoted(sound.name) + " is silent: " + samples.error().text()});
+                {SoundId(i), "sound " + in_quotes(sound.name) + " is silent: " + samples.error().text()});
         loaded.samples.push_back(samples.ok() ? std::move(samples).value() : Samples{});
     }
     return loaded;

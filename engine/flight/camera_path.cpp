@@ -117,13 +117,13 @@ private:
         if (!record.sector.empty()) {
             pose.place.sector = sector_named(map_, record.sector);
             if (!pose.place.sector)
-                return fail(record.place, "unknown-sector", "the map has no sector named " + quoted(record.sector));
+                return fail(record.place, "unknown-sector", "the map has no sector named " + in_quotes(record.sector));
         } else if (record.x) {
             pose.place.sector = locate(map_, pose.place.point);
         }
         if (pose.place.sector && contains(map_, pose.place.sector, pose.place.point)) return pose;
         return fail(record.place, "start-outside",
-                    "expected a start inside " + (record.sector.empty() ? "the map" : quoted(record.sector)) +
+                    "expected a start inside " + (record.sector.empty() ? "the map" : in_quotes(record.sector)) +
                         "; found " + point_text(pose.place.point));
     }
 
@@ -138,7 +138,7 @@ private:
         const Trace way = trace(map_, leg.from.place, leg.to);
         if (way.stopped)
             return fail(script_.legs[number].place, "leg-blocked",
-                        numbered(number) + " runs into a wall of " + quoted(map_[map_[way.stopped].sector].name) +
+                        numbered(number) + " runs into a wall of " + in_quotes(map_[map_[way.stopped].sector].name) +
                             " near " + point_text(way.end.point) + " on its way to " + point_text(leg.to));
         return pose_within(map_, leg, 1);
     }

@@ -109,7 +109,7 @@ std::optional<Finding> Flight::misplaced_eye(const CameraPath& path, const Scrip
         const std::string where = leg ? "leg " + std::to_string(*leg + 1) : "the start";
         return Finding{leg ? script.legs[*leg].place : script.start.place, Severity::error, "eye-in-wall",
                        where + " takes the eye to height " + std::to_string(pose.eye_z) + " in " +
-                           quoted(map[pose.place.sector].name) + ", which reaches from " +
+                           in_quotes(map[pose.place.sector].name) + ", which reaches from " +
                            std::to_string(here.floor_z) + " to " + std::to_string(here.ceiling_z) + " (frame " +
                            std::to_string(frame) + ")"};
     }

@@ -228,7 +228,7 @@ Result<RendererKind> parse_renderer(const std::string& name) {
     const auto& words = kWords<RendererKind>;
     const auto found = std::ranges::find(words, name);
     if (found == words.end())
-        return Error{"--renderer", "expected column, stencil or reference; found " + quoted(name)};
+        return Error{"--renderer", "expected column, stencil or reference; found " + in_quotes(name)};
     return static_cast<RendererKind>(found - words.begin());
 }
 

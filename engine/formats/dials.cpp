@@ -78,7 +78,7 @@ Status set_accuracy(Dials& dials, std::string_view text) {
         dials.texel_error = *promised;
     else
         return Error{"", "expected exact, fine, fast, vanilla, or how many texels anything may be off, from 0 to " +
-                             number_text(kMostTexelError) + "; found " + quoted(text)};
+                             number_text(kMostTexelError) + "; found " + in_quotes(text)};
     return {};
 }
 
@@ -92,9 +92,9 @@ Status set_dial(Dials& dials, std::string_view text) {
         names.push_back(dial.name);
         if (dial.name != name) continue;
         if (dial.set(dials, value)) return {};
-        return Error{"", "expected " + std::string(name) + "=" + dial.values + "; found " + quoted(text)};
+        return Error{"", "expected " + std::string(name) + "=" + dial.values + "; found " + in_quotes(text)};
     }
-    return Error{"", "expected NAME=VALUE, as in span=8; found " + quoted(text) + suggestion(name, names)};
+    return Error{"", "expected NAME=VALUE, as in span=8; found " + in_quotes(text) + suggestion(name, names)};
 }
 
 std::string to_text(const Dials& dials) {

@@ -25,17 +25,17 @@ Result<std::uint64_t> read_hash(const TextLine& line, std::size_t column) {
     const std::string_view digits = line.text.substr(column);
     std::uint64_t hash = 0;
     if (digits.size() != kHashDigits || !read_whole(digits, 16, hash))
-        return bad_line(line, column, "expected 16 hexadecimal digits, found " + quoted(digits));
+        return bad_line(line, column, "expected 16 hexadecimal digits, found " + in_quotes(digits));
     return hash;
 }
 
 Result<FrameHash> read_line(const TextLine& line) {
     const std::size_t blank = line.text.find(' ');
     if (blank == std::string_view::npos)
-        return bad_line(line, 0, "expected \"FRAME HASH\", found " + quoted(line.text));
+        return bad_line(line, 0, "expected \"FRAME HASH\", found " + in_quotes(line.text));
     FrameHash entry;
     if (!read_whole(line.text.substr(0, blank), 10, entry.frame))
-        return bad_line(line, 0, "expected a frame's number, found " + quoted(line.text.substr(0, blank)));
+        return bad_line(line, 0, "expected a frame's number, found " + in_quotes(line.text.substr(0, blank)));
     const auto hash = read_hash(line, blank + 1);
     if (!hash) return hash.error();
     entry.hash = hash.value();
@@ -55,11 +55,11 @@ Result<RecordedPictures> read_pictures(const TextLine& line) {
     RecordedPictures pictures;
     if (width == size || size == rest || !read_side(width, pictures.width) ||
         !read_side(size.substr(width.size() + 1), pictures.height))
-        return bad_line(line, 0, "expected \"picture WIDTHxHEIGHT RENDERER\", found " + quoted(line.text));
+        return bad_line(line, 0, "expected \"picture WIDTHxHEIGHT RENDERER\", found " + in_quotes(line.text));
     pictures.renderer = rest.substr(size.size() + 1);
     if (std::ranges::find(kWords<RendererKind>, pictures.renderer) == kWords<RendererKind>.end())
         return bad_line(line, kPictures.size() + size.size() + 1,
-                        "expected a renderer, found " + quoted(pictures.renderer) +
+                        "expected a renderer, found " + in_quotes(pictures.renderer) +
                             suggestion(pictures.renderer, kWords<RendererKind>));
     return pictures;
 }

@@ -56,7 +56,7 @@ std::string_view unknown_key(Reading& reading, const TomlEntry& entry, const Key
     std::vector<std::string_view> known;
     for (const Key<Record>& key : list.keys) known.push_back(key.name);
     reading.error(entry.key_place, "unknown-key",
-                  std::string(list.record) + " has no key " + quoted(entry.key) + suggestion(entry.key, known));
+                  std::string(list.record) + " has no key " + in_quotes(entry.key) + suggestion(entry.key, known));
     return nearest_word(entry.key, known);
 }
 

@@ -45,11 +45,11 @@ std::size_t tables_in(TomlNode array) {
 
 void needs_format_1(Reading& reading, const TomlEntry& entry) {
     reading.error(entry.key_place, "needs-format-1",
-                  quoted(entry.key) + " belongs to the enfilade dialect; put 'format = 1' at the top of the file");
+                  in_quotes(entry.key) + " belongs to the enfilade dialect; put 'format = 1' at the top of the file");
 }
 
 void missing_key(Reading& reading, TextPlace place, std::string_view record, std::string_view key) {
-    reading.error(place, "missing-key", std::string(record) + " needs " + quoted(key) + ", found none");
+    reading.error(place, "missing-key", std::string(record) + " needs " + in_quotes(key) + ", found none");
 }
 
 const TomlEntry* find_entry(std::span<const TomlEntry> entries, std::string_view key) {
@@ -63,7 +63,7 @@ void refuse_both(Reading& reading, std::span<const TomlEntry> entries, std::stri
     const TomlEntry* second = find_entry(entries, other);
     if (!first || !second) return;
     reading.error(std::max(first->key_place, second->key_place), code,
-                  quoted(one) + " and " + quoted(other) + " exclude each other; give only one of them");
+                  in_quotes(one) + " and " + in_quotes(other) + " exclude each other; give only one of them");
 }
 
 void refuse_tile_and_size(Reading& reading, const TextureSpec& spec) {

@@ -134,7 +134,7 @@ std::optional<WallIndex> GapFinder::wall_at(std::size_t sector, Vec2 point, Text
     });
     if (nearest && least < 1) return nearest;
     std::string sentence =
-        "expected a point on a wall of sector " + quoted(map_.sectors[sector].name) + ", found " + point_text(point);
+        "expected a point on a wall of sector " + in_quotes(map_.sectors[sector].name) + ", found " + point_text(point);
     if (nearest)
         sentence += ", " + metres(least) + " from the nearest, " + wall_text(line) + "; move it to " +
                     point_text(line.at(std::clamp(line.steps_to(p), 0.0, line.length_steps())));
@@ -150,15 +150,15 @@ bool GapFinder::may_open(const Gap& gap, TextPlace place) {
     const WallRecord& wall = record(gap.wall);
     if (!wall.next.empty() || !wall.name.empty()) {
         reading_.error(place, "opening-taken",
-                       wall_text(line) + " of sector " + quoted(sector.name) +
-                           (wall.next.empty() ? " is called " + quoted(wall.name) + ", and a link may lead to it"
-                                              : " is open already, to sector " + quoted(wall.next)) +
+                       wall_text(line) + " of sector " + in_quotes(sector.name) +
+                           (wall.next.empty() ? " is called " + in_quotes(wall.name) + ", and a link may lead to it"
+                                              : " is open already, to sector " + in_quotes(wall.next)) +
                            "; put the opening elsewhere");
         return false;
     }
     if (!line.holds(begin) || !line.holds(end) || line.part(begin) >= line.part(end)) {
         reading_.error(place, "opening-beyond-wall",
-                       "expected an opening within " + wall_text(line) + " of sector " + quoted(sector.name) +
+                       "expected an opening within " + wall_text(line) + " of sector " + in_quotes(sector.name) +
                            ", which is " + metres(line.length_steps()) + " long, found one from " +
                            point_text(gap.begin) + " to " + point_text(gap.end));
         return false;
@@ -204,7 +204,7 @@ std::optional<Gap> GapFinder::opposite(const OpeningRecord& opening, const Gap& 
     if (nearest && !may_open(*nearest, key_place(opening, "at"))) return {};
     if (!nearest)
         reading_.error(key_place(opening, "at"), "opening-faces-nothing",
-                       "no wall of sector " + quoted(far.name) + " lies parallel before the opening from " +
+                       "no wall of sector " + in_quotes(far.name) + " lies parallel before the opening from " +
                            point_text(near.begin) + " to " + point_text(near.end) + " over its whole width; move it, " +
                            "make it narrower, or give 'to' for a doorway that leads elsewhere");
     return nearest;
@@ -231,7 +231,7 @@ std::optional<TwoGaps> GapFinder::facing(const OpeningRecord& opening, std::size
             if (best.size() < 2) best.push_back({near_wall, far_wall, line, begin, end, distance});
         });
     });
-    const std::string rooms = "sectors " + quoted(near.name) + " and " + quoted(far.name);
+    const std::string rooms = "sectors " + in_quotes(near.name) + " and " + in_quotes(far.name);
     if (best.size() != 1) {
         reading_.error(
             opening.place, best.empty() ? "opening-faces-nothing" : "opening-unclear",

@@ -78,7 +78,7 @@ constexpr KeyList<PrefabRecord> kPrefabList{"a prefab", kPrefabKeys};
 void refuse_height(Reading& reading, const FlatRecord& flat, std::string_view key) {
     if (flat.places.has("z"))
         reading.error(key_place(flat, "z"), "given-twice",
-                      "the height of an opening is its " + quoted(key) + "; write that instead of 'z'");
+                      "the height of an opening is its " + in_quotes(key) + "; write that instead of 'z'");
 }
 
 }  // namespace

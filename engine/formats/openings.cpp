@@ -46,7 +46,7 @@ public:
         if (!opening_.to && gaps_.touch) {
             if (!wants_room) return 0;
             reading_.error(opening_.place, "opening-without-depth",
-                           "sectors " + quoted(near_name_) + " and " + quoted(far_name_) +
+                           "sectors " + in_quotes(near_name_) + " and " + in_quotes(far_name_) +
                                " touch here, and a door, a window, steps, 'bottom', 'top', 'floor' and 'ceiling' need "
                                "room between the two walls; move one of them by the thickness of a wall, as 0.25 m");
             return {};
@@ -319,7 +319,7 @@ private:
         if (++unknown_ <= kMostSuggestions)
             for (const auto& [known_name, index] : sectors_) known.push_back(known_name);
         reading_.error(key_place(opening, "between"), "unknown-sector",
-                       "there is no sector " + quoted(name) + nearest_suggestion(name, known));
+                       "there is no sector " + in_quotes(name) + nearest_suggestion(name, known));
         return {};
     }
 

@@ -98,7 +98,7 @@ bool stands_for_many(Reading& reading, const WallRecord& wall) {
         if (wall.places.has(key)) {
             reading.error(
                 key_place(wall, key), "wall-of-many",
-                "'wall' stands for many walls, and " + quoted(key) + " belongs to one; give that one in 'walls'");
+                "'wall' stands for many walls, and " + in_quotes(key) + " belongs to one; give that one in 'walls'");
             return false;
         }
     return true;

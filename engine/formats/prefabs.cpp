@@ -186,7 +186,7 @@ void merge(Reading& reading, const PrefabRecord& prefab, std::vector<Record>& in
         same.place = there->second.place;
         if (same != there->second)
             reading.error(key_place(prefab, "file"), "prefab-differs",
-                          "the prefab and the map call two things " + quoted(name_of(record)) +
+                          "the prefab and the map call two things " + in_quotes(name_of(record)) +
                               ", which are not alike; give one of the two sounds, suns, animations or switches "
                               "another name");
     }
@@ -220,7 +220,7 @@ PrefabFiles::File* PrefabFiles::find(const PrefabRecord& prefab) {
         reading_.error(place, "prefab-in-itself",
                        open_.size() == kMostNested
                            ? "prefabs stand in one another more than " + std::to_string(kMostNested) + " deep"
-                           : "the prefab " + quoted(prefab.file) + " would stand in itself; leave it out here");
+                           : "the prefab " + in_quotes(prefab.file) + " would stand in itself; leave it out here");
         return nullptr;
     }
     const auto [found, is_new] = files_.try_emplace(prefab.file);

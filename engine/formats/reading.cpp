@@ -11,7 +11,7 @@ namespace enfilade {
 namespace {
 
 std::string is_to_be(const NamedValue& value, std::string_view expected) {
-    return quoted(value.name) + " must be " + std::string(expected);
+    return in_quotes(value.name) + " must be " + std::string(expected);
 }
 
 /// A limit in a message: six digits say enough, and hide the half grid step that vertices may round away.
@@ -86,7 +86,7 @@ std::optional<std::size_t> read_word(Reading& reading, const NamedValue& value,
     std::string list;
     for (std::string_view word : words) list += (list.empty() ? "\"" : ", \"") + std::string(word) + "\"";
     reading.error(value.node.place(), "unknown-word",
-                  is_to_be(value, "one of " + list) + ", found " + quoted(value.node.text()) +
+                  is_to_be(value, "one of " + list) + ", found " + in_quotes(value.node.text()) +
                       nearest_suggestion(value.node.text(), words));
     return {};
 }
@@ -143,7 +143,7 @@ void read_value(Reading& reading, const NamedValue& value, Range, TextureSpec& f
     if (!expect(reading, value, TomlKind::string)) return;
     Result<TextureSpec> spec = parse_texture_spec(value.node.text());
     if (!spec)
-        return reading.error(value.node.place(), "bad-texture-spec", quoted(value.name) + ": " + spec.error().what);
+        return reading.error(value.node.place(), "bad-texture-spec", in_quotes(value.name) + ": " + spec.error().what);
     field = std::move(spec).value();
     field.place = value.node.place();
 }

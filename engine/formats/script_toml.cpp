@@ -133,7 +133,7 @@ void check_wait(Reading& reading, std::span<const TomlEntry> entries) {
     for (std::string_view other : {"seconds", "to", "look", "turn", "look_at", "pitch"})
         if (find_entry(entries, other))
             reading.error(wait->key_place, "wait-and-move",
-                          "a leg with 'wait' stands still; give " + quoted(other) + " in a leg of its own");
+                          "a leg with 'wait' stands still; give " + in_quotes(other) + " in a leg of its own");
 }
 
 void check_length(Reading& reading, const ScriptFile& script) {
@@ -193,7 +193,7 @@ void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries
     for (std::string_view other : {"start", "legs"})
         if (const TomlEntry* entry = find_entry(entries, other); entry && tape)
             reading.error(entry->key_place, "tape-and-legs",
-                          "a tape says where the camera goes; 'tape' and " + quoted(other) + " exclude each other");
+                          "a tape says where the camera goes; 'tape' and " + in_quotes(other) + " exclude each other");
     check_length(reading, script);
 }
 

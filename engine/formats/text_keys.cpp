@@ -10,7 +10,7 @@ namespace enfilade {
 namespace {
 
 Status expected(std::string_view what, std::string_view found, std::string_view reason) {
-    return Error{"", "expected " + std::string(what) + ", found " + quoted(found) + std::string(reason)};
+    return Error{"", "expected " + std::string(what) + ", found " + in_quotes(found) + std::string(reason)};
 }
 
 /// What is wrong with one part of a name; empty if nothing is.
@@ -34,8 +34,8 @@ std::optional<std::uint32_t> read_color(Reading& reading, const NamedValue& valu
         if (error == std::errc() && end == text.data() + 7) return color;
     }
     reading.error(node.place(), "bad-color",
-                  quoted(value.name) + " must be a colour like \"#ff00ff\", found " +
-                      (node.kind() == TomlKind::string ? quoted(node.text()) : std::string(name_of(node.kind()))));
+                  in_quotes(value.name) + " must be a colour like \"#ff00ff\", found " +
+                      (node.kind() == TomlKind::string ? in_quotes(node.text()) : std::string(name_of(node.kind()))));
     return {};
 }
 
@@ -67,7 +67,7 @@ Status refuse_as_path(std::string_view text) {
 bool expect_file_name(Reading& reading, const NamedValue& value, Files files) {
     const std::string_view name = value.node.text();
     const Status refused = files == Files::anywhere ? refuse_as_path(name) : refuse_as_file_name(name);
-    if (refused) reading.error(value.node.place(), "bad-file-name", quoted(value.name) + ": " + refused->what);
+    if (refused) reading.error(value.node.place(), "bad-file-name", in_quotes(value.name) + ": " + refused->what);
     return !refused;
 }
 

@@ -38,7 +38,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
     std::size_t length = std::min(word.size(), kShownBytes);
     while (length < word.size() && length > 0 && (static_cast<unsigned char>(word[length]) & 0xC0) == 0x80) --length;
     return "'" + printable_line(word.substr(0, length)) + (length < word.size() ? "…'" : "'");
@@ -59,7 +59,7 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
 
 std::string nearest_suggestion(std::string_view word, std::span<const std::string_view> known) {
     const std::string_view nearest = nearest_word(word, known);
-    return nearest.empty() ? std::string() : "; did you mean " + quoted(nearest) + "?";
+    return nearest.empty() ? std::string() : "; did you mean " + in_quotes(nearest) + "?";
 }
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> known) {

@@ -18,7 +18,7 @@ namespace enfilade {
 // Words of a hostile file, fit to be shown in a message.
 
 /// The word in single quotes; what a terminal would obey becomes '?', and what is longer than 60 bytes is cut.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 /// The known word that takes the fewest changed letters, if it is near enough to be meant; else empty.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known);

@@ -44,7 +44,7 @@ Result<Vec2> take_pair(std::string_view& text, std::string_view what) {
         const auto value = parse_number(word);
         if (!value)
             return bad_spec(std::string(kShape) + ": " + std::string(what) + " is a pair of numbers, found " +
-                            (word.empty() ? "the end" : quoted(word)));
+                            (word.empty() ? "the end" : in_quotes(word)));
         *number = *value;
         if (number == &pair.x && take_word(text) != ",")
             return bad_spec(std::string(kShape) + ": " + std::string(what) +

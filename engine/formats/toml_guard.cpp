@@ -176,7 +176,7 @@ private:
         const std::size_t length = utf8_length(text_.substr(at_));
         if (length == 0) return refuse_not_utf8();
         refuse("bad-toml",
-               "expected a key or a value, found " + quoted(text_.substr(at_, length)) +
+               "expected a key or a value, found " + in_quotes(text_.substr(at_, length)) +
                    "; letters beyond ASCII may only stand in quotes and comments: is the quote before it missing?");
     }
 

@@ -91,7 +91,7 @@ public:
         if (header == kNumbersHeader || header == kSectorHeader) return true;
         reading_.error({line.number, 1}, "bad-header",
                        "expected the header '" + std::string(kSectorHeader) + "' (sector is optional), found " +
-                           quoted(line.text));
+                           in_quotes(line.text));
         return false;
     }
 
@@ -128,11 +128,11 @@ private:
         const auto number = parse_number(field.text);
         if (!number)
             return reading_.error(place(line, field.at), "bad-number",
-                                  quoted(column.name) + " must be a number, found " + quoted(field.text));
+                                  in_quotes(column.name) + " must be a number, found " + in_quotes(field.text));
         if (*number < column.range.low || *number > column.range.high)
             return reading_.error(
                 place(line, field.at), "out-of-range",
-                quoted(column.name) + " must be " + range_text(column.range) + ", found " + number_text(*number));
+                in_quotes(column.name) + " must be " + range_text(column.range) + ", found " + number_text(*number));
         row.*column.field = *number;
     }
 

@@ -80,7 +80,7 @@ private:
     void report(const Clash& clash) {
         const Wall &first = edges_[clash.first], &second = edges_[clash.second];
         const std::string edges =
-            "edges " + edge_text(first) + " and " + edge_text(second) + " of sector " + quoted(sector_.name);
+            "edges " + edge_text(first) + " and " + edge_text(second) + " of sector " + in_quotes(sector_.name);
         const TextPlace place = std::max(place_of(clash.first), place_of(clash.second));
         if (clash.kind == Meeting::crossing)
             draft_.error(place, "edges-cross",
@@ -88,7 +88,7 @@ private:
                              "; the edges of one sector may only share vertices");
         else if (clash.kind == Meeting::touching)
             draft_.error(place, "edges-touch",
-                         "vertex " + point_text(touching_end(first, second)) + " of sector " + quoted(sector_.name) +
+                         "vertex " + point_text(touching_end(first, second)) + " of sector " + in_quotes(sector_.name) +
                              " lies inside its edge " + edge_text(second) + "; give that edge a vertex there");
         else
             draft_.error(place, "edges-overlap",
@@ -100,7 +100,7 @@ private:
         const Wall& w = edges_[edge];
         if (std::tie(w.b.x, w.b.y) < std::tie(w.a.x, w.a.y)) return;
         draft_.error(place_of(edge), "edges-overlap",
-                     "edge " + edge_text(w) + " of sector " + quoted(sector_.name) +
+                     "edge " + edge_text(w) + " of sector " + in_quotes(sector_.name) +
                          " belongs to an outline and to a hole, with nothing between them; move the hole inside");
     }
 
@@ -122,21 +122,21 @@ private:
         const TextPlace place = known(key_place(*of.record, "v"), place_of(of.first_wall - sector_.first_wall));
         if (winding.wrong_edges < of.wall_count)
             draft_.error(place, "wrong-winding",
-                         "this loop of sector " + quoted(sector_.name) +
+                         "this loop of sector " + in_quotes(sector_.name) +
                              " touches itself and winds both ways; make two loops of it");
         else if (winding.is_clockwise)
             draft_.error(place, "wrong-winding",
-                         "this loop of sector " + quoted(sector_.name) +
+                         "this loop of sector " + in_quotes(sector_.name) +
                              " lies inside an outline, so it is a hole and must run counter-clockwise on the drawing "
                              "(y down), but it runs clockwise; list its vertices and walls the other way round");
         else if (has_outline)
             draft_.error(place, "hole-outside",
-                         "this loop of sector " + quoted(sector_.name) +
+                         "this loop of sector " + in_quotes(sector_.name) +
                              " runs counter-clockwise, as a hole does, but lies inside no outline of the sector; move "
                              "it inside, or turn it round if it is an outline");
         else
             draft_.error(place, "wrong-winding",
-                         "the outline of sector " + quoted(sector_.name) +
+                         "the outline of sector " + in_quotes(sector_.name) +
                              " must run clockwise on the drawing (y down), with the sector on the right of its walls, "
                              "but it runs counter-clockwise; list its vertices and walls the other way round");
     }

@@ -15,7 +15,7 @@ void check_heights(Draft& draft, const SectorRecord& sector) {
     const FlatRecord& written = sector.ceiling.places.has("z") ? sector.ceiling : sector.floor;
     if (!sector.ceiling.places.is_sound("z") || !sector.floor.places.is_sound("z")) return;
     draft.error(known(key_place(written, "z"), sector.place), "ceiling-below-floor",
-                "the ceiling of sector " + quoted(sector.name) + " at " + number_text(sector.ceiling.z) +
+                "the ceiling of sector " + in_quotes(sector.name) + " at " + number_text(sector.ceiling.z) +
                     " m is below its floor at " + number_text(sector.floor.z) +
                     " m; raise it, or make them equal for a closed door");
 }
@@ -32,7 +32,7 @@ void check_sector_names(Draft& draft) {
         SectorDraft &one = draft.sectors[first], &other = draft.sectors[again];
         one.is_only_one = other.is_only_one = false;
         draft.error(*other.record, "name", "duplicate-sector",
-                    "expected a name no other sector has, found " + quoted(other.record->name) +
+                    "expected a name no other sector has, found " + in_quotes(other.record->name) +
                         " again; it is first used" + line_text(key_place(*one.record, "name")));
     }
 }
@@ -45,7 +45,7 @@ void check_wall_names(Draft& draft) {
     for (const auto& [first, again] : NameIndex(std::move(names)).duplicates())
         draft.error(*draft.walls[again].record, "name", "duplicate-wall",
                     "expected a name no other wall of the sector has, found " +
-                        quoted(draft.walls[again].record->name) + " again; it is first used" +
+                        in_quotes(draft.walls[again].record->name) + " again; it is first used" +
                         line_text(key_place(*draft.walls[first].record, "name")));
 }
 
@@ -72,7 +72,7 @@ const TextureSpec* first_for_portals(const WallRecord& wall) {
 
 void check_solid(Draft& draft, WallId id) {
     const WallDraft& written = draft.walls[id.index];
-    const std::string sector = quoted(draft.map[draft.map[id].sector].name);
+    const std::string sector = in_quotes(draft.map[draft.map[id].sector].name);
     if (!written.record->texture)
         draft.warning(known(written.record->place, written.place), "no-texture",
                       "this solid wall of sector " + sector + " has no texture; a placeholder is drawn" + kMeant);
@@ -90,7 +90,7 @@ void check_steps(Draft& draft, WallId id) {
     const Sector &here = draft.map[wall.sector], &there = draft.map[wall.behind];
     const double rise = draft.map.passage(wall).rise;
     const TextPlace head = known(written.record->place, written.place);
-    const std::string way = quoted(here.name) + " to " + quoted(there.name);
+    const std::string way = in_quotes(here.name) + " to " + in_quotes(there.name);
     if (!written.record->lower && there.floor.z - rise > here.floor.z)
         draft.warning(head, "no-step-texture",
                       "the step up from " + way + " has no texture, so nothing is drawn there; give it lower");
@@ -103,7 +103,7 @@ void check_steps(Draft& draft, WallId id) {
 void check_flat(Draft& draft, const SectorRecord& sector, const FlatRecord& flat, const char* which) {
     if (flat.texture) return;
     draft.warning(known(flat.place, sector.place), "no-texture",
-                  std::string("the ") + which + " of sector " + quoted(sector.name) +
+                  std::string("the ") + which + " of sector " + in_quotes(sector.name) +
                       " has no texture; a placeholder is drawn" + kMeant);
 }
 
@@ -147,7 +147,7 @@ void check_height(Draft& draft, const char* what, const SectorRecord& first, con
     if ((first.*flat).z == (other.*flat).z) return;
     draft.error(place_of(other.*flat, other), "group-heights",
                 "expected the " + std::string(what) + " at " + number_text((first.*flat).z) + " m, where sector " +
-                    quoted(first.name) + " of the same group " + quoted(first.group) + " has it, found " +
+                    in_quotes(first.name) + " of the same group " + in_quotes(first.group) + " has it, found " +
                     number_text((other.*flat).z) + " m; what moves as one starts at one height");
 }
 
@@ -155,8 +155,8 @@ void check_bob(Draft& draft, const char* what, const SectorRecord& first, const 
                FlatRecord SectorRecord::* flat) {
     if ((first.*flat).bob == (other.*flat).bob) return;
     draft.error(place_of(other.*flat, other), "group-bobs",
-                "expected the " + std::string(what) + " of sector " + quoted(other.name) +
-                    " to bob as that of sector " + quoted(first.name) + " of the same group " + quoted(first.group) +
+                "expected the " + std::string(what) + " of sector " + in_quotes(other.name) +
+                    " to bob as that of sector " + in_quotes(first.name) + " of the same group " + in_quotes(first.group) +
                     "; what moves as one has one bob, or none: write the same one in both");
 }
 
@@ -171,15 +171,15 @@ void check_uses(Draft& draft, const SectorRecord& first, const SectorRecord& oth
     const SectorRecord& with = can_be_used(first) ? first : other;
     const SectorRecord& without = can_be_used(first) ? other : first;
     draft.warning(without, "group", "group-use",
-                  "sector " + quoted(with.name) + " of the group " + quoted(with.group) +
-                      " has a trigger on \"use\", sector " + quoted(without.name) +
+                  "sector " + in_quotes(with.name) + " of the group " + in_quotes(with.group) +
+                      " has a trigger on \"use\", sector " + in_quotes(without.name) +
                       " has none; give it the same one, or nothing happens to who uses it from that side");
 }
 
 void check_lonely(Draft& draft, const SectorRecord& sector) {
     draft.warning(sector, "group", "group-of-one",
-                  "expected two sectors or more in the group " + quoted(sector.group) + ", found only " +
-                      quoted(sector.name) + "; give another one the same group, or take it out");
+                  "expected two sectors or more in the group " + in_quotes(sector.group) + ", found only " +
+                      in_quotes(sector.name) + "; give another one the same group, or take it out");
 }
 
 /// Sectors [first, last) of `grouped` have the same group.

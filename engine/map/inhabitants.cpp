@@ -44,14 +44,14 @@ public:
         const auto found = names_.find(0, record.sector);
         if (!found)
             return start_where_it_is(start, "sector", "player-sector",
-                                     "expected the name of a sector for the player, found " + quoted(record.sector) +
+                                     "expected the name of a sector for the player, found " + in_quotes(record.sector) +
                                          names_.suggestion(0, record.sector));
         start.sector = SectorId(*found);
         if (!can_be_asked(start.sector)) return;
         if (!is_inside(draft_.map, start.sector, start.position))
             return start_where_it_is(
                 start, "x", "player-outside",
-                "the player's position " + point_text(start.position) + " is outside sector " + quoted(record.sector));
+                "the player's position " + point_text(start.position) + " is outside sector " + in_quotes(record.sector));
         check_eye(start);
         draft_.map.player = start;
     }
@@ -66,7 +66,7 @@ public:
         else
             draft_.warning(thing, "x", "thing-outside",
                            "the thing at " + point_text(position) + " is outside " +
-                               (found ? "sector " + quoted(thing.sector) : "every sector") + "; nobody will see it");
+                               (found ? "sector " + in_quotes(thing.sector) : "every sector") + "; nobody will see it");
     }
 
     void place_light(const PointLightRecord& record) {
@@ -87,7 +87,7 @@ public:
         if (!sector || is_outside(sector, position))
             return draft_.warning(record, "x", "light-outside",
                                   "the light at " + point_text(position) + " is outside " +
-                                      (found ? "sector " + quoted(record.sector) : "every sector") +
+                                      (found ? "sector " + in_quotes(record.sector) : "every sector") +
                                       "; it lights nothing");
         draft_.map.lights.push_back({sector, position, record.z, record.color, record.brightness,
                                      snap_to_point_grid(record.reach), record.effect});
@@ -99,7 +99,7 @@ private:
     void unknown_sector(const Record& record, const char* what, const std::string& name) {
         if (!draft_.has_nameless_sectors)
             draft_.error(record, "sector", "unknown-sector",
-                         "expected the name of a sector for the " + std::string(what) + ", found " + quoted(name) +
+                         "expected the name of a sector for the " + std::string(what) + ", found " + in_quotes(name) +
                              names_.suggestion(0, name));
     }
 
@@ -110,7 +110,7 @@ private:
         draft_.warning(light, "z", "light-hidden",
                        "expected the light between the floor at " + number_text(sector.floor.z) +
                            " m and the ceiling at " + number_text(sector.ceiling.z) + " m of sector " +
-                           quoted(sector.name) + ", found z = " + number_text(light.z));
+                           in_quotes(sector.name) + ", found z = " + number_text(light.z));
     }
 
     /// Whether what is inside the sector, or another of its name, does not depend on an error that was found.
@@ -127,7 +127,7 @@ private:
         const PlayerRecord& player = *draft_.file.player;
         if (!player.places.is_sound() || (!start.sector && draft_.has_nameless_sectors)) return;
         start.sector = finder_.around(start.position);
-        const std::string around = start.sector ? quoted(draft_.map[start.sector].name) : "no sector";
+        const std::string around = start.sector ? in_quotes(draft_.map[start.sector].name) : "no sector";
         if (draft_.is_strict())
             return draft_.error(player, key, code,
                                 complaint + (start.sector ? "; " + point_text(start.position) + " is in " + around
@@ -160,7 +160,7 @@ void check_thing_names(Draft& draft) {
         if (!draft.file.things[i].name.empty()) names.push_back({0, draft.file.things[i].name, i});
     for (const auto& [first, again] : NameIndex(std::move(names)).duplicates())
         draft.error(draft.file.things[again], "name", "duplicate-thing",
-                    "expected a name no other thing has, found " + quoted(draft.file.things[again].name) + " again");
+                    "expected a name no other thing has, found " + in_quotes(draft.file.things[again].name) + " again");
 }
 
 }  // namespace

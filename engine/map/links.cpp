@@ -80,8 +80,8 @@ void check_lengths(Draft& draft, WallId id) {
     if (lengths_agree(wall, exit)) return;
     draft.error(*draft.walls[id.index].record, "via", "link-lengths",
                 "expected linked walls of one length, found " + number_text(wall.length) + " m here and " +
-                    number_text(exit.length) + " m at " + quoted(draft.walls[id.index].record->via) + " of sector " +
-                    quoted(draft.map[wall.behind].name) + "; a link cannot stretch what passes");
+                    number_text(exit.length) + " m at " + in_quotes(draft.walls[id.index].record->via) + " of sector " +
+                    in_quotes(draft.map[wall.behind].name) + "; a link cannot stretch what passes");
 }
 
 void check_rises(Draft& draft, WallId id) {

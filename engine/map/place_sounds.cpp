@@ -29,7 +29,7 @@ public:
         for (const auto& [first, again] : names_.duplicates())
             draft_.error(
                 draft_.file.sounds[again], "name", "duplicate-sound",
-                "expected a name no other sound has, found " + quoted(draft_.file.sounds[again].name) + " again");
+                "expected a name no other sound has, found " + in_quotes(draft_.file.sounds[again].name) + " again");
     }
 
     void place_on_sectors() {
@@ -78,7 +78,7 @@ private:
         const bool has_nameless = std::ranges::any_of(draft_.file.sounds, &std::string::empty, &SoundRecord::name);
         if (has_nameless) return {};  // it may be meant for one whose name the reader could not make out
         draft_.error(record, key, "unknown-sound",
-                     "expected the name of a sound, found " + quoted(name) + names_.suggestion(0, name));
+                     "expected the name of a sound, found " + in_quotes(name) + names_.suggestion(0, name));
         return {};
     }
 
@@ -128,7 +128,7 @@ NameIndex sun_names(const Draft& draft) {
 void check_names(Draft& draft, const NameIndex& names) {
     for (const auto& [first, again] : names.duplicates())
         draft.error(draft.file.suns[again], "name", "duplicate-sun",
-                    "expected a name no other sun has, found " + quoted(draft.file.suns[again].name) + " again");
+                    "expected a name no other sun has, found " + in_quotes(draft.file.suns[again].name) + " again");
 }
 
 }  // namespace
@@ -146,7 +146,7 @@ void place_suns(Draft& draft) {
         }
         const std::string alike = names.suggestion(0, record.sun);
         draft.error(record, "sun", "unknown-sun",
-                    "expected the name of a sun, found " + quoted(record.sun) +
+                    "expected the name of a sun, found " + in_quotes(record.sun) +
                         (alike.empty() ? "; add [[suns]] with that name" : alike));
     }
 }

@@ -81,7 +81,7 @@ private:
         if (!record.places.is_sound()) return;
         if (!can_be_set_off(record.on, bearer))
             draft_.error(record, "on", "trigger-activation",
-                         std::string(name_of(bearer)) + " cannot have a trigger on " + quoted(to_word(record.on)));
+                         std::string(name_of(bearer)) + " cannot have a trigger on " + in_quotes(to_word(record.on)));
         if (record.action == TriggerAction::light && !record.light && record.light_of == LightLevel::given &&
             !record.effect)
             draft_.error(record, "do", "light-without-level",
@@ -165,13 +165,13 @@ private:
         if (is_sector && draft_.has_nameless_sectors) return;
         draft_.error(record, key, "unknown-target",
                      "expected the name " + std::string(is_sector ? "or tag " : "") + "of a " + kind + ", found " +
-                         quoted(name) + suggestion);
+                         in_quotes(name) + suggestion);
     }
 
     void needs_target(const TriggerRecord& record, const char* what) {
         if (!record.places.is_sound()) return;
         draft_.error(record, "do", "needs-target",
-                     quoted(to_word(record.action)) + " needs a target, " + std::string(what));
+                     in_quotes(to_word(record.action)) + " needs a target, " + std::string(what));
     }
 
     Draft& draft_;

@@ -31,7 +31,7 @@ bool check_count(Draft& draft, const SectorRecord& sector, const LoopRecord& loo
     if (!loop.is_whole || (count == 0 && !draft.was_sound)) return false;  // the reader could not make it out
     draft.error(known(key_place(loop, "v"), sector.place), "too-few-vertices",
                 "expected at least 3 vertices in a loop, found " + std::to_string(count) + " in sector " +
-                    quoted(sector.name) + "; use a panel for a wall without thickness");
+                    in_quotes(sector.name) + "; use a panel for a wall without thickness");
     return false;
 }
 
@@ -47,7 +47,7 @@ bool check_length(Draft& draft, const SectorRecord& sector, const LoopRecord& lo
     const std::size_t next = (i + 1) % loop.vertices.size();
     const bool was_rounded = loop.vertices[i] != loop.vertices[next];
     draft.error(place_of_vertex(sector, loop, i), "zero-length",
-                "two neighbouring vertices of sector " + quoted(sector.name) + " are both at " + point_text(wall.a) +
+                "two neighbouring vertices of sector " + in_quotes(sector.name) + " are both at " + point_text(wall.a) +
                     (was_rounded ? " after rounding to the grid of 1/1024 m; drop one or move them apart"
                                  : "; drop one of them (the last wall closes the loop by itself)"));
     return false;
@@ -71,7 +71,7 @@ void add_loop(Draft& draft, const SectorRecord& sector, const LoopRecord& record
 bool add_loops(Draft& draft, const SectorRecord& record) {
     bool all = !record.loops.empty();
     if (!all && draft.was_sound)
-        draft.error(record.place, "missing-key", "sector " + quoted(record.name) + " needs 'loops', found none");
+        draft.error(record.place, "missing-key", "sector " + in_quotes(record.name) + " needs 'loops', found none");
     for (const LoopRecord& loop : record.loops) {
         if (!check_count(draft, record, loop)) {
             all = false;
@@ -173,7 +173,7 @@ private:
         if (!is_within(panels_[i]))
             draft_.error(records_[i], "v", "panel-outside",
                          "the panel " + edge_text(panels_[i].a, panels_[i].b) + " is not inside sector " +
-                             quoted(sector_.name) + "; move it, or list it under the sector it stands in");
+                             in_quotes(sector_.name) + "; move it, or list it under the sector it stands in");
     }
 
     static const Wall* crossed_by(const Wall& panel, std::span<const Wall> others) {
@@ -185,7 +185,7 @@ private:
 
     void report_crossing(std::size_t i, const char* what, const Wall& other) {
         draft_.error(records_[i], "v", "panel-crosses",
-                     "the panel " + edge_text(panels_[i].a, panels_[i].b) + " of sector " + quoted(sector_.name) +
+                     "the panel " + edge_text(panels_[i].a, panels_[i].b) + " of sector " + in_quotes(sector_.name) +
                          " crosses " + what + " " + edge_text(other.a, other.b) +
                          "; a panel may touch walls and panels, but not pass through them: cut it in two there");
     }
@@ -217,11 +217,11 @@ private:
 void check_record(Draft& draft, const SectorRecord& sector, const PanelRecord& record, const Panel& panel) {
     if (panel.a == panel.b)
         draft.error(record, "v", "zero-length",
-                    "both ends of this panel of sector " + quoted(sector.name) + " are at " + point_text(panel.a) +
+                    "both ends of this panel of sector " + in_quotes(sector.name) + " are at " + point_text(panel.a) +
                         " on the grid of 1/1024 m; move them apart");
     if (panel.top < panel.bottom && record.places.is_sound("bottom"))
         draft.error(record, "top", "panel-upside-down",
-                    "the top of this panel of sector " + quoted(sector.name) + " at " + number_text(panel.top) +
+                    "the top of this panel of sector " + in_quotes(sector.name) + " at " + number_text(panel.top) +
                         " m is below its bottom at " + number_text(panel.bottom) + " m; swap them");
 }
 
@@ -264,7 +264,7 @@ void place_panels(Draft& draft) {
         comparisons += shapes.comparisons();
         if (comparisons > kMostComparisons)
             return draft.error(*draft.sectors[i].record, "panels", "too-many-panels",
-                               "the panels of sector " + quoted(draft.map.sectors[i].name) +
+                               "the panels of sector " + in_quotes(draft.map.sectors[i].name) +
                                    " are too many for a room of so many walls; divide the room");
         shapes.check();
     }

@@ -173,7 +173,7 @@ private:
         if (const auto found = sectors_.find(0, name)) return SectorId(*found);
         if (draft_.has_nameless_sectors) return {};
         draft_.error(*written.record, "next", "unknown-sector",
-                     "expected the name of a sector in next, found " + quoted(name) + sectors_.suggestion(0, name));
+                     "expected the name of a sector in next, found " + in_quotes(name) + sectors_.suggestion(0, name));
         return {};
     }
 
@@ -183,8 +183,8 @@ private:
         const std::string& name = written.record->via;
         if (const auto found = walls_.find(behind.index, name)) return WallId(*found);
         draft_.error(*written.record, "via", "unknown-wall",
-                     "expected the name of a wall of sector " + quoted(draft_.map[behind].name) + " in via, found " +
-                         quoted(name) + walls_.suggestion(behind.index, name));
+                     "expected the name of a wall of sector " + in_quotes(draft_.map[behind].name) + " in via, found " +
+                         in_quotes(name) + walls_.suggestion(behind.index, name));
         return {};
     }
 
@@ -200,7 +200,7 @@ private:
     void report_missing_twin(WallId id, WallId longer) {
         const Wall& wall = draft_.map[id];
         const std::string& behind = draft_.map[wall.behind].name;
-        std::string sentence = "expected an edge " + edge_text(wall.b, wall.a) + " in sector " + quoted(behind) +
+        std::string sentence = "expected an edge " + edge_text(wall.b, wall.a) + " in sector " + in_quotes(behind) +
                                ", which this portal leads into, found none";
         if (twins_.find(wall.behind, wall.b, wall.a))
             sentence += "; it has that edge the same way round, so both sectors lie on one side of it";
@@ -224,7 +224,7 @@ std::string fault_of_way_back(const Draft& draft, WallId id) {
     if (wall.kind != WallKind::portal)
         return "way_back is for portals, and this wall is none; give it next, or drop way_back";
     const Wall& exit = draft.map[wall.exit];
-    const std::string there = "the wall one comes out of, in sector " + quoted(draft.map[wall.behind].name) + ", ";
+    const std::string there = "the wall one comes out of, in sector " + in_quotes(draft.map[wall.behind].name) + ", ";
     if (draft.walls[id.index].record->blocks) return "nobody passes a wall that blocks; drop blocks or way_back";
     if (exit.exit == id) return there + "leads back already; drop way_back here, or next there";
     if (exit.kind == WallKind::way_back)
@@ -259,11 +259,11 @@ void check_open_one_way(Draft& draft, WallId id) {
     const Wall& exit = draft.map[wall.exit];
     const WallDraft &written = draft.walls[wall.exit.index], &from = draft.walls[id.index];
     if (exit.kind != WallKind::solid || !written.record->next.empty() || exit.a != wall.b) return;
-    const std::string here = quoted(draft.map[wall.sector].name);
+    const std::string here = in_quotes(draft.map[wall.sector].name);
     const std::string line = from.place.line != 0 ? " in line " + std::to_string(from.place.line) : std::string();
     draft.warning(known(written.record->place, written.place), "open-one-way",
                   "sector " + here + " opens onto this edge " + edge_text(exit.a, exit.b) + " of sector " +
-                      quoted(draft.map[exit.sector].name) + line +
+                      in_quotes(draft.map[exit.sector].name) + line +
                       ", but from here it is a solid wall: one looks and gets in there, and not back; give it next = " +
                       here + ", or if that is meant, name this wall and add via there");
 }

@@ -195,7 +195,7 @@ void note_animation(Draft& draft, const AnimationRecord& record) {
         std::uint32_t& owner = pictures.animation_of[id.index];
         if (owner != PictureChanges::kNone && owner != number)
             draft.error(record, "frames", "animated-twice",
-                        "the picture " + quoted(draft.textures[id].name) +
+                        "the picture " + in_quotes(draft.textures[id].name) +
                             " belongs to another animation already; a picture can only be in one");
         owner = number;
     }

@@ -243,7 +243,7 @@ void TextureLoader::report_missing(std::size_t first, Findings& findings) const 
     const PictureSource& picture = pictures_[first];
     std::size_t more = 0;
     while (is_missing_with_last(first + more + 1)) ++more;
-    std::string names = (picture.is_color_table ? "color table " : "texture ") + quoted(picture.written);
+    std::string names = (picture.is_color_table ? "color table " : "texture ") + in_quotes(picture.written);
     if (more > 0) names += " and " + std::to_string(more) + " more, for other sides of the thing,";
     findings.push_back(
         {picture.place, Severity::warning, "missing-texture",
@@ -273,7 +273,7 @@ void TextureLoader::report_shortage(Findings& findings) const {
     findings.push_back({over->place, Severity::error, "too-many-pictures",
                         "expected pictures that take at most " + megabytes(kMostTextureBytes) +
                             " of memory together, found " + megabytes(bytes_needed_) + ", and " +
-                            quoted(over->written) + " (" + quoted(over->path) +
+                            in_quotes(over->written) + " (" + in_quotes(over->path) +
                             ") is the first that is over; make pictures smaller, or use fewer"});
 }
 

@@ -51,8 +51,8 @@ void check_frames(Draft& draft, const ThingRecord& thing) {
     const auto last = std::find_if(thing.frames.begin(), thing.frames.end(), stays);
     if (last == thing.frames.end() || last + 1 == thing.frames.end()) return;
     draft.warning(*(last + 1), "texture", "unseen-frame",
-                  "the frame " + quoted(last->texture) + " of this thing is shown for ever, so " +
-                      quoted((last + 1)->texture) + " after it never is; give it seconds");
+                  "the frame " + in_quotes(last->texture) + " of this thing is shown for ever, so " +
+                      in_quotes((last + 1)->texture) + " after it never is; give it seconds");
 }
 
 void check_height(Draft& draft, const Thing& thing, const ThingRecord& record) {
@@ -61,7 +61,7 @@ void check_height(Draft& draft, const Thing& thing, const ThingRecord& record) {
     if (!is_open || (thing.z < sector.ceiling.z && thing.z + thing.height > sector.floor.z)) return;
     draft.warning(record, "z", "thing-hidden",
                   "expected the thing between the floor at " + number_text(sector.floor.z) + " m and the ceiling at " +
-                      number_text(sector.ceiling.z) + " m of sector " + quoted(sector.name) + ", found it from " +
+                      number_text(sector.ceiling.z) + " m of sector " + in_quotes(sector.name) + ", found it from " +
                       number_text(thing.z) + " m to " + number_text(thing.z + thing.height) + " m; nobody will see it");
 }
 
@@ -90,7 +90,7 @@ void check_footing(Draft& draft, const Thing& thing, const ThingRecord& record) 
         const double below = depth.value_or(0) - (thing.z - sector.floor.z);
         if (depth && below > kMostSunk)
             return draft.warning(record.frames[i], "origin", "thing-sunk",
-                                 "expected an origin at the foot of the picture " + quoted(record.frames[i].texture) +
+                                 "expected an origin at the foot of the picture " + in_quotes(record.frames[i].texture) +
                                      ", found one that lets it hang " + number_text(below) +
                                      " m into the floor; leave origin out, and the picture stands on its bottom");
     }
@@ -120,8 +120,8 @@ public:
         for (std::uint32_t key = 0; key < map_.keys.size(); ++key)
             if (!is_given(key))
                 draft_.warning(places_[key], "no-such-key",
-                               "this trigger asks for the key " + quoted(map_.keys[key]) +
-                                   ", but no thing gives it; give a thing gives_key = " + quoted(map_.keys[key]) +
+                               "this trigger asks for the key " + in_quotes(map_.keys[key]) +
+                                   ", but no thing gives it; give a thing gives_key = " + in_quotes(map_.keys[key]) +
                                    nearest_suggestion(map_.keys[key], given));
     }
 
@@ -150,7 +150,7 @@ private:
         if (std::exchange(has_too_many_, true)) return;
         draft_.error(place, "too-many-keys",
                      "expected at most " + std::to_string(kMostKeys) + " keys in a map, found one more, " +
-                         quoted(name) + "; let doors share keys");
+                         in_quotes(name) + "; let doors share keys");
     }
 
     Draft& draft_;

@@ -16,7 +16,7 @@ Result<SectorId> sector_named(const Map& map, const std::string& name) {
     if (found == map.sectors.end()) {
         std::vector<std::string_view> known;
         for (const Sector& sector : map.sectors) known.push_back(sector.name);
-        return Error{"", "the map has no sector named " + quoted(name) + nearest_suggestion(name, known)};
+        return Error{"", "the map has no sector named " + in_quotes(name) + nearest_suggestion(name, known)};
     }
     return SectorId(std::size_t(found - map.sectors.begin()));
 }
@@ -31,7 +31,7 @@ Result<SectorId> sector_of(const Map& map, const ViewRow& row, Vec2 eye) {
     }
     auto named = sector_named(map, row.sector);
     if (named.ok() && !contains(map, named.value(), eye))
-        return Error{"", "sector " + quoted(row.sector) + " does not hold the point " + point_text(eye) +
+        return Error{"", "sector " + in_quotes(row.sector) + " does not hold the point " + point_text(eye) +
                              "; give a point inside it, or leave the sector out to have it found"};
     return named;
 }
@@ -66,7 +66,7 @@ std::optional<std::string> hidden_eye(const Map& map, const Snapshot& snapshot, 
     const bool is_above = view.eye_z >= room.ceiling_z;
     return "the eye at z = " + number_text(view.eye_z) + " is " +
            (is_above ? "not below the ceiling" : "not above the floor") + " of sector " +
-           quoted(map[view.sector].name) + " at " + number_text(is_above ? room.ceiling_z : room.floor_z) + " m";
+           in_quotes(map[view.sector].name) + " at " + number_text(is_above ? room.ceiling_z : room.floor_z) + " m";
 }
 
 Result<View> view_at_start(const Map& map, const Lens& lens) {

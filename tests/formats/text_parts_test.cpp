@@ -67,12 +67,12 @@ TEST(LineReader, TakesBothEndsOfLines) {
 
 TEST(Quoted, CutsBetweenCharacters) {
     std::string text(59, 'a');
-    EXPECT_EQ(enfilade::quoted(text + "é"), "'" + text + "…'");
+    EXPECT_EQ(in_quotes(text + "é"), "'" + text + "…'");
 }
 
 TEST(Quoted, ShowsNothingThatATerminalObeys) {
-    EXPECT_EQ(enfilade::quoted("a\x1B\n\x7F"), "'a?\?\?'");
-    EXPECT_EQ(enfilade::quoted("\u009B\u202E\u2067\u2028\xFF"), "'\?\?\?\?\?'");
+    EXPECT_EQ(in_quotes("a\x1B\n\x7F"), "'a?\?\?'");
+    EXPECT_EQ(in_quotes("\u009B\u202E\u2067\u2028\xFF"), "'\?\?\?\?\?'");
 }
 
 constexpr std::array<std::string_view, 4> kKnown{"texture", "next", "x", "y"};

@@ -60,7 +60,7 @@ std::string FreeCamera::text(const Map& map, const Snapshot& snapshot) const {
     const Whereabouts at = whereabouts(snapshot);
     const std::string place = at == Whereabouts::outside
                                   ? "outside all rooms"
-                                  : fmt::format("{} {}", places[std::size_t(at)], quoted(map[eye_.place.sector].name));
+                                  : fmt::format("{} {}", places[std::size_t(at)], in_quotes(map[eye_.place.sector].name));
     return fmt::format("Free flight: {}, x {:.2f} y {:.2f} z {:.2f}. F8 goes back.", place, eye_.place.point.x,
                        eye_.place.point.y, eye_.z);
 }

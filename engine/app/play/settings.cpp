@@ -23,7 +23,7 @@ constexpr std::string_view kAsWindow = "window";
 constexpr PictureSize kSizes[] = {{320, 200}, {640, 400}, {960, 600}, {1280, 800}, {1920, 1200}};
 
 Status not_one_of(std::span<const std::string_view> words, std::string_view found) {
-    return Error{"", fmt::format("expected {}; found {}", fmt::join(words, " or "), enfilade::quoted(found))};
+    return Error{"", fmt::format("expected {}; found {}", fmt::join(words, " or "), in_quotes(found))};
 }
 
 std::optional<std::size_t> index_of(std::span<const std::string_view> words, std::string_view word) {
@@ -69,7 +69,7 @@ constexpr Setting number(std::string_view name, std::string_view label, std::str
         if (!value || *value < of.low || *value > of.high || !is_whole)
             return Error{
                 "", fmt::format("expected a {} from {:g} to {:g}; found {}", of.step < 1 ? "number" : "whole number",
-                                of.low, of.high, enfilade::quoted(text))};
+                                of.low, of.high, in_quotes(text))};
         all.*Field = *value;
         return {};
     };

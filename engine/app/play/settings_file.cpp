@@ -77,7 +77,7 @@ void read_bindings(SettingsReading& reading, const TomlEntry& table) {
         std::vector<std::string_view> known;
         for (int i = 0; i < kControls; ++i) known.push_back(info_of(static_cast<Control>(i)).name);
         note(reading, entry.key_place, Severity::warning, "unknown-key",
-             "nothing can be bound to " + quoted(entry.key) + nearest_suggestion(entry.key, known) +
+             "nothing can be bound to " + in_quotes(entry.key) + nearest_suggestion(entry.key, known) +
                  "; it is left out when the file is next written");
     }
 }
@@ -85,14 +85,14 @@ void read_bindings(SettingsReading& reading, const TomlEntry& table) {
 void read_setting(SettingsReading& reading, const TomlEntry& entry, const Setting& setting) {
     if (const Status wrong = setting.read(setting, plain_text(entry.value), reading.settings))
         note(reading, entry.value.place(), Severity::error, "wrong-value",
-             quoted(entry.key) + ": " + wrong->what + "; it is as usual until this is put right");
+             in_quotes(entry.key) + ": " + wrong->what + "; it is as usual until this is put right");
 }
 
 void keep_unknown(SettingsReading& reading, const TomlEntry& entry) {
     std::vector<std::string_view> known{kKeysTable};
     for (const Setting& setting : all_settings()) known.push_back(setting.name);
     note(reading, entry.key_place, Severity::warning, "unknown-key",
-         "there is no setting " + quoted(entry.key) + nearest_suggestion(entry.key, known) + "; it is kept as it is");
+         "there is no setting " + in_quotes(entry.key) + nearest_suggestion(entry.key, known) + "; it is kept as it is");
     reading.unknown += string_text(entry.key) + " = " + toml_text(entry.value) + "\n";
 }
 
