@@ -80,15 +80,18 @@ private:
         const bool some_crush = std::any_of(found.begin(), found.end(), [](const Mover& m) { return m.crushes; });
         if (some_crush) hurt();
         const bool is_crushed_to_the_last = !is_at_most(kCrushedHeight, room());
-        ShortList<Change, 8> answers;
+        ShortList<Answer, 8> answers;
         for (const Mover& mover : found)
             if (!mover.change)
                 continue;
             else if (!mover.crushes || is_crushed_to_the_last)
                 answers.push_back(answer_to(here(), *mover.change, world_.tick));
             else if (const std::optional<Change> slow = slowed(here(), *mover.change, world_.tick))
-                answers.push_back(*slow);
-        for (const Change& answer : answers) world_.history.add(map_, answer);
+                answers.push_back({*slow, {}});
+        for (const auto& [at_once, later] : answers) {
+            world_.history.add(map_, at_once);
+            if (later) world_.history.add(map_, *later);
+        }
         for (const Mover& mover : found)
             if (!mover.change) hold_up_bob(map_, world_.history, mover.sector, mover.channel, world_.tick);
     }

@@ -70,11 +70,6 @@ DoorUnderWay door_under_way(const ActionTarget& t, const Change& change) {
     door.up = {t.door_top(), next.per_tick, door.action == TriggerAction::door ? t.wait() : 0};
     door.down = {t.here.floor_z, next.per_tick, 0};
     if (!door.has_two_ways) return door;
-    if (door.action == TriggerAction::close) {  // held up by whoever is in its way
-        door.comes_down = true;
-        door.has_two_ways = false;
-        return door;
-    }
     const std::size_t lower = door.action == TriggerAction::door ? 1 : 0;
     door.comes_down &= heading == lower;
     door.down = old.stops[lower];
@@ -113,6 +108,12 @@ Track crush_track(const ActionTarget& t) {
 Track stair_track(const ActionTarget& t) {
     const double first = heights_of(t.now, t.now.map.targets_of(t.trigger).front()).floor_z;
     return once(t.here.floor_z, t.stop(first + t.trigger.step * static_cast<double>(t.number + 1)));
+}
+
+/// What is left of a track that is at z, on its way to a stop.
+Track rest_of(const Track& track, double z, std::uint8_t heading) {
+    const Stop next = track.stops[heading], other = track.stops[1 - heading];
+    return heading == 0 || track.loops ? Track{0, z, {next, other}, track.count, track.loops} : once(z, next);
 }
 
 /// The level it gets, at once.
@@ -273,22 +274,24 @@ History begun(const Map& map) {
 
 bool crushes(const Map& map, const Change& change) { return crushes(map[change.cause]); }
 
-Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick) {
+Answer answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick) {
     const Track& old = in_the_way.track;
     const double z = height_now(now, in_the_way.sector, in_the_way.channel);
     const std::uint8_t heading = stop_at(old, now.tick);
-    Change answer = in_the_way;
     const Stop back = old.stops[1 - heading], on = old.stops[heading];
-    // Both stops of a door lie below where it hangs if there is no height to open to.
-    const bool leads_off = old.count == 2 && (back.value - z) * (on.value - z) <= 0;
-    if (leads_off && now.map[in_the_way.cause].action != TriggerAction::close) {
+    Answer answer{in_the_way, {}};
+    // It may not have left yet; and both stops of a door lie below where it hangs if there is no height to open to.
+    const bool can_turn_round = old.count == 2 && (back.value - z) * (on.value - z) < 0;
+    if (can_turn_round && now.map[in_the_way.cause].action != TriggerAction::close) {
         // A door that came down opens and closes again; one that only comes down to open afterwards opens.
-        answer.track = old.loops || heading == 1 ? Track{tick, z, {back, on}, 2, old.loops} : once(z, back);
+        answer.at_once.track = old.loops || heading == 1 ? Track{tick, z, {back, on}, 2, old.loops} : once(z, back);
     } else {
-        const Stop held{z, std::numeric_limits<double>::infinity(), kPatience};
-        answer.track = {tick, z, {held, on}, 2, old.loops};
+        answer.at_once.track = {tick, z, {}, 0, false};
+        answer.later = in_the_way;
+        answer.later->track = rest_of(old, z, heading);
+        answer.later->track.start = tick + kPatience;
     }
-    answer.track.start = tick;
+    answer.at_once.track.start = tick;
     return answer;
 }
 

@@ -24,9 +24,15 @@ bool carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_
 /// What the start of the map sets off, and nothing more.
 History begun(const Map& map);
 
-/// What follows if somebody is in the way of a change on its way, from `tick` on: it turns round, or waits and tries
-/// again. `in_the_way`: the change, and it has not ended.
-Change answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick);
+/// What follows if somebody is in the way of a change.
+struct Answer {
+    Change at_once;
+    std::optional<Change> later;  ///< to be added to the history after the first, which it ends when it begins
+};
+
+/// From `tick` on it turns round, or it waits for kPatience ticks and then goes on with what is left of it.
+/// `in_the_way`: the change, which is on its way.
+Answer answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick);
 
 /// What follows if somebody is in the way of a bob, from `tick` on: it stands still for kPatience ticks and then goes
 /// on from there. `sector`: leads its group; nothing but its bob moves the floor or ceiling at the tick.

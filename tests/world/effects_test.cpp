@@ -160,6 +160,29 @@ TEST(Door, OpensForWhoStandsInItWhenItCloses) {
 }
 
 // hard case C21
+TEST(Shuttle, WaitsWhereItTurnsForWhoHasNoRoomAboveIt) {
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "passage").ceiling.z = kStandingHeight;
+    sector(file, "room").floor.z = 0.5;
+    TriggerRecord shuttle = trigger_on(Activation::enter, TriggerAction::shuttle);
+    shuttle.wait = 0;
+    sector(file, "passage").triggers = {shuttle};
+    Game game(file);
+    walk_into_passage(game);
+    for (int i = 0; i < 300; ++i) {
+        game.hold(kNoKeys);
+        ASSERT_EQ(passage(game).floor_z, 0) << i;
+    }
+    game.hold(kBack, 60);
+    double highest = 0;
+    for (int i = 0; i < 300; ++i) {
+        game.hold(kNoKeys);
+        highest = std::max(highest, passage(game).floor_z);
+    }
+    EXPECT_EQ(highest, 0.5);
+}
+
+// hard case C21
 TEST(Door, ThatOpensDownwardsWaitsForWhoStandsInIt) {
     MapFile file = hall_passage_room(0, 3);
     sector(file, "room").ceiling.z = 1;  // a hand below this it is open
@@ -174,6 +197,20 @@ TEST(Door, ThatOpensDownwardsWaitsForWhoStandsInIt) {
     }
     EXPECT_GE(lowest, kStandingHeight - 0x1p-10);
     EXPECT_LT(lowest, kStandingHeight + 0.1);
+}
+
+// hard case C21
+TEST(Door, ThatOpensDownwardsGoesOnWhereItWaitedForSomebody) {
+    MapFile file = hall_passage_room(0, 3);
+    sector(file, "room").ceiling.z = 1;
+    sector(file, "passage").triggers = {trigger_on(Activation::enter, TriggerAction::door)};
+    Game game(file);
+    walk_into_passage(game);
+    game.hold(kNoKeys, 200);
+    game.hold(kBack, 120);
+    EXPECT_EQ(passage(game).ceiling_z, 1 - kDoorHead) << "open";
+    game.hold(kNoKeys, 400);
+    EXPECT_EQ(passage(game).ceiling_z, 0) << "and closed again";
 }
 
 TEST(Door, WithAKeyOpensOnlyForWhoHasIt) {
