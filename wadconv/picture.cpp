@@ -107,7 +107,7 @@ Bytes to_png(const Picture& picture, const Palette& palette) {
 
 namespace {
 
-constexpr std::size_t kHeaderBytes = 8;
+constexpr std::size_t kPictureHeaderBytes = 8;
 constexpr std::uint8_t kEndOfColumn = 255;
 
 Error bad_column(std::uint32_t x, const std::string& what) { return {"", "column " + std::to_string(x) + " " + what}; }
@@ -160,7 +160,7 @@ Result<Picture> read_patch(std::span<const std::byte> lump) {
     const Result<PatchHeader> header = read_patch_header(lump);
     if (!header) return header.error();
     Picture picture(header.value().width, header.value().height);
-    ByteReader offsets(lump.subspan(kHeaderBytes));
+    ByteReader offsets(lump.subspan(kPictureHeaderBytes));
     for (std::uint32_t x = 0; x < picture.width; ++x) {
         const std::uint32_t offset = offsets.u32();
         if (offset >= lump.size())

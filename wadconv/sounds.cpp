@@ -54,7 +54,7 @@ constexpr double kClippingDistance = 1200;
 
 /// Doors that move at least so fast have sounds of their own: Doom's fast ones are four times as fast as the others
 /// [m/s].
-constexpr double kFastDoor = 4;
+constexpr double kFastDoorSpeed = 4;
 
 /// Names of sounds; empty: silent.
 struct MoverSounds {
@@ -67,7 +67,7 @@ MoverSounds sounds_of(const TriggerRecord& trigger) {
         case TriggerAction::open:
         case TriggerAction::close:
         case TriggerAction::close_then_open:
-            if (trigger.speed >= kFastDoor) return {"bdopn", "bdcls", ""};
+            if (trigger.speed >= kFastDoorSpeed) return {"bdopn", "bdcls", ""};
             return {"doropn", "dorcls", ""};
         case TriggerAction::lift:
         case TriggerAction::shuttle: return {"pstart", "pstart", "pstop"};

@@ -178,7 +178,7 @@ constexpr std::array kBuiltIn = {
     BuiltIn{false, "WFALL1", "WFALL4"},     BuiltIn{false, "DBRAIN1", "DBRAIN4"},
 };
 
-constexpr std::size_t kNameBytes = 9, kAnimatedBytes = 23, kSwitchesBytes = 20;
+constexpr std::size_t kEndedNameBytes = 9, kAnimatedBytes = 23, kSwitchesBytes = 20;
 
 /// Entries until one that ends the list or is cut off: kind, last and first name, tics.
 std::vector<PictureRange> read_animated(std::span<const std::byte> lump) {
@@ -186,9 +186,9 @@ std::vector<PictureRange> read_animated(std::span<const std::byte> lump) {
     for (; lump.size() >= kAnimatedBytes && lump[0] != std::byte{0xFF}; lump = lump.subspan(kAnimatedBytes)) {
         PictureRange range;
         range.is_flat = (std::to_integer<int>(lump[0]) & 1) == 0;
-        range.last = lump_name(lump.subspan(1, kNameBytes));
-        range.first = lump_name(lump.subspan(1 + kNameBytes, kNameBytes));
-        ByteReader reader(lump.subspan(1 + 2 * kNameBytes));
+        range.last = lump_name(lump.subspan(1, kEndedNameBytes));
+        range.first = lump_name(lump.subspan(1 + kEndedNameBytes, kEndedNameBytes));
+        ByteReader reader(lump.subspan(1 + 2 * kEndedNameBytes));
         range.tics = std::clamp(reader.i32(), 1, 65535);
         ranges.push_back(std::move(range));
     }
@@ -207,9 +207,10 @@ std::vector<PictureRange> ranges_of(const WadPile& pile) {
 std::vector<std::pair<std::string, std::string>> read_switches(std::span<const std::byte> lump) {
     std::vector<std::pair<std::string, std::string>> pairs;
     for (; lump.size() >= kSwitchesBytes; lump = lump.subspan(kSwitchesBytes)) {
-        ByteReader episode(lump.subspan(2 * kNameBytes));
+        ByteReader episode(lump.subspan(2 * kEndedNameBytes));
         if (episode.u16() == 0) break;
-        pairs.emplace_back(lump_name(lump.first(kNameBytes)), lump_name(lump.subspan(kNameBytes, kNameBytes)));
+        pairs.emplace_back(lump_name(lump.first(kEndedNameBytes)),
+                           lump_name(lump.subspan(kEndedNameBytes, kEndedNameBytes)));
     }
     return pairs;
 }

@@ -148,8 +148,8 @@ Status check_outputs(const PictureJob& job) {
     for (const auto& [argument, path] : outputs) {
         const auto is_same = [&p = path](const auto& output) { return output.second == p; };
         if (!path.empty() && path != "-" && std::ranges::count_if(outputs, is_same) > 1)
-            return Error{argument,
-                         fmt::format("{} is given twice; each kind of picture needs a place of its own", in_quotes(path))};
+            return Error{argument, fmt::format("{} is given twice; each kind of picture needs a place of its own",
+                                               in_quotes(path))};
         if (names_film(path) && !names_picture(path))
             return Error{argument, "render writes pictures; `enfilade fly` writes films"};
         const std::size_t count = job.views.size();

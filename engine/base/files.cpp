@@ -8,17 +8,12 @@
 #include <cerrno>
 #include <cstdint>
 #include <filesystem>
-#include <system_error>
 
 #include "base/output_file.h"
 
 namespace enfilade {
 
 namespace {
-
-Error system_error(const std::string& path, const char* doing) {
-    return {path, std::string("cannot ") + doing + ": " + std::generic_category().message(errno)};
-}
 
 /// Closes with the scope.
 struct Descriptor {

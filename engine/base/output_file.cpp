@@ -14,13 +14,14 @@
 #include <utility>
 
 namespace enfilade {
-namespace {
-
-namespace fs = std::filesystem;
 
 Error system_error(const std::string& path, const char* doing) {
     return {path, std::string("cannot ") + doing + ": " + std::generic_category().message(errno)};
 }
+
+namespace {
+
+namespace fs = std::filesystem;
 
 /// Names of temporary files, where a signal's handler finds them: it may take no lock and no memory, so these are of
 /// fixed size, and each belongs to whoever last changed its state.

@@ -9,6 +9,9 @@
 
 namespace enfilade {
 
+/// "PATH: cannot DOING: REASON", with the reason of the system call that failed last (errno).
+Error system_error(const std::string& path, const char* doing);
+
 /// Where bytes go that shall become the file `path`: into a temporary file beside it, under a name that nobody can
 /// foresee. commit() puts it in the place of `path`; a file that is not committed goes with this object. So a reader
 /// finds the old file or the new one, however many write it at once and wherever one of them is stopped.

@@ -7,8 +7,6 @@
 namespace enfilade {
 namespace {
 
-constexpr auto kNew = Dialect::enfilade;
-
 /// Times in the world: a day at most [s].
 constexpr Range kSeconds{0, 86400};
 

@@ -15,6 +15,9 @@
 
 namespace enfilade {
 
+/// The dialect since which there is a key: both have it, or the maps of the tutorial do not.
+inline constexpr Dialect kBoth = Dialect::tutorial, kNew = Dialect::enfilade;
+
 /// Whether a file must have a key. `written`: it need not, but write_map always gives it, because what a file without
 /// it gets depends on the rest of the file.
 enum class Need : std::uint8_t { optional, written, required };
@@ -245,7 +248,7 @@ bool is_as_in(const Field& field, const Field& defaults) {
 
 /// A texture's specification has the name of its picture in it.
 template <class Field>
-inline constexpr bool names_picture =
+inline constexpr bool kNamesPicture =
     std::is_same_v<Field, TextureSpec> || std::is_same_v<Field, std::optional<TextureSpec>>;
 
 template <class Pointer>
@@ -272,7 +275,7 @@ constexpr auto key(std::string_view name, Dialect since, Need need = Need::optio
                            if (k.need != Need::optional || !is_as_in(field, usual))
                                table.add(k.name, field_text(field, usual));
                        },
-                       names_picture<Field> ? Files::below_folder : Files::none};
+                       kNamesPicture<Field> ? Files::below_folder : Files::none};
 }
 
 /// The same for what write_map lays out itself, as arrays of tables with headers of their own, or never writes.

@@ -11,9 +11,6 @@
 namespace enfilade {
 namespace {
 
-constexpr auto kBoth = Dialect::tutorial;
-constexpr auto kNew = Dialect::enfilade;
-
 /// Height of the eye above the floor where the file gives none [m]: a grown-up's.
 constexpr double kUsualEyeHeight = 1.6;
 

@@ -32,12 +32,12 @@ std::int64_t dot(GridPoint a, GridPoint b) { return a.x * b.x + a.y * b.y; }
 std::int64_t cross(GridPoint a, GridPoint b) { return a.x * b.y - a.y * b.x; }
 
 /// A wall seen from its line: how far along it and how far beside it points are.
-struct Line {
+struct WallLine {
     GridPoint a, along;
     std::int64_t square = 0;  ///< of its length; 0: it has none
 
-    static Line of(const LoopRecord& loop, std::size_t wall) {
-        Line line{GridPoint::of(loop.vertices[wall]), {}};
+    static WallLine of(const LoopRecord& loop, std::size_t wall) {
+        WallLine line{GridPoint::of(loop.vertices[wall]), {}};
         line.along = GridPoint::of(loop.vertices[(wall + 1) % loop.vertices.size()]) - line.a;
         line.square = dot(line.along, line.along);
         return line;
@@ -62,7 +62,7 @@ struct Line {
     }
     double steps_to(GridPoint p) const { return static_cast<double>(part(p)) / length_steps(); }
     bool holds(GridPoint p) const { return part(p) >= 0 && part(p) <= square; }
-    bool faces(const Line& other) const {
+    bool faces(const WallLine& other) const {
         return square > 0 && other.square > 0 && cross(along, other.along) == 0 && dot(along, other.along) < 0;
     }
 };
@@ -71,7 +71,7 @@ std::string metres(double steps) { return number_text(std::round(steps * kVertex
 
 std::string point_text(Vec2 p) { return "(" + number_text(p.x) + ", " + number_text(p.y) + ")"; }
 
-std::string wall_text(const Line& line) {
+std::string wall_text(const WallLine& line) {
     return "the wall from " + point_text(line.at(0)) + " to " + point_text(line.at(line.length_steps()));
 }
 
@@ -79,7 +79,7 @@ template <class Visit>
 void for_walls(const SectorRecord& sector, std::size_t index, Visit visit) {
     for (std::size_t i = 0; i < sector.loops.size(); ++i)
         for (std::size_t k = 0; sector.loops[i].is_whole && k < sector.loops[i].walls.size(); ++k)
-            visit(WallIndex{index, i, k}, Line::of(sector.loops[i], k));
+            visit(WallIndex{index, i, k}, WallLine::of(sector.loops[i], k));
 }
 
 bool is_whole(const SectorRecord& sector) {
@@ -95,7 +95,7 @@ std::size_t walls_of(const SectorRecord& sector) {
 /// The stretch of a wall before another one that faces it, in its own steps.
 struct Stretch {
     WallIndex near, far;
-    Line line;
+    WallLine line;
     double begin = 0, end = 0;
     double distance = 0;  ///< from wall to wall [steps]
 };
@@ -120,9 +120,9 @@ bool GapFinder::is_too_much(const OpeningRecord& opening, std::size_t walls) {
 std::optional<WallIndex> GapFinder::wall_at(std::size_t sector, Vec2 point, TextPlace place) {
     const GridPoint p = GridPoint::of(point);
     std::optional<WallIndex> nearest;
-    Line line;
+    WallLine line;
     double least = std::numeric_limits<double>::max(), most_inside = 0;
-    for_walls(map_.sectors[sector], sector, [&](WallIndex wall, const Line& candidate) {
+    for_walls(map_.sectors[sector], sector, [&](WallIndex wall, const WallLine& candidate) {
         if (candidate.square == 0) return;
         const double distance = candidate.distance_steps(p);
         const double inside = std::min(candidate.steps_to(p), candidate.length_steps() - candidate.steps_to(p));
@@ -145,7 +145,7 @@ std::optional<WallIndex> GapFinder::wall_at(std::size_t sector, Vec2 point, Text
 /// A wall is opened within its ends, and once.
 bool GapFinder::may_open(const Gap& gap, TextPlace place) {
     const SectorRecord& sector = map_.sectors[gap.wall.sector];
-    const Line line = Line::of(sector.loops[gap.wall.loop], gap.wall.wall);
+    const WallLine line = WallLine::of(sector.loops[gap.wall.loop], gap.wall.wall);
     const GridPoint begin = GridPoint::of(gap.begin), end = GridPoint::of(gap.end);
     const WallRecord& wall = record(gap.wall);
     if (!wall.next.empty() || !wall.name.empty()) {
@@ -177,7 +177,7 @@ std::optional<Gap> GapFinder::around(const OpeningRecord& opening, std::size_t s
     if (is_too_much(opening, walls_of(map_.sectors[sector]))) return {};
     const auto wall = wall_at(sector, middle, place);
     if (!wall) return {};
-    const Line line = Line::of(map_.sectors[sector].loops[wall->loop], wall->wall);
+    const WallLine line = WallLine::of(map_.sectors[sector].loops[wall->loop], wall->wall);
     const double at = line.steps_to(GridPoint::of(middle)), half = *opening.width / kVertexGrid / 2;
     const Gap gap{*wall, line.at(at - half), line.at(at + half)};
     if (!may_open(gap, place)) return {};
@@ -188,10 +188,10 @@ std::optional<Gap> GapFinder::around(const OpeningRecord& opening, std::size_t s
 std::optional<Gap> GapFinder::opposite(const OpeningRecord& opening, const Gap& near, std::size_t far_sector) {
     const SectorRecord& far = map_.sectors[far_sector];
     if (is_too_much(opening, walls_of(far))) return {};
-    const Line line = Line::of(map_.sectors[near.wall.sector].loops[near.wall.loop], near.wall.wall);
+    const WallLine line = WallLine::of(map_.sectors[near.wall.sector].loops[near.wall.loop], near.wall.wall);
     std::optional<Gap> nearest;
     double least = std::numeric_limits<double>::max();
-    for_walls(far, far_sector, [&](WallIndex index, const Line& wall) {
+    for_walls(far, far_sector, [&](WallIndex index, const WallLine& wall) {
         if (!line.faces(wall)) return;
         const double beyond = -static_cast<double>(line.side(wall.a)) / line.length_steps();
         const GridPoint begin = GridPoint::of(near.end), end = GridPoint::of(near.begin);
@@ -218,9 +218,9 @@ std::optional<TwoGaps> GapFinder::facing(const OpeningRecord& opening, std::size
     if (is_too_much(opening, near_walls + far_walls + near_walls * far_walls / kPairsPerWall)) return {};
     const double width = opening.width.value_or(0) / kVertexGrid;
     std::vector<Stretch> best;
-    for_walls(near, near_sector, [&](WallIndex near_wall, const Line& line) {
+    for_walls(near, near_sector, [&](WallIndex near_wall, const WallLine& line) {
         if (!record(near_wall).next.empty()) return;
-        for_walls(far, far_sector, [&](WallIndex far_wall, const Line& wall) {
+        for_walls(far, far_sector, [&](WallIndex far_wall, const WallLine& wall) {
             if (!line.faces(wall) || !record(far_wall).next.empty()) return;
             const double distance = -static_cast<double>(line.side(wall.a)) / line.length_steps();
             const double begin = std::max(0.0, line.steps_to(wall.a) - wall.length_steps());

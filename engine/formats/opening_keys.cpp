@@ -7,8 +7,6 @@
 namespace enfilade {
 namespace {
 
-constexpr auto kNew = Dialect::enfilade;
-
 /// Widths and depths of openings [m].
 constexpr Range kWidths{kVertexGrid, kWorldLimit};
 

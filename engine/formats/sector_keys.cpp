@@ -7,9 +7,6 @@
 namespace enfilade {
 namespace {
 
-constexpr auto kBoth = Dialect::tutorial;
-constexpr auto kNew = Dialect::enfilade;
-
 constexpr std::array kFlatLayerKeys{
     key<&FlatLayerRecord::texture>("texture", kNew, Need::required),
     key<&FlatLayerRecord::scroll>("scroll", kNew, Need::optional, kScrollSpeeds),

@@ -29,6 +29,9 @@ std::string nearest_suggestion(std::string_view word, std::span<const std::strin
 /// "; did you mean 'X'?" with the known word nearest to this one, or "; known here: A, B, C" where none is near.
 std::string suggestion(std::string_view word, std::span<const std::string_view> known);
 
+/// Whether it parts words within a line.
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
 // A text, line by line.
 
 struct TextLine {

@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::string_view kShape = "expected \"NAME [SU,SV [OU,OV]]\"";
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
 /// Takes the next word off the front of the text. A comma ends a word and is one by itself.
 std::string_view take_word(std::string_view& text) {
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);

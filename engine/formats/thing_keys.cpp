@@ -7,8 +7,6 @@
 namespace enfilade {
 namespace {
 
-constexpr auto kNew = Dialect::enfilade;
-
 /// Origins of sprites may lie outside the picture, but not further than the largest picture is wide [texels].
 constexpr Range kOrigins{-0x1p14, 0x1p14};
 
@@ -16,7 +14,7 @@ constexpr Range kOrigins{-0x1p14, 0x1p14};
 constexpr Range kFrameSeconds{0, 86400};
 
 /// Faster than twenty times round in a second nobody sees it turn [degrees/s].
-constexpr Range kTurns{-7200, 7200};
+constexpr Range kTurnSpeeds{-7200, 7200};
 
 /// A thing's radius and height [m].
 constexpr Range kThingSizes{0, 1024};
@@ -54,7 +52,7 @@ constexpr std::array kThingKeys{
     key<&ThingRecord::position, &Vec2::y>("y", kNew, Need::required, kPositions),
     key<&ThingRecord::z>("z", kNew, Need::optional, kHeights),
     key<&ThingRecord::yaw_degrees>("yaw", kNew, Need::optional, kAngles),
-    key<&ThingRecord::turn>("turn", kNew, Need::optional, kTurns),
+    key<&ThingRecord::turn>("turn", kNew, Need::optional, kTurnSpeeds),
     key<&ThingRecord::bob>("bob", kNew),
     key<&ThingRecord::radius>("radius", kNew, Need::optional, kThingSizes),
     key<&ThingRecord::height>("height", kNew, Need::optional, kThingSizes),

@@ -33,8 +33,6 @@ struct CsvField {
     bool closed = true;  ///< false: its quotes are not closed, or something follows them
 };
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
     while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);

@@ -156,8 +156,8 @@ void check_bob(Draft& draft, const char* what, const SectorRecord& first, const 
     if ((first.*flat).bob == (other.*flat).bob) return;
     draft.error(place_of(other.*flat, other), "group-bobs",
                 "expected the " + std::string(what) + " of sector " + in_quotes(other.name) +
-                    " to bob as that of sector " + in_quotes(first.name) + " of the same group " + in_quotes(first.group) +
-                    "; what moves as one has one bob, or none: write the same one in both");
+                    " to bob as that of sector " + in_quotes(first.name) + " of the same group " +
+                    in_quotes(first.group) + "; what moves as one has one bob, or none: write the same one in both");
 }
 
 bool can_be_used(const SectorRecord& sector) {

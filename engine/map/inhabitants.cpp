@@ -49,9 +49,9 @@ public:
         start.sector = SectorId(*found);
         if (!can_be_asked(start.sector)) return;
         if (!is_inside(draft_.map, start.sector, start.position))
-            return start_where_it_is(
-                start, "x", "player-outside",
-                "the player's position " + point_text(start.position) + " is outside sector " + in_quotes(record.sector));
+            return start_where_it_is(start, "x", "player-outside",
+                                     "the player's position " + point_text(start.position) + " is outside sector " +
+                                         in_quotes(record.sector));
         check_eye(start);
         draft_.map.player = start;
     }

@@ -90,8 +90,9 @@ void check_footing(Draft& draft, const Thing& thing, const ThingRecord& record) 
         const double below = depth.value_or(0) - (thing.z - sector.floor.z);
         if (depth && below > kMostSunk)
             return draft.warning(record.frames[i], "origin", "thing-sunk",
-                                 "expected an origin at the foot of the picture " + in_quotes(record.frames[i].texture) +
-                                     ", found one that lets it hang " + number_text(below) +
+                                 "expected an origin at the foot of the picture " +
+                                     in_quotes(record.frames[i].texture) + ", found one that lets it hang " +
+                                     number_text(below) +
                                      " m into the floor; leave origin out, and the picture stands on its bottom");
     }
 }

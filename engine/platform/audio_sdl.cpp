@@ -7,6 +7,7 @@
 
 #include "base/bytes.h"
 #include "platform/audio.h"
+#include "platform/sdl_error.h"
 
 namespace enfilade {
 namespace {
@@ -62,8 +63,6 @@ private:
 /// A WAV of the longest sound, the highest rate and a few channels fits; what is larger is no sound effect [bytes].
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 
-Error sdl_error(const std::string& doing) { return {"sound", "cannot " + doing + ": " + SDL_GetError()}; }
-
 struct WavFreer {
     void operator()(std::uint8_t* wav) const { SDL_FreeWAV(wav); }
 };
@@ -107,7 +106,7 @@ Result<Wav> load(std::span<const std::byte> file) {
     std::uint8_t* data = nullptr;
     SDL_RWops* source = SDL_RWFromConstMem(bytes.data(), static_cast<int>(bytes.size()));
     if (source == nullptr || SDL_LoadWAV_RW(source, 1, &wav.spec, &data, &wav.bytes) == nullptr)
-        return sdl_error("read the WAV file");
+        return sdl_error("sound", "read the WAV file");
     wav.data.reset(data);
     return wav;
 }
@@ -129,13 +128,13 @@ Result<Samples> converted(const Wav& wav) {
     const SDL_AudioSpec& spec = wav.spec;
     SDL_AudioCVT conversion{};
     if (SDL_BuildAudioCVT(&conversion, spec.format, spec.channels, spec.freq, AUDIO_F32SYS, 1, kMixRate) < 0)
-        return sdl_error("convert the sound");
+        return sdl_error("sound", "convert the sound");
     const std::uint32_t whole_frames = wav.frames() * wav.frame_bytes();
     std::vector<std::uint8_t> buffer(std::size_t{whole_frames} * static_cast<std::size_t>(conversion.len_mult));
     std::copy_n(wav.data.get(), whole_frames, buffer.begin());
     conversion.buf = buffer.data();
     conversion.len = conversion.len_cvt = static_cast<int>(whole_frames);
-    if (conversion.needed != 0 && SDL_ConvertAudio(&conversion) != 0) return sdl_error("convert the sound");
+    if (conversion.needed != 0 && SDL_ConvertAudio(&conversion) != 0) return sdl_error("sound", "convert the sound");
     Samples samples(static_cast<std::size_t>(conversion.len_cvt) / sizeof(float));
     // Of few frames at a high rate none may be left, and there is no memory behind a vector without elements.
     std::copy_n(buffer.data(), samples.size() * sizeof(float), reinterpret_cast<std::uint8_t*>(samples.data()));

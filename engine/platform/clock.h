@@ -4,6 +4,8 @@
 
 namespace enfilade {
 
+inline constexpr std::int64_t kSecond = 1'000'000'000;  ///< [ns]
+
 /// Since some fixed moment; never goes back [ns].
 std::int64_t now_ns();
 

@@ -3,11 +3,10 @@
 #include <string>
 
 #include "platform/gl_context.h"
+#include "platform/sdl_error.h"
 
 namespace enfilade {
 namespace {
-
-Error sdl_error(const std::string& doing) { return {"OpenGL", "SDL cannot " + doing + ": " + SDL_GetError()}; }
 
 /// SDL counts who uses its video.
 class Video {
@@ -31,15 +30,15 @@ struct HiddenWindowCloser {
 class Hidden final : public GlContext {
 public:
     Status open(GlApi api) {
-        if (!video_.started()) return sdl_error("reach a display");
+        if (!video_.started()) return sdl_error("OpenGL", "reach a display");
         SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK,
                             api == GlApi::desktop ? SDL_GL_CONTEXT_PROFILE_CORE : SDL_GL_CONTEXT_PROFILE_ES);
         SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
         SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, api == GlApi::desktop ? 3 : 0);
         window_.reset(SDL_CreateWindow("", 0, 0, 16, 16, SDL_WINDOW_OPENGL | SDL_WINDOW_HIDDEN));
-        if (!window_) return sdl_error("open a window for OpenGL");
+        if (!window_) return sdl_error("OpenGL", "open a window for OpenGL");
         context_ = SDL_GL_CreateContext(window_.get());
-        if (context_ == nullptr) return sdl_error("make an OpenGL context");
+        if (context_ == nullptr) return sdl_error("OpenGL", "make an OpenGL context");
         release();
         return {};
     }
@@ -53,7 +52,7 @@ public:
 
     Status make_current() override {
         if (SDL_GL_MakeCurrent(window_.get(), context_) == 0) return {};
-        return sdl_error("get at its OpenGL context again, which was lost");
+        return sdl_error("OpenGL", "get at its OpenGL context again, which was lost");
     }
     void release() override { SDL_GL_MakeCurrent(window_.get(), nullptr); }
 

@@ -11,13 +11,12 @@
 
 #include "platform/gl_context.h"
 #include "platform/gl_screen.h"
+#include "platform/sdl_error.h"
 #include "platform/sdl_events.h"
 #include "platform/window.h"
 
 namespace enfilade {
 namespace {
-
-Error sdl_error(const std::string& doing) { return {"window", "cannot " + doing + ": " + SDL_GetError()}; }
 
 /// SDL between start and end.
 class Session {
@@ -70,7 +69,7 @@ public:
     /// The window was made for OpenGL.
     static Result<std::unique_ptr<WindowGl>> open(SDL_Window* window, bool waits) {
         std::unique_ptr<WindowGl> gl(new WindowGl(window));
-        if (gl->context_ == nullptr) return sdl_error("make an OpenGL context for the window");
+        if (gl->context_ == nullptr) return sdl_error("window", "make an OpenGL context for the window");
         if (Status failed = gl->screen_->prepare()) return *failed;
         gl->wait(waits);
         return gl;
@@ -86,7 +85,7 @@ public:
 
     Status make_current() const {
         if (SDL_GL_MakeCurrent(window_, context_) == 0) return {};
-        return sdl_error("get at its OpenGL context again, which was lost");
+        return sdl_error("window", "get at its OpenGL context again, which was lost");
     }
     void release() const { SDL_GL_MakeCurrent(window_, nullptr); }
 
@@ -196,16 +195,16 @@ public:
             return gl_->show([&](GlScreen& screen) { return screen.show(frame, area); });
         }
         SDL_Surface* surface = SDL_GetWindowSurface(window_.get());  // a resize makes a new one
-        if (surface == nullptr) return sdl_error("get at the window's pixels");
+        if (surface == nullptr) return sdl_error("window", "get at the window's pixels");
         const SurfaceHandle picture = surface_over(frame);
-        if (!picture) return sdl_error("show the picture");
+        if (!picture) return sdl_error("window", "show the picture");
         const PictureArea area = place(frame.width, frame.height);
         SDL_Rect target{area.left, area.top, area.width, area.height};
         if (target.w != surface->w || target.h != surface->h) fill_bars(*surface, target);
         const bool same_size = target.w == frame.width && target.h == frame.height;
         const int failed = same_size ? SDL_BlitSurface(picture.get(), nullptr, surface, &target)
                                      : SDL_BlitScaled(picture.get(), nullptr, surface, &target);
-        if (failed != 0 || SDL_UpdateWindowSurface(window_.get()) != 0) return sdl_error("show the picture");
+        if (failed != 0 || SDL_UpdateWindowSurface(window_.get()) != 0) return sdl_error("window", "show the picture");
         return {};
     }
 
@@ -256,7 +255,7 @@ private:
         const bool was_grabbed = grabbed_;
         grab_mouse(false);
         WindowHandle fresh = make_window(look, for_gl);
-        if (!fresh) return sdl_error("open a window");
+        if (!fresh) return sdl_error("window", "open a window");
         window_ = std::move(fresh);
         SDL_PumpEvents();
         SDL_FlushEvent(SDL_WINDOWEVENT);
@@ -301,7 +300,7 @@ Result<std::unique_ptr<Session>> start_sdl() {
     SDL_SetMainReady();
     // Through the GPU SDL would upload each picture as a texture, 5 to 18 times slower where GL is software.
     SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) return sdl_error("reach a display");
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) return sdl_error("window", "reach a display");
     auto session = std::make_unique<Session>();
     if (Status refused = refuse_unseen_driver()) return *refused;
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);  // without gamepads everything else still works
@@ -344,7 +343,7 @@ Result<std::unique_ptr<Window>> open_window(const WindowOptions& options) {
     look.points = no_larger_than_display(options.width, options.height);
     look.fullscreen = options.fullscreen;
     WindowHandle handle = make_window(look, false);
-    if (!handle) return sdl_error("open a window");
+    if (!handle) return sdl_error("window", "open a window");
     auto window = std::make_unique<SdlWindow>(std::move(session).value(), std::move(handle));
     if (options.by_gpu) static_cast<void>(window->show_by_gpu(true));
     return std::unique_ptr<Window>(std::move(window));

@@ -12,7 +12,7 @@ namespace {
 
 double length_of(Vec2 v) { return std::sqrt(dot(v, v)); }
 
-Vec2 unit(Vec2 v) {
+Vec2 unit_or_zero(Vec2 v) {
     const double length = length_of(v);
     return length > 0 ? v * (1 / length) : Vec2{};
 }
@@ -50,7 +50,7 @@ void Hearing::look_around() {
     for (std::uint32_t edge = first; edge < first + 3; ++edge) {
         if (start_of(edge) != field_.listener.point) continue;
         const Vec2 inward = end_of(edge) + end_of(next_edge(edge)) - start_of(edge) * 2;
-        field_.listener.point = snap_to_point_grid(field_.listener.point + unit(inward) * kOffTheCorner);
+        field_.listener.point = snap_to_point_grid(field_.listener.point + unit_or_zero(inward) * kOffTheCorner);
     }
     Beam beam;
     beam.root = field_.listener.point;
@@ -204,13 +204,13 @@ Hearing::Beam Hearing::bent(const Beam& beam, std::uint32_t corner_edge) const {
 }
 
 SoundWay Hearing::straight_way(Vec2 listener, Vec2 source) {
-    return {length_of(source - listener), unit(source - listener)};
+    return {length_of(source - listener), unit_or_zero(source - listener)};
 }
 
 SoundWay Hearing::way_over(const SoundField& field, const Beam& beam, Vec2 point) const {
     const Vec2 last = point - beam.root;
     const Vec2 toward = beam.corner ? beam.first_bend - field.listener.point : inverse(beam.passage).turn(last);
-    return {beam.length + length_of(last), unit(toward)};
+    return {beam.length + length_of(last), unit_or_zero(toward)};
 }
 
 /// To any point of the tile; around the edge's end where that hides the point. None where another beam shows it.

@@ -24,10 +24,6 @@ std::optional<Vec2> put_on_side(const Wall& wall, Vec2 p, int side) {
 
 namespace {
 
-double fraction_at(const PathSegment& segment, Vec2 a, Vec2 b) {
-    return fraction_along_path(segment.from, segment.to, a, b).value();
-}
-
 /// The whole way from the segment's beginning to p, on a straight line, stays in the sector (once it has come in), and
 /// may end there.
 bool reaches(const Map& map, const PathSegment& segment, Vec2 p, const MayEnd& may_end) {
@@ -66,7 +62,7 @@ std::optional<PathSegment> carried_segment(const Map& map, const PathSegment& se
     const Vec2 from = map.carried(portal, segment.from), to = map.carried(portal, segment.to);
     if (comes_in_through(exit, from, to)) return PathSegment{portal.behind, from, to, portal.exit};
 
-    const Vec2 crossing = segment.from + (segment.to - segment.from) * fraction_at(segment, portal.a, portal.b);
+    const Vec2 crossing = segment.from + (segment.to - segment.from) * fraction_at(segment, portal.a, portal.b).value();
     const auto hop = hop_behind(map, portal.exit, map.passage(portal).apply(crossing));
     const auto end = put_on_side(exit, to, 1);
     if (!hop || !end) return {};
@@ -109,8 +105,8 @@ std::optional<Vec2> last_point_before(const Map& map, const PathSegment& segment
     if (!may_end(start)) return {};
     const Vec2 path = segment.to - segment.from;
     const double step = kPointGrid / std::max(std::fabs(path.x), std::fabs(path.y));
-    const double end = fraction_at(segment, a, b);
-    const double begin = segment.entry ? fraction_at(segment, map[segment.entry].a, map[segment.entry].b) : 0;
+    const double end = fraction_at(segment, a, b).value();
+    const double begin = segment.entry ? fraction_at(segment, map[segment.entry].a, map[segment.entry].b).value() : 0;
     for (double back = 0; end - back > begin; back = back > 0 ? 2 * back : step) {
         const Vec2 p = snap_to_point_grid(segment.from + path * (end - back));
         if (reaches(map, segment, p, may_end)) return p;

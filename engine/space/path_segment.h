@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "map/map.h"
+#include "math/predicates.h"
 
 namespace enfilade {
 
@@ -44,6 +45,11 @@ struct PathSegment {
     WallId entry;              ///< wall of `sector` through which the path comes in; none: `from` is inside
     std::optional<Hop> hop{};  ///< by which the path got to `from`, where it did not come in straight
 };
+
+/// Where the segment's line meets that of a - b, exactly.
+inline PathFraction fraction_at(const PathSegment& segment, Vec2 a, Vec2 b) {
+    return fraction_along_path(segment.from, segment.to, a, b);
+}
 
 /// Quick and exact: a path that the tie rule moves by (e, e^2) crosses no edge a - b whose box its own does not touch.
 inline bool boxes_touch(const PathSegment& segment, Vec2 a, Vec2 b) {

@@ -25,10 +25,6 @@ struct PanelOnPath {
 };
 using AllFound = ShortList<PanelOnPath, 8>;
 
-PathFraction fraction_at(const PathSegment& segment, Vec2 a, Vec2 b) {
-    return fraction_along_path(segment.from, segment.to, a, b);
-}
-
 /// The part of a segment's path that is in its sector.
 class Inside {
 public:

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-constexpr int kWidth = 128, kHeight = 80;
+constexpr int kLitWidth = 128, kLitHeight = 80;
 
 OpenMap open(const MapFile& file) { return {built(file), textures_for(file)}; }
 
@@ -32,7 +32,7 @@ MapFile hall(bool is_lit) {
 }
 
 LightErrors errors_of(const OpenMap& map, const Dials& dials) {
-    const auto errors = measure_light(map, poses_in(map.map, PoseKind::random, 8, 5), kWidth, kHeight, dials);
+    const auto errors = measure_light(map, poses_in(map.map, PoseKind::random, 8, 5), kLitWidth, kLitHeight, dials);
     EXPECT_TRUE(errors.ok());
     return errors.value();
 }
@@ -47,7 +47,7 @@ LightErrors errors_of(const OpenMap& map, int points_per_m) {
 
 TEST(LightError, IsNoneWhereThereIsNoLamp) {
     const LightErrors errors = errors_of(open(hall(false)), 4);
-    EXPECT_GT(errors.pixels, 8u * kWidth * kHeight * 9 / 10);
+    EXPECT_GT(errors.pixels, 8u * kLitWidth * kLitHeight * 9 / 10);
     EXPECT_EQ(errors.lit, 0u);
     EXPECT_EQ(errors.off, 0u);
     EXPECT_EQ(errors.largest, 0);

@@ -30,7 +30,7 @@ protected:
         return found;
     }
 
-    testing::TempDir dir_;
+    test::TempDir dir_;
 };
 
 const Bytes kBytes{std::byte{1}, std::byte{2}};

@@ -29,14 +29,14 @@ TEST(NamesPicture, TellsFilesFromFolders) {
 }
 
 TEST(MakeFolder, MakesThoseAboveToo) {
-    const testing::TempDir dir;
+    const test::TempDir dir;
     EXPECT_FALSE(make_folder(dir.path("a/b/c")));
     EXPECT_TRUE(std::filesystem::is_directory(dir.path("a/b/c")));
     EXPECT_FALSE(make_folder(dir.path("a/b/c")));
 }
 
 TEST(MakeFolder, RefusesAPathThroughAFile) {
-    const testing::TempDir dir;
+    const test::TempDir dir;
     ASSERT_FALSE(write_file(dir.path("file"), std::string_view("x")));
     EXPECT_TRUE(make_folder(dir.path("file")));
     EXPECT_TRUE(make_folder(dir.path("file/below")));

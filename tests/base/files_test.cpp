@@ -13,13 +13,9 @@ namespace enfilade {
 namespace {
 
 namespace fs = std::filesystem;
+using test::content;
+using test::TempDir;
 using ::testing::HasSubstr;
-using testing::TempDir;
-
-std::string content(const std::string& path) {
-    const auto bytes = read_file(path);
-    return bytes.ok() ? std::string(as_text(bytes.value())) : bytes.error().text();
-}
 
 TEST(WriteFile, WritesWhatReadFileReads) {
     const TempDir folder;

@@ -19,14 +19,10 @@ namespace enfilade {
 namespace {
 
 namespace fs = std::filesystem;
+using test::content;
+using test::TempDir;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-using testing::TempDir;
-
-std::string content(const std::string& path) {
-    const auto bytes = read_file(path);
-    return bytes.ok() ? std::string(as_text(bytes.value())) : bytes.error().text();
-}
 
 std::size_t entries(const TempDir& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));

@@ -23,7 +23,7 @@ constexpr int kProcesses = 4;
 
 /// Runs the command of each number below kProcesses by a shell in the folder, all at once: their exit statuses.
 template <class CommandOf>
-std::vector<int> all_at_once(const testing::TempDir& dir, CommandOf command_of) {
+std::vector<int> all_at_once(const test::TempDir& dir, CommandOf command_of) {
     std::vector<pid_t> started;
     for (int number = 0; number < kProcesses; ++number) {
         const std::string command = "cd '" + dir.path() + "' && " + command_of(number) + " >/dev/null 2>err" +
@@ -44,7 +44,7 @@ std::vector<int> all_at_once(const testing::TempDir& dir, CommandOf command_of) 
     return statuses;
 }
 
-std::string said(const testing::TempDir& dir) {
+std::string said(const test::TempDir& dir) {
     std::string text;
     for (int number = 0; number < kProcesses; ++number) {
         const auto bytes = read_file(dir.path("err" + std::to_string(number) + ".txt"));
@@ -60,7 +60,7 @@ std::vector<std::string> temporary_files(const std::string& folder) {
     return names;
 }
 
-void put_wad(const testing::TempDir& dir) {
+void put_wad(const test::TempDir& dir) {
     wadconv::test::WadBuilder wad = wadconv::test::picture_wad();
     wad.add_map("MAP01", wadconv::test::small_level().map);
     const Bytes bytes = wad.finish("IWAD");
@@ -68,7 +68,7 @@ void put_wad(const testing::TempDir& dir) {
 }
 
 TEST(Crowd, ThatDrawsOnePictureLeavesAWholeOne) {
-    const testing::TempDir dir;
+    const test::TempDir dir;
     ASSERT_FALSE(write_file(dir.path("map.toml"), std::string_view(kTwoRooms)));
     for (std::size_t round = 0; round < trials(10, 200); ++round) {
         const auto statuses = all_at_once(dir, [](int number) {
@@ -83,7 +83,7 @@ TEST(Crowd, ThatDrawsOnePictureLeavesAWholeOne) {
 }
 
 TEST(Crowd, ThatConvertsIntoOneFolderLeavesItWhole) {
-    const testing::TempDir dir;
+    const test::TempDir dir;
     put_wad(dir);
     std::string first;
     for (std::size_t round = 0; round < trials(10, 200); ++round) {
@@ -117,7 +117,7 @@ public:
         for (const char* tool : {"cmake", "ninja"}) fs::create_symlink("/bin/true", dir_.path("tools") + "/" + tool);
     }
 
-    const testing::TempDir& dir() const { return dir_; }
+    const test::TempDir& dir() const { return dir_; }
     /// Without a display a picture is taken of the level.
     std::string play() const {
         return "env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER PATH='" + dir_.path("tools") +
@@ -130,7 +130,7 @@ public:
     }
 
 private:
-    testing::TempDir dir_;
+    test::TempDir dir_;
 };
 
 TEST(Crowd, ThatPlaysOneLevelFindsItConverted) {

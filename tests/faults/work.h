@@ -61,7 +61,7 @@ private:
     };
     const Versions& versions_of(const std::string& file) const;
 
-    testing::TempDir dir_;
+    test::TempDir dir_;
     std::vector<Work> works_;
     std::vector<Versions> versions_;
 };

@@ -43,7 +43,7 @@ const Json& member(const Json& object, const std::string& name) {
 }
 
 /// The string in the member of that name; empty where there is none.
-std::string text_in(const Json& object, const std::string& name) {
+std::string text_member(const Json& object, const std::string& name) {
     const Json& text = member(object, name);
     return text.is_string() ? text.get<std::string>() : "";
 }
@@ -65,7 +65,7 @@ public:
     std::vector<std::string> without_description() const {
         std::vector<std::string> all;
         for (const auto& [path, key] : keys_)
-            if (text_in(*key.json, "description").empty() && path.find("doom.") == std::string::npos)
+            if (text_member(*key.json, "description").empty() && path.find("doom.") == std::string::npos)
                 all.push_back(path);
         return all;
     }
@@ -77,7 +77,7 @@ private:
     };
 
     const Json& followed(const Json& json) const {
-        const std::string reference = text_in(json, "$ref");
+        const std::string reference = text_member(json, "$ref");
         return reference.empty() ? json : schema_.at("definitions").at(reference.substr(reference.rfind('/') + 1));
     }
 
@@ -117,7 +117,7 @@ constexpr std::string_view kPathPattern = R"(^[^\u0000-\u001f\u007f-\u009f\u2028
 const Json* strings_of(const Json& json) {
     const Json& items = member(json, "items");
     const Json& strings = items.is_object() ? items : json;
-    const bool is_string = text_in(strings, "type") == "string" && member(strings, "enum").empty();
+    const bool is_string = text_member(strings, "type") == "string" && member(strings, "enum").empty();
     return is_string ? &strings : nullptr;
 }
 
@@ -127,7 +127,7 @@ void expect_patterns_of_files(const SchemaWalk& schema, const std::vector<KeyInf
     for (const KeyInfo& key : keys) {
         const Json* const strings = strings_of(schema.about(key.path));
         if (!strings) continue;
-        const std::string name = key.path.substr(key.path.rfind('.') + 1), pattern = text_in(*strings, "pattern");
+        const std::string name = key.path.substr(key.path.rfind('.') + 1), pattern = text_member(*strings, "pattern");
         const bool is_other = std::ranges::find(kOtherStrings, name) != std::end(kOtherStrings);
         EXPECT_NE(key.files != Files::none, is_other) << key.path << ": does it name files?";
         switch (key.files) {
@@ -140,7 +140,7 @@ void expect_patterns_of_files(const SchemaWalk& schema, const std::vector<KeyInf
 
 TEST(MapSchema, KnowsWhichKeysNameFiles) {
     const SchemaWalk schema("enfilade.schema.json");
-    const std::string of_textures = text_in(schema.about("sectors.floor.texture"), "pattern");
+    const std::string of_textures = text_member(schema.about("sectors.floor.texture"), "pattern");
     expect_patterns_of_files(schema, map_keys(), {std::string(kNamePattern), of_textures});
 }
 

@@ -96,13 +96,13 @@ std::size_t values_in(const std::string& text) {
 }
 
 /// Just beyond a power of two, where vectors that double have the most room to spare.
-constexpr std::size_t kParts = 16'500;
+constexpr std::size_t kTableParts = 16'500;
 
 class Memory : public testing::TestWithParam<Shape> {};
 
 TEST_P(Memory, OfEachValueIsAsPromised) {
     for (const bool for_the_library : {false, true}) {
-        const std::string text = text_of(GetParam(), kParts, for_the_library);
+        const std::string text = text_of(GetParam(), kTableParts, for_the_library);
         const std::size_t values = values_in(text);
         const std::size_t before = restart_peak();
         read_map(text);

@@ -42,11 +42,13 @@ turn = -720
 pitch = -10
 )";
 
-std::vector<std::string> complaints(const std::string& text) { return codes_and_places(read_script(text).findings); }
+std::vector<std::string> faults_of_script(const std::string& text) {
+    return codes_and_places(read_script(text).findings);
+}
 
 /// A sound script with these keys in its only leg, which starts at line 3.
 std::vector<std::string> complaints_of_leg(const std::string& keys) {
-    return complaints("map = \"m\"\n[[legs]]\n" + keys + "\n");
+    return faults_of_script("map = \"m\"\n[[legs]]\n" + keys + "\n");
 }
 
 TEST(ReadScript, ReadsDials) {
@@ -56,9 +58,9 @@ TEST(ReadScript, ReadsDials) {
     EXPECT_THAT(read.findings, IsEmpty());
     EXPECT_EQ(to_text(read.script.dials), "accuracy=0.25 sampling=trilinear samples=2");
     EXPECT_EQ(read_script("map = \"m\"\naccuracy = 0.01" + legs).script.dials.texel_error, 0.01);
-    EXPECT_THAT(complaints("map = \"m\"\naccuracy = \"good\"" + legs), ElementsAre("unknown-word 2:12"));
-    EXPECT_THAT(complaints("map = \"m\"\naccuracy = 65" + legs), ElementsAre("out-of-range 2:12"));
-    EXPECT_THAT(complaints("map = \"m\"\n[dials]\nspan = 65\nspam = 1" + legs),
+    EXPECT_THAT(faults_of_script("map = \"m\"\naccuracy = \"good\"" + legs), ElementsAre("unknown-word 2:12"));
+    EXPECT_THAT(faults_of_script("map = \"m\"\naccuracy = 65" + legs), ElementsAre("out-of-range 2:12"));
+    EXPECT_THAT(faults_of_script("map = \"m\"\n[dials]\nspan = 65\nspam = 1" + legs),
                 ElementsAre("out-of-range 3:8", "unknown-key 4:1"));
 }
 
@@ -118,7 +120,7 @@ TEST(ReadScript, TakesAPressAloneForALegWithoutTime) {
 TEST(ReadScript, TakesAWaitForALegThatStandsStill) { EXPECT_EQ(read_script(kScript).script.legs.at(2).seconds, 0.5); }
 
 TEST(ReadScript, WantsAMapAndLegs) {
-    EXPECT_THAT(complaints("rate = 5"), ElementsAre("missing-key 0:0", "missing-key 1:1"));
+    EXPECT_THAT(faults_of_script("rate = 5"), ElementsAre("missing-key 0:0", "missing-key 1:1"));
 }
 
 TEST(ReadScript, WantsSecondsInALeg) { EXPECT_THAT(complaints_of_leg("to = [1, 2]"), ElementsAre("missing-key 2:1")); }
@@ -136,24 +138,24 @@ TEST(ReadScript, RefusesAPointWithoutHeightOrWithMore) {
 }
 
 TEST(ReadScript, RefusesNumbersOutOfRange) {
-    EXPECT_THAT(complaints("map = \"m\"\nsize = [0, 20000]\nrate = 0\nfov = 180\n[[legs]]\nseconds = -1"),
+    EXPECT_THAT(faults_of_script("map = \"m\"\nsize = [0, 20000]\nrate = 0\nfov = 180\n[[legs]]\nseconds = -1"),
                 ElementsAre("out-of-range 2:9", "out-of-range 2:12", "out-of-range 3:8", "out-of-range 4:7",
                             "out-of-range 6:11"));
 }
 
 TEST(ReadScript, RefusesAStartWithHalfAPosition) {
-    EXPECT_THAT(complaints("map = \"m\"\nlegs = [{ wait = 1 }]\n[start]\nx = 1"), ElementsAre("missing-key 3:1"));
+    EXPECT_THAT(faults_of_script("map = \"m\"\nlegs = [{ wait = 1 }]\n[start]\nx = 1"), ElementsAre("missing-key 3:1"));
 }
 
 TEST(ReadScript, RefusesATapeBesideLegs) {
-    EXPECT_THAT(complaints("map = \"m\"\ntape = \"t\"\n[start]\n[[legs]]\nwait = 1"),
+    EXPECT_THAT(faults_of_script("map = \"m\"\ntape = \"t\"\n[start]\n[[legs]]\nwait = 1"),
                 ElementsAre("tape-and-legs 3:2", "tape-and-legs 4:3"));
 }
 
 TEST(ReadScript, RefusesMoreThanADay) {
     std::string text = "map = \"m\"\nlegs = [\n";
     for (int leg = 0; leg < 25; ++leg) text += "{ wait = 3600 },\n";
-    EXPECT_THAT(complaints(text + "]"), ElementsAre("too-long 27:1"));
+    EXPECT_THAT(faults_of_script(text + "]"), ElementsAre("too-long 27:1"));
 }
 
 TEST(ReadScript, SurvivesBeingCutAnywhere) {

@@ -19,9 +19,11 @@ constexpr std::string_view kList =
     " 1e1 , +2 ,3,-720,0, \"hall, \"\"upper\"\" part\" \r\n"
     "0,0,0,0,0,";
 
-std::vector<std::string> complaints(std::string_view text) { return codes_and_places(read_views(text).findings); }
+std::vector<std::string> faults_of_views(std::string_view text) { return codes_and_places(read_views(text).findings); }
 
-std::vector<std::string> complaints_of_row(const std::string& row) { return complaints("x,y,z,yaw,pitch\n" + row); }
+std::vector<std::string> complaints_of_row(const std::string& row) {
+    return faults_of_views("x,y,z,yaw,pitch\n" + row);
+}
 
 TEST(Views, AreReadRowByRow) {
     const ViewsReading reading = read_views(kList);
@@ -36,7 +38,7 @@ TEST(Views, NeedNoSector) {
     EXPECT_THAT(reading.views, ElementsAre(ViewRow{-5, -9.5, 1.28125, 354, 0, "", 2}));
 }
 
-TEST(Views, LookPastAByteOrderMark) { EXPECT_THAT(complaints("\xEF\xBB\xBFx,y,z,yaw,pitch\n"), IsEmpty()); }
+TEST(Views, LookPastAByteOrderMark) { EXPECT_THAT(faults_of_views("\xEF\xBB\xBFx,y,z,yaw,pitch\n"), IsEmpty()); }
 
 struct BadRow {
     const char* row;
@@ -69,11 +71,13 @@ TEST(Views, ReportAllThatIsWrongInARow) {
 }
 
 TEST(Views, WantTheirHeader) {
-    EXPECT_THAT(complaints("x,y,z,pitch,yaw\n1,2,3,4,5\n"), ElementsAre("bad-header 1:1"));
-    EXPECT_THAT(complaints(""), ElementsAre("bad-header 1:1"));
+    EXPECT_THAT(faults_of_views("x,y,z,pitch,yaw\n1,2,3,4,5\n"), ElementsAre("bad-header 1:1"));
+    EXPECT_THAT(faults_of_views(""), ElementsAre("bad-header 1:1"));
 }
 
-TEST(Views, RefuseWhatIsNotUtf8) { EXPECT_THAT(complaints("x,y,z,yaw,pitch\né\xFF"), ElementsAre("not-utf8 2:2")); }
+TEST(Views, RefuseWhatIsNotUtf8) {
+    EXPECT_THAT(faults_of_views("x,y,z,yaw,pitch\né\xFF"), ElementsAre("not-utf8 2:2"));
+}
 
 TEST(Views, StopComplainingAtSomePoint) {
     std::string text = "x,y,z,yaw,pitch\n";

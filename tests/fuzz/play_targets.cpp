@@ -31,7 +31,7 @@ void check_player(const Map& map, const World& world) {
 
 /// A game of the map above, in a folder of its own.
 struct SavedGames {
-    testing::TempDir folder;
+    test::TempDir folder;
     std::string map = folder.path("map.toml"), save = folder.path("game.save");
     std::unique_ptr<Game> game;
 

@@ -14,7 +14,7 @@ namespace {
 
 /// Poses of each kind and size: 200 in a long run; fewer show nearly as much in CI.
 const int kPoses = std::getenv("ENFILADE_LONG") ? 200 : 60;
-constexpr PictureSize kEven{320, 200}, kOdd{117, 83};  ///< an odd side has a ray exactly along the look
+constexpr PictureSize kAuthoredEven{320, 200}, kAuthoredOdd{117, 83};  ///< an odd side has a ray exactly along the look
 
 std::vector<std::string> authored_maps() {
     std::vector<std::string> paths;
@@ -37,7 +37,7 @@ protected:
     /// 1e-7 of an edge; where vertices are put on pixel centres, one column of every few pictures.
     void expect_agreement(PoseKind kind, double ambiguous_share) {
         const std::string name = "maps/" + std::filesystem::path(GetParam()).filename().string();
-        for (PictureSize size : {kEven, kOdd}) {
+        for (PictureSize size : {kAuthoredEven, kAuthoredOdd}) {
             const Comparison sum = compare_poses({name, *loaded_.map, loaded_.textures}, kind, kPoses, size, 1);
             EXPECT_TRUE(sum.is_faultless()) << describe(sum);
             EXPECT_LE(static_cast<double>(sum.ambiguous), ambiguous_share * static_cast<double>(sum.pixels))

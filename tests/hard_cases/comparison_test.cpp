@@ -9,7 +9,7 @@
 namespace enfilade::test {
 namespace {
 
-constexpr int kPoses = 60;  ///< of each kind and size; a fault in a rule of ties shows in one of ten
+constexpr int kPosesOfAKind = 60;  ///< of each kind and size; a fault in a rule of ties shows in one of ten
 constexpr PictureSize kEven{320, 200}, kOdd{117, 83};  ///< an odd side has a ray exactly along the look
 
 struct Case {
@@ -26,7 +26,7 @@ TEST_P(ColumnRendererInScenes, ShowsWhatTheReferenceShows) {
     const MapFile file = scene.file();
     const Map map = built(file);
     const TextureSet textures = textures_for(file);
-    const Comparison sum = compare_poses({scene.name, map, textures}, kind, kPoses, size, 1);
+    const Comparison sum = compare_poses({scene.name, map, textures}, kind, kPosesOfAKind, size, 1);
     EXPECT_TRUE(sum.is_faultless()) << describe(sum);
 }
 

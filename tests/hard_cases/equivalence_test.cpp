@@ -13,14 +13,14 @@
 namespace enfilade::test {
 namespace {
 
-constexpr PictureSize kSize{200, 125};
-constexpr int kPoses = 25, kCuts = 3;
+constexpr PictureSize kCutSize{200, 125};
+constexpr int kCutPoses = 25, kCuts = 3;
 
 /// A view drawn in one map, by one renderer.
 struct Picture {
     Picture(const Map& map, const TextureSet& textures, const View& view, bool by_columns) {
-        frame.resize(kSize.width, kSize.height);
-        reset(facts, kSize.width, kSize.height);
+        frame.resize(kCutSize.width, kCutSize.height);
+        reset(facts, kCutSize.width, kCutSize.height);
         const Snapshot snapshot = at_rest(map);
         if (by_columns)
             ColumnRenderer(map, textures).render(frame, &facts, snapshot, view);
@@ -75,7 +75,7 @@ protected:
         for (int i = 0; i < kCuts; ++i) {
             const CutMap cut = cut_apart(map, move, random);
             linked += cut.map.links.size() - map.links.size();
-            for (int pose = 0; pose < kPoses; ++pose) {
+            for (int pose = 0; pose < kCutPoses; ++pose) {
                 const View view = random_pose(map, random);
                 const Picture before(map, textures_, view, by_columns),
                     after(cut.map, textures_, moved(view, cut), by_columns);

@@ -11,10 +11,10 @@
 namespace enfilade::test {
 namespace {
 
-constexpr double kTexel = 1 / 64.0;  ///< of the test pictures [tiles], and of tiles of 1 m [m]
+constexpr double kTexelOfTile = 1 / 64.0;  ///< of the test pictures [tiles], and of tiles of 1 m [m]
 
 /// The distance of two positions in a tile, the short way around [tiles].
-double tile_distance(double a, double b) {
+double short_way_around(double a, double b) {
     const double d = std::fabs(a - b);
     return std::min(d, 1 - d);
 }
@@ -23,7 +23,7 @@ double fraction_of(long double x) { return static_cast<double>(x - std::floor(x)
 
 // hard cases R11, W9
 TEST(WallOf30Kilometres, ShowsItsTexelsWithinAHundredthOfOne) {
-    const World world(map_of({room("street", {{-15000, 0}, {15000, 0}, {15000, 200}, {-15000, 200}}, 0, 40)}));
+    const MadeWorld world(map_of({room("street", {{-15000, 0}, {15000, 0}, {15000, 200}, {-15000, 200}}, 0, 40)}));
     const PixelSurface wall =
         wall_id(world.map, wall_between(world.map, SectorId(0u), {-15000, 0}, {15000, 0}), WallPart::middle);
     for (double yaw : {-90.0, -60.0, -20.0, -3.0}) {
@@ -35,7 +35,7 @@ TEST(WallOf30Kilometres, ShowsItsTexelsWithinAHundredthOfOne) {
             if (drawn.facts.ids[i] != wall) continue;
             const Vec2 ray = view.forward + right_of(view.forward) * projection.slope(static_cast<int>(i) % size.width);
             const long double x = view.eye.x - static_cast<long double>(view.eye.y) / ray.y * ray.x;
-            ASSERT_LE(tile_distance(drawn.facts.texels[i].u, fraction_of(x + 15000)), 0.01 * kTexel)
+            ASSERT_LE(short_way_around(drawn.facts.texels[i].u, fraction_of(x + 15000)), 0.01 * kTexelOfTile)
                 << yaw << ", " << i;
         }
         const Comparison result = world.compare_with_reference(view, size);
@@ -52,7 +52,7 @@ class ExtremeLens : public testing::TestWithParam<Lens> {};
 
 // hard case R12
 TEST_P(ExtremeLens, ShowsWhatTheReferenceShows) {
-    const World world(stepped_rooms());
+    const MadeWorld world(stepped_rooms());
     Random random(12);
     for (int i = 0; i < 10; ++i) {
         View view = i % 2 ? random_pose(world.map, random) : lattice_pose(world.map, GetParam().size, random);
@@ -74,7 +74,7 @@ class Horizon : public testing::TestWithParam<int> {};  // the height of the pic
 
 // hard case R13
 TEST_P(Horizon, BelongsToOneSurface) {
-    const World world(plain());
+    const MadeWorld world(plain());
     for (double eye_z : {0.0, 1.625, 41.0, 100.0}) {
         const Comparison result =
             world.compare_with_reference(look_from(world.map, {0.37, 0.41}, eye_z, 17), {64, GetParam()});
@@ -84,7 +84,7 @@ TEST_P(Horizon, BelongsToOneSurface) {
 
 // hard case R14
 TEST_P(Horizon, KeepsTheFloorsTexelsNearItWithinAHundredthOfOne) {
-    const World world(plain());
+    const MadeWorld world(plain());
     const View view = look_from(world.map, {1000.37, -777.21}, 33.28, 17);  // 21 km of floor to the last row above it
     const PictureSize size{640, GetParam()};
     const Drawn drawn = world.draw(view, size);
@@ -94,8 +94,12 @@ TEST_P(Horizon, KeepsTheFloorsTexelsNearItWithinAHundredthOfOne) {
         const int x = static_cast<int>(i) % size.width, y = static_cast<int>(i) / size.width;
         const Vec2 ray = view.forward + right_of(view.forward) * projection.slope(x);
         const long double depth = -static_cast<long double>(view.eye_z) / projection.climb(y);
-        ASSERT_LE(tile_distance(drawn.facts.texels[i].u, fraction_of(view.eye.x + depth * ray.x)), 0.01 * kTexel) << i;
-        ASSERT_LE(tile_distance(drawn.facts.texels[i].v, fraction_of(view.eye.y + depth * ray.y)), 0.01 * kTexel) << i;
+        ASSERT_LE(short_way_around(drawn.facts.texels[i].u, fraction_of(view.eye.x + depth * ray.x)),
+                  0.01 * kTexelOfTile)
+            << i;
+        ASSERT_LE(short_way_around(drawn.facts.texels[i].v, fraction_of(view.eye.y + depth * ray.y)),
+                  0.01 * kTexelOfTile)
+            << i;
     }
     const Comparison result = world.compare_with_reference(view, size);
     EXPECT_TRUE(result.is_faultless()) << describe(result);
@@ -103,7 +107,7 @@ TEST_P(Horizon, KeepsTheFloorsTexelsNearItWithinAHundredthOfOne) {
 
 // hard case R15
 TEST_P(Horizon, MayLieTenPicturesAboveOrBelow) {
-    const World world(stepped_rooms());
+    const MadeWorld world(stepped_rooms());
     Random random(15);
     for (int i = 0; i < 20; ++i) {
         View view = random_pose(world.map, random);
@@ -118,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(EvenAndOdd, Horizon, testing::Values(200, 201));
 
 // hard case R17
 TEST(SliverOfAGridStep, IsDrawnOrCoversNoColumn) {
-    const World world(slivers());
+    const MadeWorld world(slivers());
     for (double y : {1.0, 4.0, 7.9})
         for (double yaw : {-80.0, 0.0, 80.0, 89.9}) {
             const Comparison result = world.compare_with_reference(look_from(world.map, {7.5, y}, 1, yaw), {320, 200});
@@ -136,7 +140,7 @@ MapFile rooms_with_a_door(double opening) {
 
 // hard case R18
 TEST(DoorWithoutHeight, IsAWallFromBothSides) {
-    const World world(rooms_with_a_door(0));
+    const MadeWorld world(rooms_with_a_door(0));
     for (double x : {1.0, 8.0}) {
         const View view = look_from(world.map, {x, 2.01}, 1.5, x < 4 ? 0 : 180);
         const Comparison result = world.compare_with_reference(view, {320, 200});
@@ -151,7 +155,7 @@ TEST(DoorWithoutHeight, IsAWallFromBothSides) {
 
 // hard case R19
 TEST(DoorOpenByAHair, IsLookedThroughOnlyWhereARowIsOpen) {
-    World world(rooms_with_a_door(0x1p-16));
+    MadeWorld world(rooms_with_a_door(0x1p-16));
     Random random(19);
     ColumnRenderer renderer(world.map, world.textures);
     Frame frame;
@@ -190,7 +194,7 @@ TEST_P(OddTexture, IsDrawnAsTheReferenceDrawsItAtAnyOffset) {
             for (LoopRecord& loop : s.loops)
                 for (WallRecord& w : loop.walls) w.texture->offset_tx = {offset, -offset};
         }
-        World world(file);
+        MadeWorld world(file);
         for (Texture& texture : world.textures.textures) {
             const std::string name = texture.name;
             texture = picture_of_size(static_cast<std::uint32_t>(GetParam().width),
@@ -211,7 +215,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, OddTexture,
 
 // hard case R30
 TEST(LightOutOfRange, IsTheNearestInRange) {
-    World world(stepped_rooms());
+    MadeWorld world(stepped_rooms());
     Random random(30);
     for (auto [outside, inside] : {std::pair{-1.0, 0.0}, std::pair{1.01, 1.0}, std::pair{256.0, 1.0}}) {
         const View view = random_pose(world.map, random);

@@ -55,7 +55,7 @@ class FarTextures : public testing::TestWithParam<Room> {};
 
 // hard case R16
 TEST_P(FarTextures, ShowTheirTexelsWithinAThousandthOfOneInBothExactRenderers) {
-    const World world(tiled_room(GetParam()));
+    const MadeWorld world(tiled_room(GetParam()));
     for (const double yaw : {0.0, 33.0, 90.0, 200.0}) {
         const View view = look_from(world.map, GetParam().corner + Vec2{2.37, 3.1}, 1.5, yaw);
         const Comparison result = world.compare_with_reference(view, kSize);
@@ -73,9 +73,9 @@ TEST_P(FarTextures, ShowTheirTexelsWithinAThousandthOfOneInBothExactRenderers) {
 // 16 m and 16 384 m are multiples of the tile, so the same texels lie in all rooms.
 // hard case R16
 TEST(FarTexturesOfWholeTiles, LookAsThoseNearTheOrigin) {
-    const World here(tiled_room({{16, 16}, 0.25}));
+    const MadeWorld here(tiled_room({{16, 16}, 0.25}));
     for (const Vec2 corner : {Vec2{16384, 16384}, Vec2{-16384, 32752}, Vec2{32752, -32768}}) {
-        const World there(tiled_room({corner, 0.25}));
+        const MadeWorld there(tiled_room({corner, 0.25}));
         for (const double yaw : {0.0, 33.0, 90.0, 200.0}) {
             const Vec2 in_room{2.375, 3.125};
             const Drawn near = here.draw(look_from(here.map, Vec2{16, 16} + in_room, 1.5, yaw), kSize);

@@ -12,13 +12,13 @@
 namespace enfilade::test {
 namespace {
 
-constexpr int kPoses = 40;
-constexpr PictureSize kSize{160, 100};
+constexpr int kInvariantPoses = 40;
+constexpr PictureSize kInvariantSize{160, 100};
 
 std::vector<View> random_poses(const Map& map, std::uint64_t seed) {
     Random random(seed);
     std::vector<View> views;
-    for (int i = 0; i < kPoses; ++i) views.push_back(random_pose(map, random));
+    for (int i = 0; i < kInvariantPoses; ++i) views.push_back(random_pose(map, random));
     return views;
 }
 
@@ -32,27 +32,27 @@ MapFile moved(MapFile file, const Move& move) {
 
 // hard case I6
 TEST(MovingTheWorld, ByAPowerOfTwoChangesNoPixel) {
-    const World here(stepped_rooms());
+    const MadeWorld here(stepped_rooms());
     const std::vector<View> views = random_poses(here.map, 6);
     for (double shift : {-16384.0, -1024.0, 16.0, 4096.0, 16384.0}) {
         const Vec2 by{shift, -shift / 2};
-        const World there(moved(stepped_rooms(), [&](Vec2 v) { return v + by; }));
+        const MadeWorld there(moved(stepped_rooms(), [&](Vec2 v) { return v + by; }));
         for (View view : views) {
-            const Drawn drawn = here.draw(view, kSize);
+            const Drawn drawn = here.draw(view, kInvariantSize);
             view.eye = view.eye + by;
-            ASSERT_EQ(there.draw(view, kSize).frame.pixels, drawn.frame.pixels) << shift;
+            ASSERT_EQ(there.draw(view, kInvariantSize).frame.pixels, drawn.frame.pixels) << shift;
         }
     }
 }
 
 // hard case I7
 TEST(TurningTheWorld, ByAQuarterChangesNoSurfaceAndNoDepth) {
-    const World upright(crooked_rooms()), turned(moved(crooked_rooms(), right_of));
+    const MadeWorld upright(crooked_rooms()), turned(moved(crooked_rooms(), right_of));
     for (View view : random_poses(upright.map, 7)) {
-        const Drawn drawn = upright.draw(view, kSize);
+        const Drawn drawn = upright.draw(view, kInvariantSize);
         view.eye = right_of(view.eye);
         view.forward = right_of(view.forward);
-        const Drawn other = turned.draw(view, kSize);
+        const Drawn other = turned.draw(view, kInvariantSize);
         ASSERT_EQ(other.facts.ids, drawn.facts.ids);
         ASSERT_EQ(other.facts.depths, drawn.facts.depths);
     }
@@ -69,7 +69,8 @@ MapFile mirrored(const MapFile& plain) {
 }
 
 std::vector<double> flipped(std::vector<double> rows) {
-    for (auto row = rows.begin(); row != rows.end(); row += kSize.width) std::reverse(row, row + kSize.width);
+    for (auto row = rows.begin(); row != rows.end(); row += kInvariantSize.width)
+        std::reverse(row, row + kInvariantSize.width);
     return rows;
 }
 
@@ -77,20 +78,20 @@ std::vector<double> flipped(std::vector<double> rows) {
 // hard case I7
 TEST(MirroringTheWorld, MirrorsEveryDepthToTheBit) {
     for (MapFile (*scene)() : {stepped_rooms, crooked_rooms, linked_rooms}) {
-        const World plain(scene()), other(mirrored(scene()));
+        const MadeWorld plain(scene()), other(mirrored(scene()));
         for (View view : random_poses(plain.map, 17)) {
-            const Drawn drawn = plain.draw(view, kSize);
+            const Drawn drawn = plain.draw(view, kInvariantSize);
             view.eye.x = -view.eye.x;
             view.forward.x = -view.forward.x;
-            ASSERT_EQ(flipped(other.draw(view, kSize).facts.depths), drawn.facts.depths);
+            ASSERT_EQ(flipped(other.draw(view, kInvariantSize).facts.depths), drawn.facts.depths);
         }
     }
 }
 
 /// What the reference draws of the view.
-Drawn by_rays(const World& world, const View& view) {
-    Drawn drawn = world.draw(view, kSize);
-    reset(drawn.facts, kSize.width, kSize.height);
+Drawn by_rays(const MadeWorld& world, const View& view) {
+    Drawn drawn = world.draw(view, kInvariantSize);
+    reset(drawn.facts, kInvariantSize.width, kInvariantSize.height);
     render_reference(drawn.frame, &drawn.facts, world.map, world.textures, world.snapshot, view);
     return drawn;
 }
@@ -98,7 +99,7 @@ Drawn by_rays(const World& world, const View& view) {
 // hard cases I6, I7
 TEST(MovingAndTurningTheWorld, ChangesNothingThatTheReferenceSees) {
     const Vec2 by{4096, -16384};
-    const World here(crooked_rooms()), there(moved(crooked_rooms(), [&](Vec2 v) { return right_of(v) + by; }));
+    const MadeWorld here(crooked_rooms()), there(moved(crooked_rooms(), [&](Vec2 v) { return right_of(v) + by; }));
     for (View view : random_poses(here.map, 18)) {
         const Drawn drawn = by_rays(here, view);
         view.eye = right_of(view.eye) + by;
@@ -111,44 +112,47 @@ TEST(MovingAndTurningTheWorld, ChangesNothingThatTheReferenceSees) {
 
 // hard case I8
 TEST(PartsOfAPicture, EqualThoseOfTheWhole) {
-    const World world(linked_rooms());
+    const MadeWorld world(linked_rooms());
     ColumnRenderer renderer(world.map, world.textures);
     for (const View& view : random_poses(world.map, 8)) {
-        const Drawn whole = world.draw(view, kSize);
+        const Drawn whole = world.draw(view, kInvariantSize);
         Frame parts;
-        parts.resize(kSize.width, kSize.height);
-        for (ColumnRange range : {ColumnRange{0, 77}, ColumnRange{77, 78}, ColumnRange{78, kSize.width}})
+        parts.resize(kInvariantSize.width, kInvariantSize.height);
+        for (ColumnRange range : {ColumnRange{0, 77}, ColumnRange{77, 78}, ColumnRange{78, kInvariantSize.width}})
             renderer.render_columns(parts, nullptr, world.snapshot, view, range);
         ASSERT_EQ(parts.pixels, whole.frame.pixels);
     }
 }
 
 /// Centres of 3 x 3 blocks that show another surface than the pixel of the small picture.
-std::uint64_t differences_at_three_times_the_size(const World& world, const View& view) {
-    const Drawn one = world.draw(view, kSize), three = world.draw(view, {3 * kSize.width, 3 * kSize.height});
+std::uint64_t differences_at_three_times_the_size(const MadeWorld& world, const View& view) {
+    const Drawn one = world.draw(view, kInvariantSize),
+                three = world.draw(view, {3 * kInvariantSize.width, 3 * kInvariantSize.height});
     std::uint64_t differences = 0;
-    for (int y = 0; y < kSize.height; ++y)
-        for (int x = 0; x < kSize.width; ++x)
-            differences += one.facts.ids[static_cast<std::size_t>(y * kSize.width + x)] !=
-                           three.facts.ids[static_cast<std::size_t>((3 * y + 1) * 3 * kSize.width + 3 * x + 1)];
+    for (int y = 0; y < kInvariantSize.height; ++y)
+        for (int x = 0; x < kInvariantSize.width; ++x)
+            differences +=
+                one.facts.ids[static_cast<std::size_t>(y * kInvariantSize.width + x)] !=
+                three.facts.ids[static_cast<std::size_t>((3 * y + 1) * 3 * kInvariantSize.width + 3 * x + 1)];
     return differences;
 }
 
 // hard case I9
 TEST(APictureThreeTimesAsLarge, ShowsTheSameSurfacesInTheSameDirections) {
-    const World world(stepped_rooms());
+    const MadeWorld world(stepped_rooms());
     for (const View& view : random_poses(world.map, 9)) ASSERT_EQ(differences_at_three_times_the_size(world, view), 0u);
 }
 
 // hard case I9
 TEST(APictureThreeTimesAsLarge, ShowsTheSameSurfacesFromALatticeButForTies) {
     constexpr double kTiesPerPixel = 5e-6;  // 0.4 to 2.2 per million were measured on a prototype
-    const World world(stepped_rooms());
+    const MadeWorld world(stepped_rooms());
     Random random(9);
     std::uint64_t differences = 0;
-    for (int i = 0; i < kPoses; ++i)
-        differences += differences_at_three_times_the_size(world, lattice_pose(world.map, kSize, random));
-    EXPECT_LE(static_cast<double>(differences), kTiesPerPixel * kPoses * kSize.width * kSize.height);
+    for (int i = 0; i < kInvariantPoses; ++i)
+        differences += differences_at_three_times_the_size(world, lattice_pose(world.map, kInvariantSize, random));
+    EXPECT_LE(static_cast<double>(differences),
+              kTiesPerPixel * kInvariantPoses * kInvariantSize.width * kInvariantSize.height);
 }
 
 /// Nine rooms of 4 m x 4 m, the walls of which may be cut in the middle, where their tiles of 1 m begin anew anyway.
@@ -170,9 +174,9 @@ MapFile rooms_with_walls_in(int parts) {
 
 // hard case I12
 TEST(CuttingWallsInTwo, ChangesNoPixel) {
-    const World whole(rooms_with_walls_in(1)), cut(rooms_with_walls_in(2));
+    const MadeWorld whole(rooms_with_walls_in(1)), cut(rooms_with_walls_in(2));
     for (const View& view : random_poses(whole.map, 12))
-        ASSERT_EQ(cut.draw(view, kSize).frame.pixels, whole.draw(view, kSize).frame.pixels);
+        ASSERT_EQ(cut.draw(view, kInvariantSize).frame.pixels, whole.draw(view, kInvariantSize).frame.pixels);
 }
 
 // hard cases R20, I12
@@ -181,11 +185,11 @@ TEST(CuttingARoomInFour, ChangesNoPixel) {
     MapFile four = map_of({room("a", {{0, 0}, {4, 0}, c, {0, 3}}), room("b", {{4, 0}, {8, 0}, {8, 3}, c}),
                            room("c", {c, {8, 3}, {8, 6}, {4, 6}}), room("d", {{0, 3}, c, {4, 6}, {0, 6}})});
     join_all(four);
-    const World whole(map_of({box_room("whole", 0, 0, 8, 6)})), cut(four);
+    const MadeWorld whole(map_of({box_room("whole", 0, 0, 8, 6)})), cut(four);
     for (View view : random_poses(cut.map, 13)) {
-        const Drawn in_parts = cut.draw(view, kSize);
+        const Drawn in_parts = cut.draw(view, kInvariantSize);
         view.sector = SectorId(0u);
-        ASSERT_EQ(whole.draw(view, kSize).frame.pixels, in_parts.frame.pixels);
+        ASSERT_EQ(whole.draw(view, kInvariantSize).frame.pixels, in_parts.frame.pixels);
     }
 }
 
@@ -196,9 +200,9 @@ class EveryScene : public testing::TestWithParam<NamedScene> {};
 
 // hard case I14
 TEST_P(EveryScene, YieldsFiniteNumbersOnly) {
-    const World world(GetParam().file());
+    const MadeWorld world(GetParam().file());
     Random random(14);
-    for (int i = 0; i < kPoses; ++i) {
+    for (int i = 0; i < kInvariantPoses; ++i) {
         const Drawn drawn = world.draw(lattice_pose(world.map, {117, 83}, random), {117, 83});
         for (std::size_t k = 0; k < drawn.facts.depths.size(); ++k) {
             const bool is_sky = std::isinf(drawn.facts.depths[k]);

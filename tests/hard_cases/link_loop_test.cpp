@@ -11,10 +11,11 @@
 namespace enfilade::test {
 namespace {
 
-constexpr double kLength = 1.25, kWidth = 2.5;  ///< of a piece [m]: turned by the triangle 3, 4, 5 it is on the grid
+constexpr double kPieceLength = 1.25,
+                 kPieceWidth = 2.5;  ///< of a piece [m]: turned by the triangle 3, 4, 5 it is on the grid
 constexpr int kLinks = 128;
-constexpr double kSeen = kLinks * kLength;  ///< [m]
-constexpr PictureSize kSize{320, 200};
+constexpr double kSeen = kLinks * kPieceLength;  ///< [m]
+constexpr PictureSize kLoopSize{320, 200};
 
 /// Where a piece lies: turned, then shifted.
 struct Piece {
@@ -31,18 +32,19 @@ MapFile corridor_of(const Loop& pieces) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const Piece& p = pieces[i];
         file.sectors.push_back(
-            room(std::to_string(i), {p.at(0, 0), p.at(kLength, 0), p.at(kLength, kWidth), p.at(0, kWidth)}, 0, 3));
+            room(std::to_string(i),
+                 {p.at(0, 0), p.at(kPieceLength, 0), p.at(kPieceLength, kPieceWidth), p.at(0, kPieceWidth)}, 0, 3));
     }
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const Piece &p = pieces[i], &next = pieces[(i + 1) % pieces.size()];
-        link(file, std::to_string(i), p.at(kLength, 0), p.at(kLength, kWidth), std::to_string((i + 1) % pieces.size()),
-             next.at(0, kWidth), next.at(0, 0));
+        link(file, std::to_string(i), p.at(kPieceLength, 0), p.at(kPieceLength, kPieceWidth),
+             std::to_string((i + 1) % pieces.size()), next.at(0, kPieceWidth), next.at(0, 0));
     }
     file.render.max_depth = kLinks;
     return file;
 }
 
-View along(const World& world, double pitch_tangent) {
+View along(const MadeWorld& world, double pitch_tangent) {
     View view = look_from(world.map, {0.25, 1.125}, 1.5, 0);
     view.sector = SectorId(0u);
     view.fov_degrees = 12;
@@ -52,19 +54,19 @@ View along(const World& world, double pitch_tangent) {
 
 /// The largest difference of depths, in parts of the depth, wherever the corridor of links is not cut.
 double worst_depth(const Loop& pieces) {
-    const World linked(corridor_of(pieces));
-    const World straight(map_of({box_room("straight", 0, 0, 2 * kSeen, kWidth, 0, 3)}));
+    const MadeWorld linked(corridor_of(pieces));
+    const MadeWorld straight(map_of({box_room("straight", 0, 0, 2 * kSeen, kPieceWidth, 0, 3)}));
     double worst = 0, deepest = 0;
     for (const double pitch : {-0.02, 0.0, 0.0125}) {
-        const Drawn drawn = linked.draw(along(linked, pitch), kSize),
-                    truth = straight.draw(along(straight, pitch), kSize);
+        const Drawn drawn = linked.draw(along(linked, pitch), kLoopSize),
+                    truth = straight.draw(along(straight, pitch), kLoopSize);
         for (std::size_t i = 0; i < drawn.facts.ids.size(); ++i) {
             EXPECT_EQ(drawn.facts.writes[i], 1);
             if (drawn.facts.ids[i] == kRecursionEnd) continue;
             deepest = std::max(deepest, drawn.facts.depths[i]);
             worst = std::max(worst, std::fabs(drawn.facts.depths[i] / truth.facts.depths[i] - 1));
         }
-        const Comparison result = linked.compare_with_reference(along(linked, pitch), kSize);
+        const Comparison result = linked.compare_with_reference(along(linked, pitch), kLoopSize);
         EXPECT_TRUE(result.is_faultless()) << describe(result);
     }
     EXPECT_GT(deepest, 0.8 * kSeen) << "the last links are seen";
@@ -83,7 +85,7 @@ TEST(LoopOfLinks, OfQuarterTurnsIsAsStraightAfter128LinksAsWithoutAny) {
 TEST(LoopOfLinks, OfOtherTurnsIsAsStraightAfter128LinksAsTheGridOfPointsAllows) {
     const Vec2 t{0.8, 0.6};
     const Loop others{{{{1, 0}, {0, 0}}, {t, {40, 7}}, {-t, {-13, 60}}, {right_of(t), {25, -30}}}};
-    EXPECT_LE(worst_depth(others), kLinks * 1.5 * kPointGrid / (kWidth / 2));
+    EXPECT_LE(worst_depth(others), kLinks * 1.5 * kPointGrid / (kPieceWidth / 2));
 }
 
 }  // namespace

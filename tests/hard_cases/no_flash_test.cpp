@@ -16,7 +16,7 @@
 namespace enfilade::test {
 namespace {
 
-constexpr PictureSize kSize{64, 40};
+constexpr PictureSize kWalkSize{64, 40};
 constexpr double kEyeHeight = 1.55;  ///< of one who stands [m]
 constexpr double kApproach = 0.125;  ///< where a walk starts, before the doorway: within every threshold [m]
 constexpr double kStep = 0x1p-16;    ///< a 65th of a millimetre [m]
@@ -70,15 +70,15 @@ public:
 
     std::vector<PixelSurface> surfaces(const View& view) const {
         Frame frame;
-        frame.resize(kSize.width, kSize.height);
+        frame.resize(kWalkSize.width, kWalkSize.height);
         FrameFacts facts;
-        reset(facts, kSize.width, kSize.height);
+        reset(facts, kWalkSize.width, kWalkSize.height);
         ColumnRenderer(map_, loaded_.textures).render(frame, &facts, at_rest(map_), view);
         return facts.ids;
     }
 
     Comparison against_reference(const std::string& name, const View& view) const {
-        return compare({name, map_, loaded_.textures}, at_rest(map_), view, kSize);
+        return compare({name, map_, loaded_.textures}, at_rest(map_), view, kWalkSize);
     }
 
 private:
@@ -111,18 +111,18 @@ private:
 
 /// Whether the pixels around i show the surface. Edges move by less than a pixel in a step.
 bool is_around(const std::vector<PixelSurface>& ids, int x, int y, PixelSurface id) {
-    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, kSize.height - 1); ++v)
-        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, kSize.width - 1); ++u)
-            if (ids[static_cast<std::size_t>(v * kSize.width + u)] == id) return true;
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, kWalkSize.height - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, kWalkSize.width - 1); ++u)
+            if (ids[static_cast<std::size_t>(v * kWalkSize.width + u)] == id) return true;
     return false;
 }
 
 /// Pixels of `after` that show what was nowhere near them before.
 int flashes(const std::vector<PixelSurface>& before, const std::vector<PixelSurface>& after) {
     int count = 0;
-    for (int y = 0; y < kSize.height; ++y)
-        for (int x = 0; x < kSize.width; ++x)
-            count += !is_around(before, x, y, after[static_cast<std::size_t>(y * kSize.width + x)]);
+    for (int y = 0; y < kWalkSize.height; ++y)
+        for (int x = 0; x < kWalkSize.width; ++x)
+            count += !is_around(before, x, y, after[static_cast<std::size_t>(y * kWalkSize.width + x)]);
     return count;
 }
 

@@ -10,14 +10,14 @@
 namespace enfilade::test {
 namespace {
 
-void expect_agreement(const World& world, const View& view, PictureSize size) {
+void expect_agreement(const MadeWorld& world, const View& view, PictureSize size) {
     const Comparison result = world.compare_with_reference(view, size);
     ASSERT_TRUE(result.is_faultless()) << describe(result);
 }
 
 // hard case R21
 TEST(RoomLikeAU, ShowsTheNearerOfItsOwnWalls) {
-    const World world(crooked_rooms());
+    const MadeWorld world(crooked_rooms());
     for (Vec2 eye : {Vec2{1, 7.5}, Vec2{7, 7}, Vec2{1.01, 1.02}, Vec2{4, 3}})
         for (double yaw = 0; yaw < 360; yaw += 9)
             expect_agreement(world, look_from(world.map, eye, 1.1, yaw), {96, 60});
@@ -32,7 +32,7 @@ TEST(RoomOfSeveralParts, IsSeenPartByPart) {
     ring.loops.push_back(loop_of({{6, 6}, {14, 6}, {14, 14}, {6, 14}}));
     cut_pillar(ring, 9, 9, 11, 10);
     ring.loops.push_back(loop_of({{30, 0}, {40, 0}, {35, 9}}));
-    const World world(file);
+    const MadeWorld world(file);
     for (Vec2 eye : {Vec2{2, 2}, Vec2{7, 8}, Vec2{12.5, 13}, Vec2{35, 3}})
         for (double yaw = 0; yaw < 360; yaw += 9)
             expect_agreement(world, look_from(world.map, eye, 1.1, yaw), {96, 60});
@@ -50,7 +50,7 @@ protected:
         return file;
     }
 
-    const World world_{ledge()};
+    const MadeWorld world_{ledge()};
 };
 
 // hard case R31: 1/64 of a pixel a frame

@@ -11,7 +11,7 @@ namespace {
 using wadconv::test::Converted;
 using wadconv::test::Level;
 
-constexpr PictureSize kSize{96, 60};
+constexpr PictureSize kLevelSize{96, 60};
 
 /// A hall with a pool and a platform, no step of which has a texture; in the pool a ring of lines with the pool on both
 /// sides, and one with the hall on both.
@@ -30,9 +30,9 @@ Level deep_water() {
 // hard cases I2, W2, W3
 TEST(WadLevel, WithDeepWaterAndStepsWithoutTextureShowsNoPixelOfNothing) {
     const Converted converted(deep_water());
-    const World world(converted.file);
+    const MadeWorld world(converted.file);
     for (const PoseKind kind : {PoseKind::random, PoseKind::lattice}) {
-        const Comparison sum = compare_poses(world.subject(), kind, 100, kSize, 3);
+        const Comparison sum = compare_poses(world.subject(), kind, 100, kLevelSize, 3);
         EXPECT_TRUE(sum.is_faultless()) << describe(sum);
     }
 }
@@ -59,7 +59,7 @@ Level shut_door() {
     return level;
 }
 
-View seen_by(const enfilade::World& state) {
+View seen_by(const World& state) {
     View view;
     view.sector = state.player.place.sector;
     view.eye = state.player.place.point;
@@ -71,8 +71,8 @@ View seen_by(const enfilade::World& state) {
 // hard cases I2, W11
 TEST(WadDoor, IsDrawnRightInEveryTickFromShutToOpen) {
     const Converted converted(shut_door());
-    World world(converted.file);
-    enfilade::World state = *start_of(world.map);
+    MadeWorld world(converted.file);
+    World state = *start_of(world.map);
     View beyond = seen_by(state);
     beyond.sector = locate(world.map, {12, -4});
     beyond.eye = {12, -4};
@@ -80,7 +80,7 @@ TEST(WadDoor, IsDrawnRightInEveryTickFromShutToOpen) {
     double ceiling_z = 0;
     for (int tick = 0; tick < 150; ++tick) {
         for (const View& view : {seen_by(state), beyond}) {
-            const Comparison result = compare(world.subject(), world.snapshot, view, kSize);
+            const Comparison result = compare(world.subject(), world.snapshot, view, kLevelSize);
             ASSERT_TRUE(result.is_faultless()) << "tick " << tick << ": " << describe(result);
         }
         step(world.map, state, {.buttons = static_cast<std::uint8_t>(tick == 3 ? kButtonUse : 0)});

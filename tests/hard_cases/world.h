@@ -13,12 +13,12 @@ struct Drawn {
     FrameFacts facts;
 };
 
-struct World {
+struct MadeWorld {
     Map map;
     TextureSet textures;
     Snapshot snapshot;
 
-    explicit World(const MapFile& file) : map(built(file)), textures(textures_for(file)), snapshot(at_rest(map)) {}
+    explicit MadeWorld(const MapFile& file) : map(built(file)), textures(textures_for(file)), snapshot(at_rest(map)) {}
 
     Subject subject() const { return {map.name, map, textures}; }
 

@@ -14,7 +14,7 @@
 namespace enfilade {
 namespace {
 
-const std::string kSource = ENFILADE_SOURCE_DIR;
+const std::string kSourceFolder = ENFILADE_SOURCE_DIR;
 
 /// Files in the order of their names.
 std::vector<std::string> files_in(const std::string& folder, const std::string& ending) {
@@ -80,7 +80,7 @@ std::string test_name(const testing::TestParamInfo<std::string>& param) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BadMap, testing::ValuesIn(files_in(kSource + "/tests/data/bad_maps", ".toml")),
+INSTANTIATE_TEST_SUITE_P(All, BadMap, testing::ValuesIn(files_in(kSourceFolder + "/tests/data/bad_maps", ".toml")),
                          test_name);
 
 /// Codes no small file can show: each has a test of its own.
@@ -104,7 +104,7 @@ std::set<std::string> codes_in_the_source() {
     std::set<std::string> codes;
     for (const char* folder : {"/engine/formats", "/engine/map"})
         for (const char* ending : {".cpp", ".h"})
-            for (const std::string& path : files_in(kSource + folder, ending)) {
+            for (const std::string& path : files_in(kSourceFolder + folder, ending)) {
                 const std::string text = is_about_maps(path) ? text_in(path) : "";
                 for (std::sregex_iterator it(text.begin(), text.end(), code), end; it != end; ++it)
                     codes.insert((*it)[1]);
@@ -114,7 +114,7 @@ std::set<std::string> codes_in_the_source() {
 
 TEST(BadMaps, ShowEveryCodeInTheSource) {
     std::set<std::string> shown = kShownElsewhere;
-    for (const std::string& path : files_in(kSource + "/tests/data/bad_maps", ".toml")) {
+    for (const std::string& path : files_in(kSourceFolder + "/tests/data/bad_maps", ".toml")) {
         const std::string expectation = expectation_of(path);
         shown.insert(expectation.substr(0, expectation.find(' ')));
     }

@@ -19,17 +19,17 @@ WallId wall_at(const Map& map, Vec2 a, Vec2 b) {
 }
 
 /// Two rooms side by side, 4 x 4 m each, with a doorway along all of x = 4.
-MapFile two_rooms() {
+MapFile two_rooms_and_player() {
     MapFile file = map_of({box_room("left", 0, 0, 4, 4), box_room("right", 4, 0, 8, 4)});
     join_all(file);
     place_player(file, "left", {1, 1});
     return file;
 }
 
-TEST(BuildMap, AcceptsTwoRoomsWithoutAWord) { EXPECT_EQ(text_of(findings_of(two_rooms())), ""); }
+TEST(BuildMap, AcceptsTwoRoomsWithoutAWord) { EXPECT_EQ(text_of(findings_of(two_rooms_and_player())), ""); }
 
 TEST(BuildMap, GivesEachSectorItsWallsInOrder) {
-    const Map map = built(two_rooms());
+    const Map map = built(two_rooms_and_player());
     ASSERT_EQ(map.sectors.size(), 2u);
     EXPECT_EQ(map.sectors[1].first_wall, 4u);
     EXPECT_EQ(map.sectors[1].wall_count, 4u);
@@ -46,7 +46,7 @@ TEST(BuildMap, ClosesEveryLoopIntoARing) {
 }
 
 TEST(BuildMap, LetsNeighboursOpenIntoEachOther) {
-    const Map map = built(two_rooms());
+    const Map map = built(two_rooms_and_player());
     const WallId there = wall_at(map, {4, 0}, {4, 4}), back = wall_at(map, {4, 4}, {4, 0});
     EXPECT_EQ(map[there].kind, WallKind::portal);
     EXPECT_EQ(map[there].behind, SectorId(1u));
@@ -57,7 +57,7 @@ TEST(BuildMap, LetsNeighboursOpenIntoEachOther) {
 }
 
 TEST(BuildMap, AllowsAPortalWhoseOtherSideIsSolid) {
-    MapFile file = two_rooms();
+    MapFile file = two_rooms_and_player();
     wall(file, "right", {4, 4}, {4, 0}).next.clear();
     const Map map = built(file);
     const WallId there = wall_at(map, {4, 0}, {4, 4});
@@ -66,14 +66,14 @@ TEST(BuildMap, AllowsAPortalWhoseOtherSideIsSolid) {
 }
 
 TEST(BuildMap, WarnsOfARoomThatOpensOntoASolidWall) {
-    MapFile file = two_rooms();
+    MapFile file = two_rooms_and_player();
     wall(file, "right", {4, 4}, {4, 0}).next.clear();
     EXPECT_THAT(text_of(findings_of(file)),
                 ::testing::HasSubstr("warning: sector 'left' opens onto this edge (4, 4)-(4, 0) of sector 'right'"));
 }
 
 TEST(BuildMap, TakesAOneWayLinkForMeant) {
-    MapFile file = two_rooms();
+    MapFile file = two_rooms_and_player();
     wall(file, "right", {4, 4}, {4, 0}).next.clear();
     wall(file, "right", {4, 4}, {4, 0}).name = "back";
     wall(file, "left", {4, 0}, {4, 4}).via = "back";
@@ -95,7 +95,7 @@ TEST(BuildMap, BoxesEachSector) {
 }
 
 TEST(BuildMap, StartsThePlayerWhereTheFileSays) {
-    MapFile file = two_rooms();
+    MapFile file = two_rooms_and_player();
     place_player(file, "right", {5.25, 1.5}, 1.7, 90);
     const Map map = built(file);
     ASSERT_TRUE(map.player);
@@ -106,7 +106,7 @@ TEST(BuildMap, StartsThePlayerWhereTheFileSays) {
 }
 
 TEST(BuildMap, PutsThePlayerOnThePointGrid) {
-    MapFile file = two_rooms();
+    MapFile file = two_rooms_and_player();
     place_player(file, "left", {1.0 / 3, 0x1p-33});
     const Map map = built(file);
     EXPECT_EQ(map.player->position.x * 0x1p32, 1431655765);
@@ -115,7 +115,7 @@ TEST(BuildMap, PutsThePlayerOnThePointGrid) {
 
 TEST(BuildMap, RefusesWhatTheReaderRefused) {
     Findings findings{{{3, 1}, Severity::error, "unknown-key", "a finding of the reader"}};
-    const MapFile file = two_rooms();
+    const MapFile file = two_rooms_and_player();
     EXPECT_FALSE(build_map(file, textures_for(file), findings));
     EXPECT_EQ(findings.size(), 1u);
 }

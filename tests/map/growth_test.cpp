@@ -235,7 +235,7 @@ TEST(TargetLists, KeepTheOrderOfTheNamesAndEachSectorOnce) {
     EXPECT_THAT(map.targets_of(map.triggers[1]), ElementsAre(SectorId(1u), SectorId(2u), SectorId(3u)));
 }
 
-std::size_t errors_of(const Findings& findings, const char* code) {
+std::size_t count_of(const Findings& findings, const char* code) {
     return static_cast<std::size_t>(
         std::count_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; }));
 }
@@ -250,7 +250,7 @@ TEST(TargetLists, AreRefusedWhereTriggersPutLargeTagsTogetherInTooManyWays) {
     const std::size_t before = allocated_bytes();
     Findings findings;
     EXPECT_FALSE(build_map(file, textures, findings));
-    EXPECT_EQ(errors_of(findings, "too-many-targets"), 1u) << text_of(findings);
+    EXPECT_EQ(count_of(findings, "too-many-targets"), 1u) << text_of(findings);
     EXPECT_LT(allocated_bytes() - before, std::size_t{200} << 20);
 }
 
@@ -264,17 +264,17 @@ TEST(TargetLists, AreRefusedWhereOneActionWouldChangeTooMuchAtOnce) {
     MapFile file = hall_and_closets(1000);
     for (SectorRecord* closet : closets(file)) closet->tags = {"t"};
     file.sectors[0].triggers.assign(1048, trigger_about({"t"}));
-    EXPECT_EQ(errors_of(findings_of(file), "too-many-targets"), 0u);
+    EXPECT_EQ(count_of(findings_of(file), "too-many-targets"), 0u);
     file.sectors[0].triggers.push_back(trigger_about({"t"}));
-    EXPECT_EQ(errors_of(findings_of(file), "too-many-targets"), 1u);
+    EXPECT_EQ(count_of(findings_of(file), "too-many-targets"), 1u);
 }
 
 TEST(TargetLists, AreRefusedWhereTheStartWouldChangeTooMuchAtOnce) {
     MapFile file = hall_and_closets(1100);
     one_tag_and_a_trigger_in_each(file);
-    EXPECT_EQ(errors_of(findings_of(file), "too-many-targets"), 0u);
+    EXPECT_EQ(count_of(findings_of(file), "too-many-targets"), 0u);
     for (SectorRecord* closet : closets(file)) closet->triggers[0].on = Activation::start;
-    EXPECT_EQ(errors_of(findings_of(file), "too-many-targets"), 1u);
+    EXPECT_EQ(count_of(findings_of(file), "too-many-targets"), 1u);
 }
 
 TEST(Keys, MayBeAsManyAsTheBitsThatSayWhoHasThem) {
@@ -286,7 +286,7 @@ TEST(Keys, MayBeAsManyAsTheBitsThatSayWhoHasThem) {
     EXPECT_EQ(built(file).keys.size(), 64u);
     file.sectors[0].loops[0].walls[64].triggers[0].key = "one more";
     file.sectors[0].loops[0].walls[65].triggers[0].key = "another";
-    EXPECT_EQ(errors_of(findings_of(file), "too-many-keys"), 1u);
+    EXPECT_EQ(count_of(findings_of(file), "too-many-keys"), 1u);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ SoundRecord sound_of(std::string name, double reach) {
     return record;
 }
 
-ThingRecord thing_at(Vec2 position, std::string sound) {
+ThingRecord sounding_thing_at(Vec2 position, std::string sound) {
     ThingRecord thing;
     thing.position = position;
     thing.sound = std::move(sound);
@@ -32,33 +32,34 @@ TriggerRecord heard_trigger(Activation on, std::string sound) {
 }
 
 /// Two rooms side by side that know the sounds "hum" and "click".
-MapFile two_rooms() {
+MapFile two_sounding_rooms() {
     MapFile file = map_of({box_room("left", 0, 0, 4, 4), box_room("right", 4, 0, 8, 4)});
     join_all(file);
     file.sounds = {sound_of("hum", 10), sound_of("click", 25)};
     return file;
 }
 
-TEST(Sounds, ReachAsFarAsTheFarthestOfThem) { EXPECT_EQ(built(two_rooms()).farthest_sound_m, 25); }
+TEST(Sounds, ReachAsFarAsTheFarthestOfThem) { EXPECT_EQ(built(two_sounding_rooms()).farthest_sound_m, 25); }
 
 TEST(Sounds, OfAMapWithoutThemReachNowhere) {
     EXPECT_EQ(built(map_of({box_room("a", 0, 0, 4, 4)})).farthest_sound_m, 0);
 }
 
 TEST(Sounds, AreFoundByThings) {
-    MapFile file = two_rooms();
-    file.things = {thing_at({1, 1}, "click")};
+    MapFile file = two_sounding_rooms();
+    file.things = {sounding_thing_at({1, 1}, "click")};
     EXPECT_EQ(built(file).things[0].sound, SoundId(1u));
 }
 
 TEST(Sounds, ListTheThingsThatAreHeardBySector) {
-    MapFile file = two_rooms();
-    file.things = {thing_at({5, 1}, "hum"), thing_at({1, 1}, "hum"), thing_at({2, 1}, ""), thing_at({3, 1}, "click")};
+    MapFile file = two_sounding_rooms();
+    file.things = {sounding_thing_at({5, 1}, "hum"), sounding_thing_at({1, 1}, "hum"), sounding_thing_at({2, 1}, ""),
+                   sounding_thing_at({3, 1}, "click")};
     EXPECT_THAT(built(file).sounding_things, testing::ElementsAre(ThingId(1u), ThingId(3u), ThingId(0u)));
 }
 
 TEST(Sounds, AreFoundBySectors) {
-    MapFile file = two_rooms();
+    MapFile file = two_sounding_rooms();
     sector(file, "right").move_sound = "hum";
     sector(file, "right").stop_sound = "click";
     const Map map = built(file);
@@ -69,7 +70,7 @@ TEST(Sounds, AreFoundBySectors) {
 }
 
 TEST(Sounds, OfSectorsMayDifferOnTheWayDown) {
-    MapFile file = two_rooms();
+    MapFile file = two_sounding_rooms();
     sector(file, "right").move_sound = "hum";
     sector(file, "right").down_sound = "click";
     const Map map = built(file);
@@ -78,8 +79,8 @@ TEST(Sounds, OfSectorsMayDifferOnTheWayDown) {
 }
 
 TEST(Sounds, OfTriggersAreHeardFromWhatTheyAreOn) {
-    MapFile file = two_rooms();
-    file.things = {thing_at({1, 1}, "")};
+    MapFile file = two_sounding_rooms();
+    file.things = {sounding_thing_at({1, 1}, "")};
     file.things[0].triggers = {heard_trigger(Activation::touch, "hum")};
     sector(file, "right").triggers = {heard_trigger(Activation::enter, "hum")};
     wall(file, "left", {0, 0}, {4, 0}).triggers = {heard_trigger(Activation::use, "click")};
@@ -98,7 +99,7 @@ TEST(Sounds, OfTriggersAreHeardFromWhatTheyAreOn) {
 }
 
 TEST(Sounds, OnlyHeardTriggersNeedNoTarget) {
-    MapFile file = two_rooms();
+    MapFile file = two_sounding_rooms();
     wall(file, "left", {0, 0}, {4, 0}).triggers = {heard_trigger(Activation::use, "click")};
     EXPECT_FALSE(has_errors(findings_of(file))) << text_of(findings_of(file));
 }

@@ -5,7 +5,7 @@
 
 #include "base/hash.h"
 
-namespace enfilade::testing {
+namespace enfilade::test {
 namespace {
 
 TEST(Integer, AgreesWithTheCompilersProducts) {
@@ -48,4 +48,4 @@ TEST(Integer, HasOneZero) {
 }
 
 }  // namespace
-}  // namespace enfilade::testing
+}  // namespace enfilade::test

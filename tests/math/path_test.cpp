@@ -11,9 +11,9 @@
 namespace enfilade {
 namespace {
 
-using namespace testing;
+using namespace test;
 
-constexpr int kTrials = 2000;
+constexpr int kPathTrials = 2000;
 
 struct Path {
     Vec2 p, q;
@@ -50,7 +50,7 @@ Line line_across(Random& random, const Path& path) {
 
 TEST(FractionAlongPath, IsExact) {
     Random random(21);
-    for (int i = 0; i < kTrials; ++i) {
+    for (int i = 0; i < kPathTrials; ++i) {
         const Path path = random_path(random, kWorldLimit);
         const Line line = line_across(random, path);
         const PathFraction f = fraction_along_path(path.p, path.q, line.a, line.b);
@@ -66,8 +66,8 @@ TEST(FractionAlongPath, IsExact) {
 // hard case C6
 TEST(FractionAlongPath, IsOrderedAsExactRationalsAre) {
     Random random(22);
-    test::count_trials(kTrials, "paths");
-    for (int i = 0; i < kTrials; ++i) {
+    test::count_trials(kPathTrials, "paths");
+    for (int i = 0; i < kPathTrials; ++i) {
         const Path path = random_path(random, kWorldLimit);
         const Line s = line_across(random, path), t = line_across(random, path);
         const int order =
@@ -79,7 +79,7 @@ TEST(FractionAlongPath, IsOrderedAsExactRationalsAre) {
 TEST(FractionAlongPath, OrdersLinesThroughOnePointOfThePath) {
     Random random(23);
     int ties = 0;
-    for (int i = 0; i < kTrials; ++i) {
+    for (int i = 0; i < kPathTrials; ++i) {
         const Vec2 meeting = random_point(random, kVertexGrid, 1000);
         const Vec2 reach = random_point(random, kVertexGrid, 1000);
         const Path path{meeting - reach, meeting + reach};
@@ -90,7 +90,7 @@ TEST(FractionAlongPath, OrdersLinesThroughOnePointOfThePath) {
             compare(fraction_along_path(path.p, path.q, s.a, s.b), fraction_along_path(path.p, path.q, t.a, t.b));
         ASSERT_EQ(order, compare(exact_fraction(path, s), exact_fraction(path, t))) << "trial " << i;
     }
-    EXPECT_GT(ties, kTrials / 2);
+    EXPECT_GT(ties, kPathTrials / 2);
 }
 
 TEST(FractionAlongPath, IsEqualOnlyForOneLine) {
@@ -106,7 +106,7 @@ TEST(FractionAlongPath, IsEqualOnlyForOneLine) {
 // hard case C25
 TEST(FractionAlongPath, RunsBackwardsOnTheWayBack) {
     Random random(24);
-    for (int i = 0; i < kTrials; ++i) {
+    for (int i = 0; i < kPathTrials; ++i) {
         const Path path = random_path(random, 100);
         const Line s = line_across(random, path), t = line_across(random, path);
         const int there =
@@ -131,8 +131,8 @@ bool exactly_leaves_through(const Path& path, const Line& wall) {
 TEST(PathLeavesThrough, IsExact) {
     Random random(25);
     int left = 0;
-    test::count_trials(kTrials, "paths");
-    for (int i = 0; i < kTrials; ++i) {
+    test::count_trials(kPathTrials, "paths");
+    for (int i = 0; i < kPathTrials; ++i) {
         const Path path = random_path(random, 10);
         Line wall{random_point(random, kVertexGrid, 10), random_point(random, kVertexGrid, 10)};
         if (i % 4 == 1) wall.a = path.p;
@@ -143,7 +143,7 @@ TEST(PathLeavesThrough, IsExact) {
         left += leaves;
         ASSERT_EQ(leaves, exactly_leaves_through(path, wall)) << "trial " << i;
     }
-    EXPECT_GT(left, kTrials / 20);
+    EXPECT_GT(left, kPathTrials / 20);
 }
 
 // hard case C4
@@ -158,8 +158,8 @@ std::vector<Vec2> room() { return {{-4, -3}, {0, -5}, {4, -3}, {6, 1}, {3, 5}, {
 TEST(PathLeavesThrough, LeavesAConvexRoomThroughExactlyOneWallEvenThroughAVertex) {
     const auto v = room();
     Random random(26);
-    test::count_trials(kTrials, "paths");
-    for (int i = 0; i < kTrials; ++i) {
+    test::count_trials(kPathTrials, "paths");
+    for (int i = 0; i < kPathTrials; ++i) {
         const Vec2 inside = random_point(random, 0.25, 2);
         const Vec2 vertex = v[random.below(v.size())];
         const Vec2 outside = vertex + (vertex - inside) * static_cast<double>(1 + random.below(50));
@@ -182,7 +182,7 @@ TEST(CompareProducts, IsExactAtEverySize) {
                (Integer(static_cast<std::int64_t>((x >> 32) & 0xFFFFFFFF)) << 32) +
                Integer(static_cast<std::int64_t>(x & 0xFFFFFFFF));
     };
-    for (int i = 0; i < 10 * kTrials; ++i) {
+    for (int i = 0; i < 10 * kPathTrials; ++i) {
         const Int128 a = number(), b = number(), c = number(), d = number();
         ASSERT_EQ(compare_products(a, b, c, d), (exactly(a) * exactly(b) - exactly(c) * exactly(d)).sign());
     }
@@ -190,7 +190,7 @@ TEST(CompareProducts, IsExactAtEverySize) {
 
 TEST(CompareProducts, SeesEqualProductsOfDifferentFactors) {
     Random random(28);
-    for (int i = 0; i < kTrials; ++i) {
+    for (int i = 0; i < kPathTrials; ++i) {
         const auto factor = [&] { return Int128{static_cast<std::int64_t>(random.bits())} >> 2; };
         const Int128 w = factor(), x = factor(), y = factor(), z = factor();
         ASSERT_EQ(compare_products(w * x, y * z, w * y, x * z), 0);

@@ -9,7 +9,7 @@
 #include "base/hash.h"
 #include "math/vec.h"
 
-namespace enfilade::testing {
+namespace enfilade::test {
 
 /// A corner of a triangle a, b, c.
 struct Triple {
@@ -69,4 +69,4 @@ inline Triple straight(Random& random, double grid) {
     return {origin, origin + step * (at_b * grid), origin + step * (at_c * grid)};
 }
 
-}  // namespace enfilade::testing
+}  // namespace enfilade::test

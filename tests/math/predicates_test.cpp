@@ -13,7 +13,7 @@
 namespace enfilade {
 namespace {
 
-using namespace testing;
+using namespace test;
 
 constexpr int kTrials = 3000;
 constexpr std::array kBothGrids{kVertexGrid, kPointGrid};

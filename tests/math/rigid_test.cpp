@@ -11,9 +11,9 @@
 namespace enfilade {
 namespace {
 
-using namespace testing;
+using namespace test;
 
-constexpr int kTrials = 5000;
+constexpr int kRigidTrials = 5000;
 
 /// A turn by quarters, mirrored or not, with a shift on the vertex grid and a rise.
 Rigid random_exact_map(Random& random) {
@@ -54,7 +54,7 @@ TEST(Rigid, MirrorsBeforeItTurns) {
 // hard case R28
 TEST(Rigid, KeepsOrSwapsLeftAndRightAsFlipSays) {
     Random random(51);
-    for (int i = 0; i < kTrials; ++i) {
+    for (int i = 0; i < kRigidTrials; ++i) {
         const Rigid map = random_exact_map(random);
         const Vec2 a = random_point(random, 1, 1000), b = random_point(random, 1, 1000);
         ASSERT_EQ(cross(map.turn(a), map.turn(b)), map.flip * cross(a, b));
@@ -64,7 +64,7 @@ TEST(Rigid, KeepsOrSwapsLeftAndRightAsFlipSays) {
 
 TEST(Then, DoesOneAfterTheOtherExactlyForQuarterTurns) {
     Random random(52);
-    for (int i = 0; i < kTrials; ++i) {
+    for (int i = 0; i < kRigidTrials; ++i) {
         const Rigid first = random_exact_map(random), second = random_exact_map(random);
         const Vec2 p = random_point(random, kPointGrid);
         ASSERT_EQ(then(first, second).apply(p), second.apply(first.apply(p))) << "trial " << i;
@@ -74,7 +74,7 @@ TEST(Then, DoesOneAfterTheOtherExactlyForQuarterTurns) {
 
 TEST(Then, GroupsAsItLikes) {
     Random random(53);
-    for (int i = 0; i < kTrials; ++i) {
+    for (int i = 0; i < kRigidTrials; ++i) {
         const Rigid a = random_exact_map(random), b = random_exact_map(random), c = random_exact_map(random);
         ASSERT_EQ(then(then(a, b), c), then(a, then(b, c))) << "trial " << i;
     }
@@ -82,7 +82,7 @@ TEST(Then, GroupsAsItLikes) {
 
 TEST(Inverse, UndoesQuarterTurnsMirrorsAndGridShiftsExactly) {
     Random random(54);
-    for (int i = 0; i < kTrials; ++i) {
+    for (int i = 0; i < kRigidTrials; ++i) {
         const Rigid map = random_exact_map(random);
         ASSERT_TRUE(then(map, inverse(map)).is_identity()) << "trial " << i;
         ASSERT_TRUE(then(inverse(map), map).is_identity()) << "trial " << i;
@@ -96,7 +96,7 @@ TEST(Inverse, UndoesAnyTurnToWithinRounding) {
     // Coordinates below 2^17 m are rounded a handful of times, each time by at most 2^-37 m.
     constexpr double kRounding = 8 * 0x1p-37;
     Random random(55);
-    for (int i = 0; i < kTrials; ++i) {
+    for (int i = 0; i < kRigidTrials; ++i) {
         const Rigid map = random_map(random);
         const Vec2 p = random_point(random, kPointGrid);
         const Vec2 back = inverse(map).apply(map.apply(p));
@@ -108,7 +108,7 @@ TEST(Inverse, UndoesAnyTurnToWithinRounding) {
 TEST(Then, DoesOneAfterTheOtherForAnyTurnToWithinRounding) {
     constexpr double kRounding = 8 * 0x1p-36;  // as above; two shifts lead up to 2^18 m
     Random random(56);
-    for (int i = 0; i < kTrials; ++i) {
+    for (int i = 0; i < kRigidTrials; ++i) {
         const Rigid first = random_map(random), second = random_map(random);
         const Vec2 p = random_point(random, kPointGrid);
         const Vec2 at_once = then(first, second).apply(p), in_turn = second.apply(first.apply(p));

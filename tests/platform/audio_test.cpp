@@ -34,7 +34,7 @@ TEST(Audio, SaysThatThereIsNoDevice) {
 
 TEST(Audio, PlaysWhatIsHeard) {
     const Driver driver("disk");
-    const testing::TempDir dir;
+    const test::TempDir dir;
     const std::string path = dir.path("played.raw");
     setenv("SDL_DISKAUDIOFILE", path.c_str(), 1);
     {

@@ -14,7 +14,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::uint32_t kRed = 0xFF0000FF, kBlue = 0xFFFF0000, kGray = 0xFF404040;  // 0xAABBGGRR
+constexpr std::uint32_t kGlRed = 0xFF0000FF, kGlBlue = 0xFFFF0000, kGlGray = 0xFF404040;  // 0xAABBGGRR
 
 /// Mesa's drivers lose memory each time they are unloaded, which LeakSanitizer tells of: once loaded, they stay.
 void keep_drivers_loaded() {
@@ -63,17 +63,17 @@ protected:
 
 TEST_F(GlWindow, ShowsAFrameTheRightWayUp) {
     ASSERT_TRUE(window_->is_shown_by_gpu());
-    Frame frame = filled(320, 200, kBlue);
-    std::fill_n(frame.pixels.begin(), 320 * 100, kRed);
+    Frame frame = filled(320, 200, kGlBlue);
+    std::fill_n(frame.pixels.begin(), 320 * 100, kGlRed);
     ASSERT_FALSE(window_->present(frame));
-    EXPECT_EQ(shown(160, 10), kRed);
-    EXPECT_EQ(shown(160, 190), kBlue);
+    EXPECT_EQ(shown(160, 10), kGlRed);
+    EXPECT_EQ(shown(160, 190), kGlBlue);
 }
 
 TEST_F(GlWindow, KeepsTheFramesProportionsBetweenBlackBars) {
-    ASSERT_FALSE(window_->present(filled(100, 100, kRed)));
+    ASSERT_FALSE(window_->present(filled(100, 100, kGlRed)));
     EXPECT_EQ(shown(10, 100), 0xFF000000u);
-    EXPECT_EQ(shown(160, 100), kRed);
+    EXPECT_EQ(shown(160, 100), kGlRed);
     EXPECT_EQ(shown(310, 100), 0xFF000000u);
 }
 
@@ -104,36 +104,36 @@ protected:
 
 TEST_F(PictureOnTheCard, IsShownTheRightWayUp) {
     ASSERT_FALSE(window_->present(picture_, filled(320, 200, 0), 1));
-    EXPECT_EQ(shown(160, 10), kRed);
-    EXPECT_EQ(shown(160, 190), kGray);
+    EXPECT_EQ(shown(160, 10), kGlRed);
+    EXPECT_EQ(shown(160, 190), kGlGray);
 }
 
 TEST_F(PictureOnTheCard, IsCoveredByWhatLiesOverIt) {
     Frame over = filled(320, 200, 0);
-    over.pixels[0] = kBlue;
+    over.pixels[0] = kGlBlue;
     over.pixels[1] = 0x80800000;  // half blue
     ASSERT_FALSE(window_->present(picture_, over, 1));
-    EXPECT_EQ(shown(0, 0), kBlue);
+    EXPECT_EQ(shown(0, 0), kGlBlue);
     EXPECT_EQ(shown(1, 0), 0xFF80007Fu);
-    EXPECT_EQ(shown(2, 0), kRed);
+    EXPECT_EQ(shown(2, 0), kGlRed);
 }
 
 TEST_F(PictureOnTheCard, IsBrightenedAndWhatLiesOverItIsNot) {
     Frame over = filled(320, 200, 0);
-    over.pixels[199 * 320] = kGray;
+    over.pixels[199 * 320] = kGlGray;
     ASSERT_FALSE(window_->present(picture_, over, 2));
     EXPECT_EQ(shown(160, 190), 0xFF808080u) << "the root of a quarter";
-    EXPECT_EQ(shown(0, 199), kGray);
+    EXPECT_EQ(shown(0, 199), kGlGray);
 }
 
 TEST_F(GlWindow, CanBeMadeAnewForTheOtherWay) {
     ASSERT_FALSE(window_->show_by_gpu(false));
     EXPECT_FALSE(window_->is_shown_by_gpu());
-    EXPECT_FALSE(window_->present(filled(320, 200, kRed)));
+    EXPECT_FALSE(window_->present(filled(320, 200, kGlRed)));
     EXPECT_EQ(window_->size(), (PixelSize{320, 200}));
     ASSERT_FALSE(window_->show_by_gpu(true));
-    ASSERT_FALSE(window_->present(filled(320, 200, kBlue)));
-    EXPECT_EQ(shown(160, 100), kBlue);
+    ASSERT_FALSE(window_->present(filled(320, 200, kGlBlue)));
+    EXPECT_EQ(shown(160, 100), kGlBlue);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 using namespace test;
 
-PointLightRecord lamp(Vec2 at, double reach, double z = 1) {
+PointLightRecord lamp_at(Vec2 at, double reach, double z = 1) {
     PointLightRecord light;
     light.position = at;
     light.z = z;
@@ -76,7 +76,7 @@ TEST(LightImages, OfEveryShippedMapAreAllThere) {
 
 TEST(LightImages, AreLeftOutFromTheFirstLightThatCannotBeWorkedOut) {
     MapFile file = slivers(400, 0.0625, 16);
-    for (int i = 0; i < 1000; ++i) file.lights.push_back(lamp({0.03125 + 0.0625 * (i % 400), 8}, 8));
+    for (int i = 0; i < 1000; ++i) file.lights.push_back(lamp_at({0.03125 + 0.0625 * (i % 400), 8}, 8));
     const Map map = built(file);
     const LightImages images(map);
     ASSERT_TRUE(images.left_out());
@@ -88,7 +88,7 @@ TEST(LightImages, AreLeftOutFromTheFirstLightThatCannotBeWorkedOut) {
 
 TEST(LightImages, CostNoMoreThanMayBeSpentAndOneLight) {
     MapFile file = round_room(4000, 60);
-    for (int i = 0; i < 1000; ++i) file.lights.push_back(lamp({i % 50 - 25.0, i / 50 - 10.0}, 8));
+    for (int i = 0; i < 1000; ++i) file.lights.push_back(lamp_at({i % 50 - 25.0, i / 50 - 10.0}, 8));
     const LightImages images(built(file));
     EXPECT_TRUE(images.left_out());
     file.lights.resize(1);
@@ -97,7 +97,7 @@ TEST(LightImages, CostNoMoreThanMayBeSpentAndOneLight) {
 
 TEST(LightImages, DoNotDependOnWhatComesAfterThem) {
     MapFile file = slivers(8, 1, 16);
-    file.lights = {lamp({0.5, 8}, 4), lamp({6.5, 8}, 4)};
+    file.lights = {lamp_at({0.5, 8}, 4), lamp_at({6.5, 8}, 4)};
     const Map both = built(file);
     file.lights.pop_back();
     const Map one = built(file);
@@ -113,7 +113,7 @@ TEST(LightGrids, OfLampsFarApartTakeLittleMemoryAndShineWhereTheyAre) {
     for (const double half : {200.0, 2000.0, 15000.0}) {
         MapFile file = map_of({box_room("plain", -half, -half, half, half, 0, 100)});
         const double far = half - 20;
-        file.lights = {lamp({-far, -far}, 64, 4), lamp({far, far}, 64, 4)};
+        file.lights = {lamp_at({-far, -far}, 64, 4), lamp_at({far, far}, 64, 4)};
         const Map map = built(file);
         EXPECT_LT(memory_of_all_light(map), 256 * kMiB) << half;
         const Snapshot snapshot = at_rest(map);
@@ -127,7 +127,7 @@ TEST(LightGrids, OfLampsFarApartTakeLittleMemoryAndShineWhereTheyAre) {
 
 TEST(LightGrids, OfLampsNearEachOtherAreAsDenseAsIsAskedFor) {
     MapFile file = map_of({box_room("plain", 0, 0, 300, 300, 0, 100)});
-    file.lights = {lamp({20, 20}, 16, 4), lamp({280, 280}, 16, 4)};
+    file.lights = {lamp_at({20, 20}, 16, 4), lamp_at({280, 280}, 16, 4)};
     const Map map = built(file);
     const Snapshot snapshot = at_rest(map);
     EXPECT_EQ(LightGrids(map, 8).on_floor(snapshot, SectorId(0u))->per_m, 8);

@@ -100,7 +100,7 @@ TEST(TraceThroughLinks, EndsBehindTheLinkWhenThePathEndsOnItsLine) {
 }
 
 /// As bodies go where every panel blocks.
-Trace walk_straight(const Map& map, const Place& from, Vec2 to) {
+Trace walk_through_links(const Map& map, const Place& from, Vec2 to) {
     return trace(map, from, to, {}, [](const MetPanel&) { return false; });
 }
 
@@ -120,7 +120,7 @@ TEST(TraceThroughLinks, IsStoppedByAPanelOnTheLineItComesOutOf) {
         map.sectors[1].panel_count = map.sectors[1].active_panels = 1;
         for (double y = 0; y <= 4; y += 0.25)
             for (const double x : {4., 4 + kPointGrid, 5.}) {
-                const Trace path = walk_straight(map, {kFirst, {3, 2}}, {x, y});
+                const Trace path = walk_through_links(map, {kFirst, {3, 2}}, {x, y});
                 ASSERT_EQ(path.end.sector, kFirst) << x << " " << y;
                 ASSERT_TRUE(path.is_stopped());
                 ASSERT_TRUE(contains(map, kFirst, path.end.point));
@@ -192,8 +192,8 @@ TEST(TraceThroughLinks, TakesOfTwoThatShareAVertexTheOneThatExactArithmeticTells
         const std::size_t number = random.below(4);
         const Vec2 vertex = corners[number], from{quarters(1, 15), quarters(1, 15)};
         const Vec2 to = vertex + (vertex - from) * quarters(1, 4);
-        const testing::ExactPoint start = testing::exact_moved(from), end = testing::exact_moved(to);
-        const bool is_left = testing::cross(end - start, testing::exact(vertex) - start).sign() > 0;
+        const test::ExactPoint start = test::exact_moved(from), end = test::exact_moved(to);
+        const bool is_left = test::cross(end - start, test::exact(vertex) - start).sign() > 0;
         const Trace path = trace(map, {kFirst, from}, to);
         ASSERT_EQ(path.crossings.size(), 1u) << from.x << ' ' << from.y;
         ASSERT_EQ(map[map[path.crossings[0].portal].behind].name, std::to_string(is_left ? (number + 3) % 4 : number));
@@ -298,7 +298,7 @@ TEST(TraceThroughLinks, NeverCrossesAPanelInAUniverseOfLinks) {
         }
         for (int i = 0; i < 10000; ++i) {
             const Place from = universe.place();
-            const Trace path = walk_straight(map, from, universe.target(static_cast<int>(from.sector.index)));
+            const Trace path = walk_through_links(map, from, universe.target(static_cast<int>(from.sector.index)));
             ASSERT_TRUE(contains(map, path.end.sector, path.end.point)) << "seed " << seed << ", path " << i;
             for (const Crossing& crossing : path.crossings)
                 ASSERT_FALSE(is_fenced(crossing.portal) || is_fenced(map[crossing.portal].exit))

@@ -20,7 +20,7 @@ using namespace test;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-const SectorId kFirst(0u), kSecond(1u);
+const SectorId kNearRoom(0u), kFarRoom(1u);
 
 std::vector<WallId> walls_of(const Reach& found) {
     std::vector<WallId> walls;
@@ -109,16 +109,16 @@ TEST(Reach, FindsNoNearestWallThatAStraightWayDoesNotRunInto) {
 
 TEST(Reach, DoesNotCountTouching) {
     const Map map = built(map_of({box_room("room", 0, 0, 4, 4)}));
-    EXPECT_THAT(reach(map, {kFirst, {2, 1}}, 1).walls, IsEmpty());
-    EXPECT_THAT(reach(map, {kFirst, {2, 1}}, 1 + kPointGrid).walls, SizeIs(1));
+    EXPECT_THAT(reach(map, {kNearRoom, {2, 1}}, 1).walls, IsEmpty());
+    EXPECT_THAT(reach(map, {kNearRoom, {2, 1}}, 1 + kPointGrid).walls, SizeIs(1));
 }
 
 TEST(Reach, LooksThroughPortals) {
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 0, 4.25, 4)});
     join_all(file);
     const Map map = built(file);
-    const Reach found = reach(map, {kFirst, {3.5, 2}}, 1);
-    EXPECT_THAT(sectors_of(found), testing::ElementsAre(kFirst, kSecond));
+    const Reach found = reach(map, {kNearRoom, {3.5, 2}}, 1);
+    EXPECT_THAT(sectors_of(found), testing::ElementsAre(kNearRoom, kFarRoom));
     ASSERT_THAT(found.walls, SizeIs(1));
     EXPECT_EQ(map[found.walls[0].wall].a, (Vec2{4.25, 0}));
 }
@@ -130,7 +130,7 @@ TEST(Reach, FindsNoWallOnTheBackOfTheDoorway) {
     MapFile file = map_of({box_room("before", 0, 0, 4, 4), std::move(behind)});
     join(file, "before", "behind", {4, 0}, {4, 4});
     const Map map = built(file);
-    EXPECT_THAT(reach(map, {kFirst, {3.9, 2}}, 1).walls, IsEmpty());
+    EXPECT_THAT(reach(map, {kNearRoom, {3.9, 2}}, 1).walls, IsEmpty());
 }
 
 TEST(Reach, FindsAWallThatOnlyShowsItsEndAroundACorner) {
@@ -140,20 +140,20 @@ TEST(Reach, FindsAWallThatOnlyShowsItsEndAroundACorner) {
     MapFile file = map_of({std::move(yard), room("inside", {{80, 0}, {90, 0}, {90, 5}, {90, 7}, {90, 12}, {80, 12}})});
     link(file, "yard", {6, 7}, {6, 5}, "inside", {90, 5}, {90, 7});
     const Map map = built(file);
-    const Reach found = reach(map, {kFirst, {6.5, 5.25}}, 1);
+    const Reach found = reach(map, {kNearRoom, {6.5, 5.25}}, 1);
     ASSERT_THAT(found.walls, SizeIs(1));
     EXPECT_EQ(map[found.walls[0].wall].b, (Vec2{90, 5}));
     EXPECT_EQ(distance_to(found.walls[0]), std::sqrt(0.5 * 0.5 + 0.25 * 0.25));
-    EXPECT_THAT(reach(map, {kFirst, {6.5, 6}}, 1).walls, IsEmpty());
+    EXPECT_THAT(reach(map, {kNearRoom, {6.5, 6}}, 1).walls, IsEmpty());
 }
 
 TEST(Reach, CountsARefusedPortalAsAWall) {
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 0, 8, 4)});
     join_all(file);
     const Map map = built(file);
-    const Reach found = reach(map, {kFirst, {3.5, 2}}, 1, [](WallId, const Rigid&) { return false; });
+    const Reach found = reach(map, {kNearRoom, {3.5, 2}}, 1, [](WallId, const Rigid&) { return false; });
     EXPECT_THAT(walls_of(found), testing::ElementsAre(WallId(1u)));
-    EXPECT_THAT(sectors_of(found), testing::ElementsAre(kFirst));
+    EXPECT_THAT(sectors_of(found), testing::ElementsAre(kNearRoom));
 }
 
 /// A panel from a to b that blocks.
@@ -170,9 +170,9 @@ TEST(Reach, FindsAPanelThatBlocksTurnedToTheMiddle) {
     MapFile file = map_of({box_room("room", 0, 0, 8, 8)});
     file.sectors[0].panels = {fence({4, 2}, {4, 6})};
     const Map map = built(file);
-    EXPECT_THAT(reach(map, {kFirst, {3, 4}}, 1).walls, IsEmpty()) << "touching does not count";
+    EXPECT_THAT(reach(map, {kNearRoom, {3, 4}}, 1).walls, IsEmpty()) << "touching does not count";
     for (const double x : {3., 5.}) {
-        const Reach found = reach(map, {kFirst, {x, 4}}, 1 + kPointGrid);
+        const Reach found = reach(map, {kNearRoom, {x, 4}}, 1 + kPointGrid);
         ASSERT_THAT(found.walls, SizeIs(1));
         EXPECT_EQ(found.walls[0].panel, PanelId(0u));
         EXPECT_EQ(found.walls[0].a, (Vec2{4, x < 4 ? 2. : 6.}));
@@ -183,15 +183,15 @@ TEST(Reach, FindsAPanelByItsEnd) {
     MapFile file = map_of({box_room("room", 0, 0, 8, 8)});
     file.sectors[0].panels = {fence({4, 2}, {4, 5})};
     const Map map = built(file);
-    EXPECT_THAT(reach(map, {kFirst, {4, 6}}, 1).walls, IsEmpty());
-    EXPECT_THAT(reach(map, {kFirst, {4, 6}}, 1 + kPointGrid).walls, SizeIs(1));
+    EXPECT_THAT(reach(map, {kNearRoom, {4, 6}}, 1).walls, IsEmpty());
+    EXPECT_THAT(reach(map, {kNearRoom, {4, 6}}, 1 + kPointGrid).walls, SizeIs(1));
 }
 
 TEST(Reach, LeavesOutPanelsThatDoNotBlock) {
     MapFile file = map_of({box_room("room", 0, 0, 8, 8)});
     file.sectors[0].panels = {fence({4, 2}, {4, 6}), fence({4.5, 2}, {4.5, 6})};
     file.sectors[0].panels[0].blocks = false;
-    const Reach found = reach(built(file), {kFirst, {4.25, 4}}, 1);
+    const Reach found = reach(built(file), {kNearRoom, {4.25, 4}}, 1);
     ASSERT_THAT(found.walls, SizeIs(1));
     EXPECT_EQ(found.walls[0].panel, PanelId(1u));
 }
@@ -200,7 +200,7 @@ TEST(Reach, FindsAPanelBehindALinkWhereItIs) {
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 100, 50, 104, 54)});
     link(file, "a", {4, 0}, {4, 4}, "b", {100, 50}, {104, 50});
     file.sectors[1].panels = {fence({101, 50.25}, {103, 50.25}), fence({101, 53}, {103, 53})};
-    const Reach found = reach(built(file), {kFirst, {3.5, 2}}, 1);
+    const Reach found = reach(built(file), {kNearRoom, {3.5, 2}}, 1);
     ASSERT_THAT(found.walls, SizeIs(1));
     EXPECT_EQ(found.walls[0].panel, PanelId(0u));
     EXPECT_EQ(distance_to(found.walls[0]), 0.75);
@@ -210,8 +210,8 @@ TEST(Reach, DoesNotFindAPanelThatADoorwayDoesNotShow) {
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 1, 5, 3), box_room("c", 5, 0, 9, 4)});
     split_and_join(file);
     sector(file, "c").panels = {fence({5.125, 0}, {5.125, 0.75})};
-    EXPECT_THAT(reach(built(file), {kFirst, {3.75, 2.5}}, 2.5).walls, SizeIs(testing::Gt(0u)));
-    for (const ReachedWall& wall : reach(built(file), {kFirst, {3.75, 2.5}}, 2.5).walls) EXPECT_FALSE(wall.panel);
+    EXPECT_THAT(reach(built(file), {kNearRoom, {3.75, 2.5}}, 2.5).walls, SizeIs(testing::Gt(0u)));
+    for (const ReachedWall& wall : reach(built(file), {kNearRoom, {3.75, 2.5}}, 2.5).walls) EXPECT_FALSE(wall.panel);
 }
 
 TEST(Reach, FindsAPanelThatOnlyShowsItsEndAroundACorner) {
@@ -221,7 +221,7 @@ TEST(Reach, FindsAPanelThatOnlyShowsItsEndAroundACorner) {
     MapFile file = map_of({std::move(yard), room("inside", {{80, 0}, {90, 0}, {90, 5}, {90, 7}, {90, 12}, {80, 12}})});
     link(file, "yard", {6, 7}, {6, 5}, "inside", {90, 5}, {90, 7});
     file.sectors[1].panels = {fence({90, 5}, {85, 2})};
-    const Reach found = reach(built(file), {kFirst, {6.5, 5.25}}, 1);
+    const Reach found = reach(built(file), {kNearRoom, {6.5, 5.25}}, 1);
     EXPECT_TRUE(
         std::any_of(found.walls.begin(), found.walls.end(), [](const ReachedWall& w) { return bool(w.panel); }));
 }
@@ -264,7 +264,7 @@ TEST(Reach, LooksThroughLinksFromBothSides) {
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 100, 50, 104, 54)});
     link(file, "a", {4, 0}, {4, 4}, "b", {100, 50}, {104, 50});
     const Map map = built(file);
-    const Reach found = reach(map, {kFirst, {3.5, 0.25}}, 1);
+    const Reach found = reach(map, {kNearRoom, {3.5, 0.25}}, 1);
     // The north wall of a, and beyond the link the east wall of b, which stands in line with it: its corner and face.
     EXPECT_THAT(walls_of(found), testing::ElementsAre(WallId(0u), WallId(5u), WallId(5u)));
     EXPECT_EQ(found.walls.back().centre, (Vec2{103.75, 49.5}));
@@ -279,21 +279,21 @@ TEST(Reach, IgnoresWallsOfTheOtherRoomThatLieOnThisSideOfTheDoorway) {
     wall(file, "hut", {4, 0}, {4, 4}).next = "big";
     wall(file, "big", {4, 4}, {4, 0}).next = "hut";
     const Map map = built(file);
-    const Reach found = reach(map, {kFirst, {2.5, 2}}, 1.75);
-    for (const ReachedWall& w : found.walls) EXPECT_EQ(map[w.wall].sector, kFirst);
-    EXPECT_TRUE(overlaps(found, kSecond));
+    const Reach found = reach(map, {kNearRoom, {2.5, 2}}, 1.75);
+    for (const ReachedWall& w : found.walls) EXPECT_EQ(map[w.wall].sector, kNearRoom);
+    EXPECT_TRUE(overlaps(found, kFarRoom));
 }
 
 TEST(Reach, CutsAWallToThePartThatIsSeenThroughTheDoorway) {
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 1, 5, 3)});
     split_and_join(file);
     const Map map = built(file);
-    const Reach found = reach(map, {kFirst, {3.5, 2}}, 2);
+    const Reach found = reach(map, {kNearRoom, {3.5, 2}}, 2);
     const auto east = std::find_if(found.walls.begin(), found.walls.end(),
                                    [&](const ReachedWall& w) { return map[w.wall].a == (Vec2{5, 1}); });
     ASSERT_NE(east, found.walls.end());
     EXPECT_FALSE(east->is_cut) << "the look through the doorway is wider than the niche";
-    const Reach beside = reach(map, {kFirst, {3.5, 0.5}}, 2.5);
+    const Reach beside = reach(map, {kNearRoom, {3.5, 0.5}}, 2.5);
     const auto cut = std::find_if(beside.walls.begin(), beside.walls.end(),
                                   [&](const ReachedWall& w) { return map[w.wall].a == (Vec2{5, 1}); });
     ASSERT_NE(cut, beside.walls.end());
@@ -304,7 +304,7 @@ TEST(Reach, CutsAWallToThePartThatIsSeenThroughTheDoorway) {
 TEST(Reach, EndsInARoomThatIsLinkedToItself) {
     MapFile file = map_of({box_room("loop", 0, 0, 1, 1)});
     link(file, "loop", {1, 0}, {1, 1}, "loop", {0, 1}, {0, 0});
-    const Reach found = reach(built(file), {kFirst, {0.5, 0.5}}, 10);
+    const Reach found = reach(built(file), {kNearRoom, {0.5, 0.5}}, 10);
     EXPECT_THAT(found.sectors, SizeIs(testing::AllOf(testing::Ge(21u), testing::Le(kMaxReachedSectors))));
 }
 
@@ -312,7 +312,7 @@ TEST(Reach, EndsAroundATipWhereSpaceIsNarrow) {
     // The two long sides are one: a body beside the tip sees it over and over.
     MapFile file = map_of({room("wedge", {{0, 0}, {8, 0}, {8, 0.0078125}})});
     link(file, "wedge", {0, 0}, {8, 0}, "wedge", {8, 0.0078125}, {0, 0});
-    const Reach found = reach(built(file), {kFirst, {1, 0.0009765625}}, 0.5);
+    const Reach found = reach(built(file), {kNearRoom, {1, 0.0009765625}}, 0.5);
     EXPECT_THAT(found.sectors, SizeIs(kMaxReachedLinks + 1));
 }
 

@@ -10,7 +10,7 @@
 #include "base/result.h"
 #include "math/vec.h"
 
-namespace enfilade::testing {
+namespace enfilade::test {
 
 /// A whole number: sign and magnitude, 32-bit digits from the lowest up, no leading zeros.
 class Integer {
@@ -141,4 +141,4 @@ inline int compare(const ExactFraction& a, const ExactFraction& b) {
     return (a.numerator * b.denominator - b.numerator * a.denominator).sign();
 }
 
-}  // namespace enfilade::testing
+}  // namespace enfilade::test

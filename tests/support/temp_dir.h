@@ -6,9 +6,10 @@
 #include <string>
 #include <system_error>
 
+#include "base/files.h"
 #include "base/result.h"
 
-namespace enfilade::testing {
+namespace enfilade::test {
 
 /// Makes an empty folder below the system's folder for temporary files, and removes it with all it holds.
 class TempDir {
@@ -32,4 +33,10 @@ private:
     std::filesystem::path path_;
 };
 
-}  // namespace enfilade::testing
+/// The file's text, or why there is none.
+inline std::string content(const std::string& path) {
+    const auto bytes = read_file(path);
+    return bytes.ok() ? std::string(as_text(bytes.value())) : bytes.error().text();
+}
+
+}  // namespace enfilade::test

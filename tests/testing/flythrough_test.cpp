@@ -50,7 +50,7 @@ protected:
         return checked.ok() ? "" : checked.error().text();
     }
 
-    testing::TempDir dir_;
+    test::TempDir dir_;
 };
 
 TEST_F(CheckFlythrough, NamesEveryFrameThatDiffersUntilItIsRecorded) {

@@ -16,7 +16,7 @@ namespace enfilade::wadconv {
 namespace {
 
 using namespace test;
-using enfilade::testing::TempDir;
+using enfilade::test::TempDir;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -305,8 +305,8 @@ TEST(WadconvCommand, RefusesWrongUsageInOneSentence) {
 }
 
 /// The program with a WAD of that level, which it converts into the folder "out".
-enfilade::test::Ended convert(const Level& level, std::vector<std::string> options,
-                              const enfilade::test::Program& wadconv) {
+enfilade::test::Ended convert_level(const Level& level, std::vector<std::string> options,
+                                    const enfilade::test::Program& wadconv) {
     (void)write_file(wadconv.path("doom.wad"), wad_with({{"MAP01", level}}).finish("IWAD"));
     options.insert(options.begin(), {"doom.wad", "--out", "out", "--jobs", "1"});
     return wadconv.run(options);
@@ -320,16 +320,16 @@ TEST(WadconvCommand, TellsWhatItIs) {
 
 TEST(WadconvCommand, RefusesGuessesWithStrict) {
     const enfilade::test::Program wadconv;
-    EXPECT_EQ(convert(gappy_level(), {}, wadconv).exit_code, 0);
-    const auto strict = convert(gappy_level(), {"--strict"}, wadconv);
+    EXPECT_EQ(convert_level(gappy_level(), {}, wadconv).exit_code, 0);
+    const auto strict = convert_level(gappy_level(), {"--strict"}, wadconv);
     EXPECT_EQ(strict.exit_code, 1);
     EXPECT_THAT(strict.err, HasSubstr("strict conversion refuses"));
 }
 
 TEST(WadconvCommand, TellsEveryMapWithVerbose) {
     const enfilade::test::Program wadconv;
-    const std::string plain = convert(small_level(), {"--map", "MAP01"}, wadconv).out;
-    const std::string verbose = convert(small_level(), {"--map", "MAP01", "--verbose"}, wadconv).out;
+    const std::string plain = convert_level(small_level(), {"--map", "MAP01"}, wadconv).out;
+    const std::string verbose = convert_level(small_level(), {"--map", "MAP01", "--verbose"}, wadconv).out;
     EXPECT_THAT(verbose, HasSubstr("line specials (number x times)"));
     EXPECT_GT(verbose.size(), plain.size());
 }
@@ -339,9 +339,9 @@ TEST(WadconvCommand, RaisesDoorsWithOpenDoors) {
     Doorway doorway(0, 0);
     doorway.line().special = 1;
     const Level& door = doorway.level;
-    convert(door, {}, wadconv);
+    convert_level(door, {}, wadconv);
     const std::string closed = wadconv.text("out/map01.toml");
-    EXPECT_EQ(convert(door, {"--open-doors"}, wadconv).exit_code, 0);
+    EXPECT_EQ(convert_level(door, {"--open-doors"}, wadconv).exit_code, 0);
     EXPECT_NE(closed, "");
     EXPECT_NE(wadconv.text("out/map01.toml"), closed);
 }

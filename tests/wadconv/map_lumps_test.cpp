@@ -20,7 +20,7 @@ WadBuilder map_with(const std::string& lump) {
     return wad;
 }
 
-std::string error_of(const WadBuilder& wad) {
+std::string error_of_map(const WadBuilder& wad) {
     const WadPile pile = pile_of({wad.finish()});
     const Result<MapLumps> map = find_map(pile, "MAP01");
     return map.ok() ? "" : map.error().text();
@@ -47,24 +47,24 @@ TEST(FindMap, TakesTheUpperArchives) {
     EXPECT_TRUE(find_map(pile, "MAP01").value().lines.empty());
 }
 
-TEST(FindMap, RefusesHexensFormatByName) { EXPECT_THAT(error_of(map_with("BEHAVIOR")), HasSubstr("Hexen")); }
+TEST(FindMap, RefusesHexensFormatByName) { EXPECT_THAT(error_of_map(map_with("BEHAVIOR")), HasSubstr("Hexen")); }
 
-TEST(FindMap, RefusesUdmfByName) { EXPECT_THAT(error_of(map_with("TEXTMAP")), HasSubstr("UDMF")); }
+TEST(FindMap, RefusesUdmfByName) { EXPECT_THAT(error_of_map(map_with("TEXTMAP")), HasSubstr("UDMF")); }
 
 TEST(FindMap, LooksOnlyAtTheMapsOwnLumps) {
     WadBuilder wad = map_with("DEMO1");
     wad.add("BEHAVIOR");
-    EXPECT_EQ(error_of(wad), "");
+    EXPECT_EQ(error_of_map(wad), "");
 }
 
 TEST(FindMap, NamesTheLumpThatIsMissing) {
     WadBuilder wad;
     wad.add("MAP01");
     for (const char* lump : {"THINGS", "LINEDEFS", "VERTEXES", "SECTORS"}) wad.add(lump);
-    EXPECT_THAT(error_of(wad), HasSubstr("no SIDEDEFS lump"));
+    EXPECT_THAT(error_of_map(wad), HasSubstr("no SIDEDEFS lump"));
 }
 
-TEST(FindMap, NamesTheMapThatIsMissing) { EXPECT_THAT(error_of(WadBuilder()), HasSubstr("no map 'MAP01'")); }
+TEST(FindMap, NamesTheMapThatIsMissing) { EXPECT_THAT(error_of_map(WadBuilder()), HasSubstr("no map 'MAP01'")); }
 
 TEST(DecodeMap, ReadsEveryFieldOfEveryRecord) {
     DoomMap map;

@@ -12,7 +12,7 @@ namespace enfilade::wadconv {
 namespace {
 
 using namespace test;
-using enfilade::testing::TempDir;
+using enfilade::test::TempDir;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;

@@ -14,7 +14,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-std::string error_of(const Bytes& bytes) {
+std::string error_of_sound(const Bytes& bytes) {
     const Result<Bytes> wav = wav_of({"DSPISTOL", bytes});
     return wav ? "" : wav.error().text();
 }
@@ -49,19 +49,19 @@ TEST(WadSounds, AreRefusedWhenCutOff) {
     Bytes lump = sound(11025, {1, 2, 3});
     while (!lump.empty()) {
         lump.pop_back();
-        EXPECT_THAT(error_of(lump), HasSubstr("DSPISTOL: the sound is cut off"));
+        EXPECT_THAT(error_of_sound(lump), HasSubstr("DSPISTOL: the sound is cut off"));
     }
 }
 
 TEST(WadSounds, AreRefusedWhenTheyAreOfAnotherKind) {
     Bytes lump = sound(11025, {1});
     lump[0] = std::byte{0};
-    EXPECT_THAT(error_of(lump), HasSubstr("found 0"));
+    EXPECT_THAT(error_of_sound(lump), HasSubstr("found 0"));
 }
 
 TEST(WadSounds, AreRefusedWithoutSamplesOrRate) {
-    EXPECT_THAT(error_of(sound(11025, {})), HasSubstr("empty"));
-    EXPECT_THAT(error_of(sound(0, {1})), HasSubstr("empty"));
+    EXPECT_THAT(error_of_sound(sound(11025, {})), HasSubstr("empty"));
+    EXPECT_THAT(error_of_sound(sound(0, {1})), HasSubstr("empty"));
 }
 
 TEST(WadSounds, ThatAreBrokenAreToldAndLeftOut) {

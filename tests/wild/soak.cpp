@@ -160,7 +160,7 @@ private:
     }
 
     SoakPlan plan_;
-    testing::TempDir folder_, converted_;
+    test::TempDir folder_, converted_;
     std::vector<std::string> maps_;
     Clock::time_point begin_ = Clock::now();
     double next_line_ = 0;

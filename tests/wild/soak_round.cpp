@@ -12,7 +12,7 @@ namespace enfilade::test {
 namespace {
 
 constexpr int kTicks = 600;
-constexpr PictureSize kLargest{64, 40};
+constexpr PictureSize kLargestPicture{64, 40};
 
 class Round {
 public:
@@ -114,7 +114,7 @@ private:
 
     /// As the player sees it now, or from a hard place.
     void look() {
-        HardPose pose = hard_pose(game_->map(), kLargest, random_);
+        HardPose pose = hard_pose(game_->map(), kLargestPicture, random_);
         if (random_.below(2) == 0) pose.view = game_->view(random_.uniform(0, 1), {}, pose.view.fov_degrees);
         const Comparison seen =
             compare({game_->path(), game_->map(), game_->textures()}, game_->snapshot(1), pose.view, pose.size);

@@ -132,7 +132,7 @@ TEST(Shrinking, LeavesWhatMatters) {
 }
 
 TEST(SavedFault, ComesBack) {
-    const testing::TempDir dir;
+    const test::TempDir dir;
     FaultyWorld world{wild_world(7), {"", HardPose{}, {}}, "s0", {.seed = 7}};
     world.fault.pose->view.eye = {0.1, 1e-9};
     world.fault.pose->view.fov_degrees = 179;

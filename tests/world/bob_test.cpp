@@ -30,7 +30,9 @@ MapFile bobbing_room(const BobRecord& floor) {
     return file;
 }
 
-Heights at(const Game& game, std::uint32_t sector) { return heights_of(now(game.map, game.world), SectorId(sector)); }
+Heights heights_in(const Game& game, std::uint32_t sector) {
+    return heights_of(now(game.map, game.world), SectorId(sector));
+}
 
 TEST(Bob, SetsOffUpwardsAndComesBack) {
     for (const BobShape shape : {BobShape::sine, BobShape::triangle}) {
@@ -57,7 +59,7 @@ TEST(BobbingFloor, CarriesWhoStandsOnIt) {
     double highest = 0, lowest = 0;
     for (int tick = 0; tick < 300; ++tick) {
         game.hold(kNoKeys);
-        ASSERT_EQ(game.player().feet_z, at(game, 0).floor_z) << tick;
+        ASSERT_EQ(game.player().feet_z, heights_in(game, 0).floor_z) << tick;
         highest = std::max(highest, game.player().feet_z);
         lowest = std::min(lowest, game.player().feet_z);
     }
@@ -82,9 +84,9 @@ TEST(BobbingFloor, ThatIsLateIsAnotherStateThanOneThatIsNot) {
 double most_moved_in_a_tick(Game& game, std::uint32_t sector, const TickInput& keys, int ticks) {
     double most = 0;
     for (int tick = 0; tick < ticks; ++tick) {
-        const Heights before = at(game, sector);
+        const Heights before = heights_in(game, sector);
         game.hold(keys);
-        const Heights after = at(game, sector);
+        const Heights after = heights_in(game, sector);
         most =
             std::max({most, std::fabs(after.floor_z - before.floor_z), std::fabs(after.ceiling_z - before.ceiling_z)});
         EXPECT_TRUE(is_at_most(kStandingHeight, game.player().height)) << tick;
@@ -101,11 +103,11 @@ TEST(BobbingFloor, WaitsForWhoTouchesTheCeilingAndGoesOnFromThere) {
     Game game(bobbing_room(swell));
     EXPECT_LE(most_moved_in_a_tick(game, 0, kNoKeys, 600), steepest(swell));
     EXPECT_GT(game.world.history.changes().size(), 10u);
-    EXPECT_NEAR(at(game, 0).floor_z, 0.75, steepest(swell));
+    EXPECT_NEAR(heights_in(game, 0).floor_z, 0.75, steepest(swell));
     double highest = 0;
     for (int tick = 0; tick < 600; ++tick) {  // who leaves lets it go its whole way again
         EXPECT_LE(most_moved_in_a_tick(game, 0, tick < 120 ? kForward : kNoKeys, 1), steepest(swell)) << tick;
-        highest = std::max(highest, at(game, 0).floor_z);
+        highest = std::max(highest, heights_in(game, 0).floor_z);
     }
     EXPECT_EQ(game.room(), "hall");
     EXPECT_NEAR(highest, 1, 1e-3);
@@ -217,7 +219,7 @@ TEST(BobbingFloor, IsTakenOverByATriggerFromWhereItIs) {
         Game game(file);
         EXPECT_LE(most_moved_in_a_tick(game, 0, kNoKeys, 480), std::max(steepest(swell), 1.5 * kTickSeconds + 1e-9))
             << after;
-        EXPECT_EQ(at(game, 0).floor_z, -2) << after;
+        EXPECT_EQ(heights_in(game, 0).floor_z, -2) << after;
     }
 }
 
@@ -228,9 +230,9 @@ TEST(BobbingFloor, IsStoppedWhereItIs) {
     Game game(file);
     game.hold(kForward, 60);
     ASSERT_EQ(game.room(), "hall");
-    const double stopped = at(game, 0).floor_z;
+    const double stopped = heights_in(game, 0).floor_z;
     game.hold(kNoKeys, 100);
-    EXPECT_EQ(at(game, 0).floor_z, stopped);
+    EXPECT_EQ(heights_in(game, 0).floor_z, stopped);
 }
 
 /// Two sectors of one group with the same bob, under a ceiling that is low over the second alone, where the player is.
@@ -249,7 +251,7 @@ TEST(BobbingGroup, MovesAsOneAndWaitsAsOne) {
     Game game(bobbing_group());
     for (int tick = 0; tick < 400; ++tick) {
         ASSERT_LE(most_moved_in_a_tick(game, 0, kNoKeys, 1), steepest(bob(1, 4))) << tick;
-        ASSERT_EQ(at(game, 0).floor_z, at(game, 1).floor_z) << tick;
+        ASSERT_EQ(heights_in(game, 0).floor_z, heights_in(game, 1).floor_z) << tick;
     }
     EXPECT_GT(game.world.history.changes().size(), 3u);
 }

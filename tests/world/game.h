@@ -11,8 +11,8 @@ namespace enfilade::test {
 
 /// Keys that are held, at full pace.
 inline constexpr TickInput kNoKeys{}, kForward{.forward = 127}, kBack{.forward = -127}, kLeft{.strafe = -127},
-    kRight{.strafe = 127}, kRunForward{.forward = 127, .buttons = kButtonRun}, kCrouch{.buttons = kButtonCrouch},
-    kCrouchForward{.forward = 127, .buttons = kButtonCrouch};
+    kUse{.buttons = kButtonUse}, kRight{.strafe = 127}, kRunForward{.forward = 127, .buttons = kButtonRun},
+    kCrouch{.buttons = kButtonCrouch}, kCrouchForward{.forward = 127, .buttons = kButtonCrouch};
 
 inline constexpr double kEyeOnFloor = 1.55;  ///< of one who stands on a floor at 0 [m]
 

@@ -10,8 +10,6 @@ namespace {
 
 using namespace test;
 
-constexpr TickInput kUse{.buttons = kButtonUse};
-
 /// A hall, two rooms that move as one, "near" and "far", and a cellar 2 m deep behind them, all 4 m wide, along +x. The
 /// player stands in the hall and looks at "near", which begins at x = 8. `ceiling`: of the two.
 MapFile hall_group_cellar(double ceiling) {

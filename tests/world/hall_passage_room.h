@@ -5,8 +5,6 @@
 
 namespace enfilade::test {
 
-inline constexpr TickInput kUse{.buttons = kButtonUse};
-
 /// A hall, a passage of 1 m and a room behind it, all 4 m wide, along +x. The player stands at (6, 2) and looks at the
 /// passage, which begins at x = 8.
 inline MapFile hall_passage_room(double passage_floor = 0, double passage_ceiling = 0) {

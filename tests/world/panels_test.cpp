@@ -16,8 +16,6 @@ namespace {
 
 using namespace test;
 
-constexpr TickInput kUse{.buttons = kButtonUse};
-
 PanelRecord panel(Vec2 a, Vec2 b) {
     PanelRecord record;
     record.a = a;
@@ -51,7 +49,7 @@ TriggerRecord one_way(TriggerRecord trigger) {
 }
 
 /// A hall of 10 x 10 m with these panels, and the player in it.
-MapFile hall_with(std::vector<PanelRecord> panels, Vec2 player, double yaw = 0) {
+MapFile hall_with_panels(std::vector<PanelRecord> panels, Vec2 player, double yaw = 0) {
     MapFile file = map_of({box_room("hall", 0, 0, 10, 10)});
     file.sectors[0].panels = std::move(panels);
     place_player(file, "hall", player, kEyeOnFloor, yaw);
@@ -74,7 +72,7 @@ double light(const Game& game, std::uint32_t sector = 0) {
 
 TEST(Fence, StopsABodysRadiusAwayOnEitherSide) {
     for (const auto& [a, b] : {std::pair(Vec2{5, 2}, Vec2{5, 8}), std::pair(Vec2{5, 8}, Vec2{5, 2})}) {
-        Game west(hall_with({fence(a, b)}, {3, 5}, 0)), east(hall_with({fence(a, b)}, {7, 5}, 180));
+        Game west(hall_with_panels({fence(a, b)}, {3, 5}, 0)), east(hall_with_panels({fence(a, b)}, {7, 5}, 180));
         west.hold(kRunForward, 200);
         east.hold(kRunForward, 200);
         EXPECT_EQ(west.point(), (Vec2{5 - kBodyRadius, 5}));
@@ -83,7 +81,7 @@ TEST(Fence, StopsABodysRadiusAwayOnEitherSide) {
 }
 
 TEST(Fence, IsPassedWhereItDoesNotBlock) {
-    Game game(hall_with({panel({5, 2}, {5, 8})}, {3, 5}));
+    Game game(hall_with_panels({panel({5, 2}, {5, 8})}, {3, 5}));
     game.hold(kForward, 200);
     EXPECT_EQ(game.point().x, 10 - kBodyRadius);
 }
@@ -92,13 +90,13 @@ TEST(Fence, BlocksAtWhateverHeightItIs) {
     PanelRecord high = fence({5, 2}, {5, 8});
     high.bottom = 50;
     high.top = 51;
-    Game game(hall_with({high}, {3, 5}));
+    Game game(hall_with_panels({high}, {3, 5}));
     game.hold(kForward, 200);
     EXPECT_EQ(game.point().x, 5 - kBodyRadius);
 }
 
 TEST(Fence, LetsSlideAlongAtTheSpeedThatIsLeft) {
-    Game game(hall_with({fence({5, 1}, {5, 9})}, {4, 2}, 30));
+    Game game(hall_with_panels({fence({5, 1}, {5, 9})}, {4, 2}, 30));
     game.hold(kForward, 60);
     const double y = game.point().y;
     EXPECT_EQ(game.point().x, 5 - kBodyRadius);
@@ -109,21 +107,21 @@ TEST(Fence, LetsSlideAlongAtTheSpeedThatIsLeft) {
 
 TEST(Fence, IsWalkedRoundAtEitherEnd) {
     for (const double y : {8.2, 1.8}) {
-        Game game(hall_with({fence({5, 2}, {5, 8})}, {3, y}));
+        Game game(hall_with_panels({fence({5, 2}, {5, 8})}, {3, y}));
         game.hold(kForward, 200);
         EXPECT_EQ(game.point().x, 10 - kBodyRadius) << y;
     }
 }
 
 TEST(Fence, StopsWhoComesStraightAtItsEnd) {
-    Game game(hall_with({fence({5, 5}, {8, 5})}, {3, 5}));
+    Game game(hall_with_panels({fence({5, 5}, {8, 5})}, {3, 5}));
     game.hold(kForward, 200);
     EXPECT_EQ(game.point(), (Vec2{5 - kBodyRadius, 5}));
 }
 
 // hard case C18
 TEST(Fence, IsNotMovedThroughByTenThousandTicksOfPushing) {
-    Game game(hall_with({fence({5, 2}, {5, 8})}, {3, 5}));
+    Game game(hall_with_panels({fence({5, 2}, {5, 8})}, {3, 5}));
     game.hold(kRunForward, 200);
     const Vec2 before = game.point();
     game.hold(kRunForward, 10000);
@@ -132,7 +130,7 @@ TEST(Fence, IsNotMovedThroughByTenThousandTicksOfPushing) {
 
 // hard case C15
 TEST(Fence, IsNotPassedInOneTickOfAnyLength) {
-    Game game(hall_with({fence({5, 0}, {5, 10})}, {3, 5}));
+    Game game(hall_with_panels({fence({5, 0}, {5, 10})}, {3, 5}));
     for (const Vec2 velocity : {Vec2{1e6, 0}, Vec2{1e6, 3e5}, Vec2{600, -601}}) {
         const Body body = body_of(game.map, game.player());
         Body gone = body;
@@ -144,13 +142,13 @@ TEST(Fence, IsNotPassedInOneTickOfAnyLength) {
 
 TEST(Fence, KeepsWhoIsSqueezedBesideItOnTheirSide) {
     // Half a metre between the fence and the wall: the body is narrower there, until it comes out.
-    Game game(hall_with({fence({5, 0}, {5, 8})}, {2, 2}));
+    Game game(hall_with_panels({fence({5, 0}, {5, 8})}, {2, 2}));
     game.world.player.place.point = {4.999, 2};
     for (const TickInput& keys : {kForward, kLeft, kForward, kRight}) {
         game.hold(keys, 50);
         ASSERT_LT(game.point().x, 5);
     }
-    MapFile gap = hall_with({fence({0.5, 0}, {0.5, 8})}, {0.25, 2}, 90);
+    MapFile gap = hall_with_panels({fence({0.5, 0}, {0.5, 8})}, {0.25, 2}, 90);
     Game narrow(gap);
     for (int i = 0; i < 60; ++i) {
         narrow.hold({.forward = 127, .strafe = static_cast<std::int8_t>(i % 2 == 0 ? 127 : -127)});
@@ -163,19 +161,19 @@ TEST(Fence, KeepsWhoIsSqueezedBesideItOnTheirSide) {
 // hard case C3
 TEST(Fence, IsLeftByWhoStartsOnItsLine) {
     for (const Vec2 start : {Vec2{5, 5}, Vec2{5, 2}, Vec2{5, 8}, Vec2{5, 2.1}}) {
-        Game game(hall_with({fence({5, 2}, {5, 8})}, start));
+        Game game(hall_with_panels({fence({5, 2}, {5, 8})}, start));
         EXPECT_TRUE(touches_no_fence(game)) << start.y;
         EXPECT_TRUE(game.is_contained());
     }
 }
 
 TEST(Fence, IsNotCrossedByWhoIsMovedOffAWallAtTheStart) {
-    Game game(hall_with({fence({0.25, 0}, {0.25, 10})}, {0.0625, 5}));
+    Game game(hall_with_panels({fence({0.25, 0}, {0.25, 10})}, {0.0625, 5}));
     EXPECT_LT(game.point().x, 0.25);
 }
 
 TEST(Fence, IsLeftByWhoIsTeleportedOntoIt) {
-    MapFile file = hall_with(
+    MapFile file = hall_with_panels(
         {fence({5, 2}, {5, 8}), line({2, 0}, {2, 10}, trigger_on(Activation::cross, TriggerAction::teleport, {"pad"}))},
         {1, 5});
     ThingRecord pad;
@@ -190,7 +188,7 @@ TEST(Fence, IsLeftByWhoIsTeleportedOntoIt) {
 }
 
 TEST(Fence, StopsWhoIsCarriedByTheFloor) {
-    MapFile file = hall_with({fence({5, 0}, {5, 10})}, {3, 5});
+    MapFile file = hall_with_panels({fence({5, 0}, {5, 10})}, {3, 5});
     file.sectors[0].floor.scroll = {3, 1};
     file.sectors[0].floor.carries = true;
     Game game(file);
@@ -199,7 +197,7 @@ TEST(Fence, StopsWhoIsCarriedByTheFloor) {
 }
 
 /// Two rooms of 4 x 4 m with a doorway at x = 4 and a panel on it, in either room; or else the doorway blocks.
-MapFile fenced_rooms(const char* in) {
+MapFile rooms_with_fence(const char* in) {
     MapFile file = map_of({box_room("first", 0, 0, 4, 4), box_room("second", 4, 0, 8, 4)});
     join(file, "first", "second", {4, 0}, {4, 4});
     if (in)
@@ -212,7 +210,7 @@ MapFile fenced_rooms(const char* in) {
 
 TEST(Fence, OnADoorwayStopsLikeADoorwayThatBlocks) {
     for (const char* in : {"first", "second"}) {
-        Game portal(fenced_rooms(nullptr)), panel(fenced_rooms(in));
+        Game portal(rooms_with_fence(nullptr)), panel(rooms_with_fence(in));
         RandomKeys keys(1);
         for (int i = 0; i < 3000; ++i) {
             const TickInput input = keys.next();
@@ -271,7 +269,7 @@ TEST(Fence, BoxIsNeverLeft) {
     const std::vector<Vec2> corners{{3, 3}, {6, 2.5}, {8, 5}, {5.5, 8}, {2, 6}};
     std::vector<PanelRecord> box{fence({4, 4}, {6, 5.5})};
     for (std::size_t i = 0; i < 5; ++i) box.push_back(fence(corners[i], corners[(i + 1) % 5]));
-    Game game(hall_with(box, {5, 3.5}));
+    Game game(hall_with_panels(box, {5, 3.5}));
     RandomKeys keys(3);
     for (int i = 0; i < 20000; ++i) {
         game.hold(keys.next());
@@ -320,7 +318,7 @@ TEST(Fence, MazeIsLeftThroughItsGapsOnly) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         const Maze maze(seed);
         const int x = static_cast<int>(seed), y = 3;
-        Game game(hall_with(maze.fences, Vec2{x + 0.5, y + 0.5} * Maze::kCell));
+        Game game(hall_with_panels(maze.fences, Vec2{x + 0.5, y + 0.5} * Maze::kCell));
         std::vector<bool> reached(Maze::kCells * Maze::kCells), visited(reached.size());
         maze.flood(x, y, reached);
         RandomKeys keys(seed);
@@ -366,7 +364,8 @@ TEST(Fence, HoldsWhereEveryDoorwayIsALink) {
 
 TEST(PanelTrigger, GoesOffForWhoPassesEitherWay) {
     for (const double yaw : {0., 180.}) {
-        Game game(hall_with({line({5, 2}, {5, 8}, dims(Activation::cross, 0.25))}, {yaw == 0 ? 4. : 6., 5}, yaw));
+        Game game(
+            hall_with_panels({line({5, 2}, {5, 8}, dims(Activation::cross, 0.25))}, {yaw == 0 ? 4. : 6., 5}, yaw));
         EXPECT_EQ(light(game), 1);
         game.hold(kForward, 60);
         EXPECT_EQ(light(game), 0.25);
@@ -374,7 +373,7 @@ TEST(PanelTrigger, GoesOffForWhoPassesEitherWay) {
 }
 
 TEST(PanelTrigger, DoesNotGoOffForWhoPassesBesideIt) {
-    Game game(hall_with({line({5, 2}, {5, 4.75}, dims(Activation::cross, 0.25))}, {4, 5}));
+    Game game(hall_with_panels({line({5, 2}, {5, 4.75}, dims(Activation::cross, 0.25))}, {4, 5}));
     game.hold(kForward, 60);
     EXPECT_EQ(light(game), 1);
 }
@@ -383,7 +382,7 @@ TEST(PanelTrigger, ThatIsOneWayGoesOffFromItsRightOnly) {
     // From (5, 2) to (5, 8) the right is where x is smaller.
     for (const bool from_right : {true, false}) {
         const PanelRecord wire = line({5, 2}, {5, 8}, one_way(dims(Activation::cross, 0.25)));
-        Game game(hall_with({wire}, {from_right ? 4. : 6., 5}, from_right ? 0 : 180));
+        Game game(hall_with_panels({wire}, {from_right ? 4. : 6., 5}, from_right ? 0 : 180));
         game.hold(kForward, 60);
         EXPECT_EQ(light(game), from_right ? 0.25 : 1);
     }
@@ -408,7 +407,7 @@ TEST(PanelTrigger, GoesOffInOrderWithPortals) {
 
 TEST(PanelTrigger, IsUsedFromEitherSide) {
     for (const double yaw : {0., 180.}) {
-        Game game(hall_with({line({5, 2}, {5, 8}, dims(Activation::use, 0.25))}, {yaw == 0 ? 4. : 6., 5}, yaw));
+        Game game(hall_with_panels({line({5, 2}, {5, 8}, dims(Activation::use, 0.25))}, {yaw == 0 ? 4. : 6., 5}, yaw));
         game.hold(kUse);
         EXPECT_EQ(light(game), 0.25);
     }
@@ -417,20 +416,20 @@ TEST(PanelTrigger, IsUsedFromEitherSide) {
 TEST(PanelTrigger, ThatIsOneWayIsUsedFromItsRightOnly) {
     for (const bool from_right : {true, false}) {
         const PanelRecord lever = line({5, 2}, {5, 8}, one_way(dims(Activation::use, 0.25)));
-        Game game(hall_with({lever}, {from_right ? 4. : 6., 5}, from_right ? 0 : 180));
+        Game game(hall_with_panels({lever}, {from_right ? 4. : 6., 5}, from_right ? 0 : 180));
         game.hold(kUse);
         EXPECT_EQ(light(game), from_right ? 0.25 : 1);
     }
 }
 
 TEST(PanelTrigger, OutOfReachIsNotUsed) {
-    Game game(hall_with({line({5, 2}, {5, 8}, dims(Activation::use, 0.25))}, {5 - kArm - 0.25, 5}));
+    Game game(hall_with_panels({line({5, 2}, {5, 8}, dims(Activation::use, 0.25))}, {5 - kArm - 0.25, 5}));
     game.hold(kUse);
     EXPECT_EQ(light(game), 1);
 }
 
 TEST(PanelTrigger, IsUsedBeforeTheWallBehindIt) {
-    MapFile file = hall_with({line({9.5, 2}, {9.5, 8}, dims(Activation::use, 0.25))}, {9, 5});
+    MapFile file = hall_with_panels({line({9.5, 2}, {9.5, 8}, dims(Activation::use, 0.25))}, {9, 5});
     wall(file, "hall", {10, 0}, {10, 10}).triggers = {dims(Activation::use, 0.5, {"hall"})};
     Game game(file);
     game.hold(kUse);
@@ -439,7 +438,7 @@ TEST(PanelTrigger, IsUsedBeforeTheWallBehindIt) {
 }
 
 TEST(PanelTrigger, IsNotUsedThroughAWall) {
-    MapFile file = hall_with({line({6.5, 2}, {6.5, 8}, dims(Activation::use, 0.25))}, {5, 5});
+    MapFile file = hall_with_panels({line({6.5, 2}, {6.5, 8}, dims(Activation::use, 0.25))}, {5, 5});
     cut_pillar(file.sectors[0], 6, 4, 6.25, 6);
     Game game(file);
     game.hold(kUse);
@@ -447,7 +446,7 @@ TEST(PanelTrigger, IsNotUsedThroughAWall) {
 }
 
 TEST(PanelTrigger, IsUsedThroughAFence) {
-    Game game(hall_with({fence({5, 2}, {5, 8}), line({5.5, 2}, {5.5, 8}, dims(Activation::use, 0.25))}, {4, 5}));
+    Game game(hall_with_panels({fence({5, 2}, {5, 8}), line({5.5, 2}, {5.5, 8}, dims(Activation::use, 0.25))}, {4, 5}));
     game.hold(kUse);
     EXPECT_EQ(light(game), 0.25);
 }
@@ -455,19 +454,19 @@ TEST(PanelTrigger, IsUsedThroughAFence) {
 TEST(PanelTrigger, OfAFenceIsUsed) {
     PanelRecord grate = fence({5, 2}, {5, 8});
     grate.triggers = {dims(Activation::use, 0.25)};
-    Game game(hall_with({grate}, {4, 5}));
+    Game game(hall_with_panels({grate}, {4, 5}));
     game.hold(kUse);
     EXPECT_EQ(light(game), 0.25);
 }
 
 TEST(PanelTrigger, GoesOffAtTheStart) {
-    EXPECT_EQ(light(Game(hall_with({line({5, 2}, {5, 8}, dims(Activation::start, 0.25))}, {4, 5}))), 0.25);
+    EXPECT_EQ(light(Game(hall_with_panels({line({5, 2}, {5, 8}, dims(Activation::start, 0.25))}, {4, 5}))), 0.25);
 }
 
 TEST(PanelTrigger, WorksOnceWhereItSaysSo) {
     TriggerRecord once = dims(Activation::cross, 0.25);
     once.once = true;
-    Game game(hall_with({line({5, 2}, {5, 8}, once)}, {4, 5}));
+    Game game(hall_with_panels({line({5, 2}, {5, 8}, once)}, {4, 5}));
     for (int i = 0; i < 4; ++i) game.hold(i % 2 == 0 ? kForward : kBack, 60);
     EXPECT_EQ(game.world.history.firings().size(), 1u);
 }

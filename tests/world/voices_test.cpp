@@ -133,7 +133,6 @@ MapFile hall_door_room() {
     return file;
 }
 
-constexpr TickInput kUse{.buttons = kButtonUse};
 constexpr int kDoorTicks = 87;  ///< 2.875 m at 2 m/s
 constexpr int kWaitTicks = 60;
 

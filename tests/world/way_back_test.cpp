@@ -29,7 +29,7 @@ std::vector<OneWayPair> pairs_with_way_back() {
 
 /// Calls visit(game) for a player before the portal of each pair.
 template <class Visit>
-void in_each_pair(Visit visit) {
+void in_each_pair_with_way_back(Visit visit) {
     for (const OneWayPair& pair : pairs_with_way_back()) {
         OneWayMap rooms(pair);
         rooms.place({-1.5, 0});
@@ -47,7 +47,7 @@ void pass(Game& game) {
 }
 
 TEST(WayBack, LetsBackWhoHasPassed) {
-    in_each_pair([](Game& game) {
+    in_each_pair_with_way_back([](Game& game) {
         ASSERT_NO_FATAL_FAILURE(pass(game));
         EXPECT_TRUE(open_way(game));
         for (int i = 0; i < 90; ++i) {
@@ -60,7 +60,7 @@ TEST(WayBack, LetsBackWhoHasPassed) {
 }
 
 TEST(WayBack, IsTheWayThereReversed) {
-    in_each_pair([](Game& game) {
+    in_each_pair_with_way_back([](Game& game) {
         ASSERT_NO_FATAL_FAILURE(pass(game));
         const WallId back = open_way(game), there = game.map[back].exit;
         const Vec2 point = snap_to_point_grid((game.map[there].a + game.map[there].b) * 0.5);
@@ -81,7 +81,7 @@ TEST(WayBack, IsAWallForWhoNeverPassed) {
 }
 
 TEST(WayBack, OpensAgainEachTimeOnePasses) {
-    in_each_pair([](Game& game) {
+    in_each_pair_with_way_back([](Game& game) {
         for (int turn = 0; turn < 3; ++turn) {
             ASSERT_NO_FATAL_FAILURE(pass(game));
             EXPECT_TRUE(open_way(game));
@@ -143,7 +143,7 @@ TEST(WayBack, IsGoneWhenOneIsCarriedOff) {
 }
 
 TEST(WayBack, IsSeenOnlyWhileItStandsOpen) {
-    in_each_pair([](Game& game) {
+    in_each_pair_with_way_back([](Game& game) {
         Snapshot snapshot = at_rest(game.map);
         const auto portals = [&] {
             show(now(game.map, game.world), snapshot);
@@ -173,7 +173,7 @@ std::vector<std::string> rooms_of_eye(const Game& game) {
 }
 
 TEST(WayBack, CarriesTheEyeBetweenTwoTicks) {
-    in_each_pair([](Game& game) {
+    in_each_pair_with_way_back([](Game& game) {
         while (game.room() == "near") game.hold(kForward);
         EXPECT_EQ(rooms_of_eye(game), (std::vector<std::string>{"near", "far"}));
         EXPECT_TRUE(game.world.history.way_back(static_cast<double>(game.world.tick) - 0.5))
@@ -184,7 +184,7 @@ TEST(WayBack, CarriesTheEyeBetweenTwoTicks) {
 }
 
 TEST(WayBack, IsRewoundWithEverythingElse) {
-    in_each_pair([](Game& game) {
+    in_each_pair_with_way_back([](Game& game) {
         Timeline timeline(game.world);
         std::vector<std::uint64_t> hashes{hash(timeline.world())};
         for (int i = 0; i < 200; ++i) {

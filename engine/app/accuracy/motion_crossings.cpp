@@ -125,8 +125,8 @@ Vec2 next_goal(Random& random, Vec2 from) {
 
 /// Not faster than running; by how many powers of two a leg is cut is all that the rate changes.
 std::vector<TickMove> walk_of(const Map& map, int rate_hz, std::uint64_t count) {
-    constexpr std::uint64_t kSeed = 11;
-    Random random(kSeed);
+    constexpr std::uint64_t kCrossingSeed = 11;
+    Random random(kCrossingSeed);
     std::vector<TickMove> moves;
     Vec2 at{0.25, 0.125};
     int floor = 0;

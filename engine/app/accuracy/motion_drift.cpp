@@ -39,8 +39,8 @@ Map linked_room(Vec2 slant, double length) {
 
 Walked walk_through(Map map, std::uint64_t passes) {
     constexpr double kReach = 5;
-    constexpr std::uint64_t kSeed = 2;
-    Random random(kSeed);
+    constexpr std::uint64_t kDriftSeed = 2;
+    Random random(kDriftSeed);
     Walked walked{std::move(map), {}};
     Place place{SectorId(0u), kStart};
     Vec2 step;

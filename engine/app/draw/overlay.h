@@ -49,6 +49,12 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t most);
 /// 0xAABBGGRR; alpha 255 covers, 0 leaves what is there.
 using Color = std::uint32_t;
 
+/// Of texts on pages that cover the picture: menu, list of maps, end of a map.
+inline constexpr Color kTitleInk = 0xFFFFFFFF, kInk = 0xFFC8C8C8, kChosenInk = 0xFFFFFFFF, kValueInk = 0xFFA8D8E8,
+                       kHintInk = 0xFFA8A8A8;
+/// What such a page is laid on, so that the picture behind it still shows.
+inline constexpr Color kPageShade = 0xD0000000;
+
 /// A rectangle of pixels [left, left + width) x [top, top + height).
 struct Rect {
     int left = 0, top = 0, width = 0, height = 0;

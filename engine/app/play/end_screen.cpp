@@ -8,8 +8,6 @@
 namespace enfilade {
 namespace {
 
-constexpr Color kShade = 0xD0000000, kTitleInk = 0xFFFFFFFF, kInk = 0xFFA8D8E8, kHintInk = 0xFFA8A8A8;
-
 std::string time_text(double seconds) {
     const auto whole = static_cast<long>(seconds);
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
@@ -31,11 +29,12 @@ std::size_t count_of_secrets(const Map& map) {
 }
 
 void draw_end(Overlay& overlay, const MapEnd& end) {
-    overlay.fill({0, 0, overlay.width(), overlay.height()}, kShade);
+    overlay.fill({0, 0, overlay.width(), overlay.height()}, kPageShade);
     std::vector<std::pair<std::string, Color>> lines{
-        {"You left " + end.left, kTitleInk}, {"", kInk}, {"Time     " + time_text(end.seconds), kInk}};
-    if (end.secrets > 0) lines.emplace_back(fmt::format("Secrets  {} of {}", end.found, end.secrets), kInk);
-    lines.insert(lines.end(), {{"", kInk}, {next_text(end), kInk}, {"", kInk}, {"Any key goes on", kHintInk}});
+        {"You left " + end.left, kTitleInk}, {"", kValueInk}, {"Time     " + time_text(end.seconds), kValueInk}};
+    if (end.secrets > 0) lines.emplace_back(fmt::format("Secrets  {} of {}", end.found, end.secrets), kValueInk);
+    lines.insert(lines.end(),
+                 {{"", kValueInk}, {next_text(end), kValueInk}, {"", kValueInk}, {"Any key goes on", kHintInk}});
     const int pitch = overlay.line_height() * 3 / 2;
     int y = (overlay.height() - pitch * static_cast<int>(lines.size())) / 2;
     for (const auto& [text, color] : lines) {

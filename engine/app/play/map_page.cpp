@@ -6,8 +6,7 @@
 namespace enfilade {
 namespace {
 
-constexpr Color kShade = 0xD0000000, kTitleInk = 0xFFFFFFFF, kInk = 0xFFC8C8C8, kChosenInk = 0xFFFFFFFF,
-                kChosenBar = 0xFF3078C0, kEmpty = 0xFF202830, kHintInk = 0xFFA8A8A8;
+constexpr Color kChosenFrame = 0xFF3078C0, kEmpty = 0xFF202830;
 
 std::string about(const ListedMap& map) {
     switch (map.origin) {
@@ -23,7 +22,7 @@ std::string about(const ListedMap& map) {
 constexpr int kNameLetters = 16;
 
 /// The whole picture into the area, each of its pixels taken from the nearest.
-void draw_picture(Overlay& overlay, const Frame& picture, const Rect& area) {
+void fill_area(Overlay& overlay, const Frame& picture, const Rect& area) {
     for (int y = 0; y < area.height; ++y)
         for (int x = 0; x < area.width; ++x) {
             const std::size_t row = std::size_t(y * picture.height / area.height);
@@ -107,7 +106,7 @@ int MapPage::map_at(double x, double y) const {
 
 void MapPage::draw(Overlay& overlay, MapPictures& pictures, const std::string& note) {
     if (!is_open_) return;
-    overlay.fill({0, 0, overlay.width(), overlay.height()}, kShade);
+    overlay.fill({0, 0, overlay.width(), overlay.height()}, kPageShade);
     const int line = overlay.line_height(), gap = line / 2;
     overlay.rimmed_text((overlay.width() - overlay.text_width("MAPS")) / 2, line, "MAPS", kTitleInk);
     columns_ = std::max(1, (overlay.width() - 2 * gap) / (overlay.text_width("M") * kNameLetters + gap));
@@ -132,11 +131,11 @@ void MapPage::draw(Overlay& overlay, MapPictures& pictures, const std::string& n
 void MapPage::draw_map(Overlay& overlay, const ListedMap& map, const Rect& area, bool is_chosen,
                        MapPictures& pictures) {
     const int line = overlay.line_height(), rim = std::max(2, line / 6);
-    if (is_chosen) overlay.fill({area.left - rim, area.top - rim, area.width + 2 * rim, area.height}, kChosenBar);
+    if (is_chosen) overlay.fill({area.left - rim, area.top - rim, area.width + 2 * rim, area.height}, kChosenFrame);
     const Rect picture{area.left, area.top, area.width, area.height - 2 * line};
     overlay.fill(picture, kEmpty);
     const std::optional<Frame> drawn = map.origin == MapOrigin::wad ? Frame() : pictures.find(map.path);
-    if (drawn && drawn->width > 0) draw_picture(overlay, *drawn, picture);
+    if (drawn && drawn->width > 0) fill_area(overlay, *drawn, picture);
     const std::string word = map.origin == MapOrigin::wad ? "WAD" : !drawn ? "..." : "";
     overlay.rimmed_text(picture.left + (picture.width - overlay.text_width(word)) / 2,
                         picture.top + (picture.height - line) / 2, word, kHintInk);

@@ -9,9 +9,7 @@
 namespace enfilade {
 namespace {
 
-constexpr Color kShade = 0xC0000000, kTitleShade = 0x70000000, kPanel = 0xB0141C28, kInk = 0xFFC8C8C8,
-                kValueInk = 0xFFA8D8E8, kChosenInk = 0xFFFFFFFF, kChosenBar = 0xC0305890, kTitleInk = 0xFFFFFFFF,
-                kHintInk = 0xFFA8A8A8;
+constexpr Color kMenuShade = 0xC0000000, kTitleShade = 0x70000000, kPanel = 0xB0141C28, kChosenBar = 0xC0305890;
 
 std::string title_of(MenuPage page) {
     switch (page) {
@@ -163,7 +161,7 @@ MenuRow Menu::chosen_row(const Settings& settings) const {
 void Menu::draw(Overlay& overlay, const Settings& settings) {
     if (!is_open()) return;
     const bool is_title = path_.back().page == MenuPage::title;
-    overlay.fill({0, 0, overlay.width(), overlay.height()}, is_title ? kTitleShade : kShade);
+    overlay.fill({0, 0, overlay.width(), overlay.height()}, is_title ? kTitleShade : kMenuShade);
     const std::vector<MenuRow> rows = rows_of(path_.back().page, settings, facts_);
     const int line = overlay.line_height();
     draw_title(overlay);

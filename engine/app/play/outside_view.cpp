@@ -58,9 +58,9 @@ Whereabouts FreeCamera::whereabouts(const Snapshot& snapshot) const {
 std::string FreeCamera::text(const Map& map, const Snapshot& snapshot) const {
     const char* const places[] = {"in", "above the ceiling of", "below the floor of"};
     const Whereabouts at = whereabouts(snapshot);
-    const std::string place = at == Whereabouts::outside
-                                  ? "outside all rooms"
-                                  : fmt::format("{} {}", places[std::size_t(at)], in_quotes(map[eye_.place.sector].name));
+    const std::string place = at == Whereabouts::outside ? "outside all rooms"
+                                                         : fmt::format("{} {}", places[std::size_t(at)],
+                                                                       in_quotes(map[eye_.place.sector].name));
     return fmt::format("Free flight: {}, x {:.2f} y {:.2f} z {:.2f}. F8 goes back.", place, eye_.place.point.x,
                        eye_.place.point.y, eye_.z);
 }
@@ -72,8 +72,8 @@ constexpr Color kRim = 0xFFE0E0E0;
 /// The inset's sides in those of the picture [1].
 constexpr double kInset = 0.4;
 
-constexpr double kZoomFactor = 1.25;
-constexpr int kMostZoom = 10;
+constexpr double kViewZoomFactor = 1.25;
+constexpr int kMostViewZoom = 10;
 
 /// Where the inset is: the upper right corner, away from notices and health.
 Rect inset_box(const Frame& frame) {
@@ -81,7 +81,7 @@ Rect inset_box(const Frame& frame) {
     return {frame.width - width, 0, width, height};
 }
 
-std::size_t index_of(const Frame& frame, int x, int y) {
+std::size_t pixel_index(const Frame& frame, int x, int y) {
     return std::size_t(y) * std::size_t(frame.width) + std::size_t(x);
 }
 
@@ -89,14 +89,14 @@ std::size_t index_of(const Frame& frame, int x, int y) {
 void shrink(const Frame& from, Frame& to) {
     for (int y = 0; y < to.height; ++y)
         for (int x = 0; x < to.width; ++x)
-            to.pixels[index_of(to, x, y)] =
-                from.pixels[index_of(from, x * from.width / to.width, y * from.height / to.height)];
+            to.pixels[pixel_index(to, x, y)] =
+                from.pixels[pixel_index(from, x * from.width / to.width, y * from.height / to.height)];
 }
 
 void put(Frame& frame, const Frame& inset, const Rect& box) {
     for (int y = 0; y < box.height; ++y)
-        std::copy_n(inset.pixels.begin() + std::ptrdiff_t(index_of(inset, 0, y)), box.width,
-                    frame.pixels.begin() + std::ptrdiff_t(index_of(frame, box.left, box.top + y)));
+        std::copy_n(inset.pixels.begin() + std::ptrdiff_t(pixel_index(inset, 0, y)), box.width,
+                    frame.pixels.begin() + std::ptrdiff_t(pixel_index(frame, box.left, box.top + y)));
 }
 
 }  // namespace
@@ -105,14 +105,14 @@ void OutsideView::show_next() {
     shown_ = shown_ == Shown::nowhere ? Shown::inset : shown_ == Shown::inset ? Shown::full : Shown::nowhere;
 }
 
-void OutsideView::zoom(int steps) { zoom_steps_ = std::clamp(zoom_steps_ + steps, -kMostZoom, kMostZoom); }
+void OutsideView::zoom(int steps) { zoom_steps_ = std::clamp(zoom_steps_ + steps, -kMostViewZoom, kMostViewZoom); }
 
 void OutsideView::draw(Overlay& overlay, Frame& frame, OutsideRenderer& renderer, const Snapshot& snapshot,
                        const View& view, std::size_t threads) {
     if (shown_ == Shown::nowhere) return;
     const Rect box = inset_box(frame);
     inset_.resize(box.width, box.height);
-    const OutsideLook look{from_, kUsualReach / std::pow(kZoomFactor, zoom_steps_), frame.width, frame.height};
+    const OutsideLook look{from_, kUsualReach / std::pow(kViewZoomFactor, zoom_steps_), frame.width, frame.height};
     if (shown_ == Shown::inset) {
         renderer.render(inset_, snapshot, view, look, threads);
     } else {

@@ -6,6 +6,9 @@
 
 namespace enfilade {
 
+/// So long after the last event a page on which nothing moves counts as idle [ns].
+inline constexpr std::int64_t kUntilIdle = 500'000'000;
+
 /// Moments are those of now_ns() (platform/clock.h) [ns].
 class Pacing {
 public:

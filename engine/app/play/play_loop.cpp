@@ -8,7 +8,6 @@
 namespace enfilade {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;       ///< [ns]
 constexpr std::int64_t kTick = kSecond / kTickRate;   ///< [ns]
 constexpr std::int64_t kMostToCatchUp = kSecond / 4;  ///< after a longer pause the world just goes on [ns]
 constexpr double kWelcomeSeconds = 6;
@@ -18,8 +17,6 @@ constexpr std::size_t kRewindSpeed = 2;
 
 /// Where nothing moves, events are looked for this often; where nobody sees the window, that often [1/s].
 constexpr double kIdleHz = 30, kHiddenHz = 10;
-/// So long after the last event that is so [ns].
-constexpr std::int64_t kUntilIdle = kSecond / 2;
 /// A display that is waited for sets the pace; the limit only keeps those from racing that do not wait after all.
 constexpr double kSpareForDisplay = 1.25;
 

@@ -14,7 +14,6 @@
 namespace enfilade {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;    ///< [ns]
 constexpr std::int64_t kFlash = kSecond * 6 / 10;  ///< how long one sees that one is hurt [ns]
 constexpr double kDeadShade = 0.6;                 ///< of the strongest flash
 

@@ -11,7 +11,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr Color kInk = 0xFFFFFFFF, kAlarm = 0xFF4040FF, kKeysPanel = 0xD0202020;
+constexpr Color kNoticeInk = 0xFFFFFFFF, kAlarm = 0xFF4040FF, kKeysPanel = 0xD0202020;
 constexpr Color kBlood = 0x0000B0;
 constexpr double kStrongestFlash = 150;  ///< of 255
 constexpr int kLowHealth = 25;           ///< from here on the health is shown in red [points]
@@ -53,13 +53,13 @@ void draw_status(Overlay& overlay, const Map& map, const World& world, int botto
         overlay.rimmed_text(margin, y, text, color);
     };
     if (world.health < kFullHealth)
-        line(fmt::format("Health {}", world.health), world.health <= kLowHealth ? kAlarm : kInk);
-    if (world.keys != 0) line(carried_keys(map, world), kInk);
+        line(fmt::format("Health {}", world.health), world.health <= kLowHealth ? kAlarm : kNoticeInk);
+    if (world.keys != 0) line(carried_keys(map, world), kNoticeInk);
 }
 
 void draw_flight(Overlay& overlay, const std::string& text, int top) {
     overlay.rimmed_text((overlay.width() - overlay.text_width(text)) / 2, std::max(top, overlay.height() / 6), text,
-                        kInk);
+                        kNoticeInk);
 }
 
 void draw_hurt(Overlay& overlay, double strength) {
@@ -72,11 +72,11 @@ void draw_death(Overlay& overlay, const Bindings& bindings) {
     draw_panel(
         overlay,
         fmt::format("You died. {}: start again. {}, held: back in time.", keys(Control::use), keys(Control::rewind)),
-        kInk);
+        kNoticeInk);
 }
 
 void draw_rewind(Overlay& overlay, std::size_t ticks_back) {
-    draw_panel(overlay, fmt::format("<< {:.1f} s", static_cast<double>(ticks_back) / kTickRate), kInk);
+    draw_panel(overlay, fmt::format("<< {:.1f} s", static_cast<double>(ticks_back) / kTickRate), kNoticeInk);
 }
 
 namespace {
@@ -135,7 +135,7 @@ int draw_readout(Overlay& overlay, const FrameTimes& times, const ReadoutFacts& 
     const int left = overlay.line_height() / 2;
     const int top = overlay.height() - left - int(std::size(lines)) * overlay.line_height();
     for (std::size_t i = 0; i < std::size(lines); ++i)
-        overlay.rimmed_text(left, top + int(i) * overlay.line_height(), lines[i], kInk);
+        overlay.rimmed_text(left, top + int(i) * overlay.line_height(), lines[i], kNoticeInk);
     return top;
 }
 
@@ -153,8 +153,8 @@ void draw_keys(Overlay& overlay, const std::vector<std::pair<std::string, std::s
     overlay.fill(panel, kKeysPanel);
     int y = panel.top + pitch / 2;
     for (const auto& [keys, what] : lines) {
-        overlay.rimmed_text(panel.left + pitch / 2, y, keys, kInk);
-        overlay.rimmed_text(panel.left + pitch / 2 + keys_width, y, what, kInk);
+        overlay.rimmed_text(panel.left + pitch / 2, y, keys, kNoticeInk);
+        overlay.rimmed_text(panel.left + pitch / 2 + keys_width, y, what, kNoticeInk);
         y += pitch;
     }
 }
@@ -162,7 +162,7 @@ void draw_keys(Overlay& overlay, const std::vector<std::pair<std::string, std::s
 int draw_pointed(Overlay& overlay, int x, int y, const std::string& text, int bottom) {
     constexpr int kGap = 3, kArm = 8;  // of the cross, whose middle stays free [px]
     const auto arm = [&](int dx, int dy) {
-        for (int i = kGap; i < kArm; ++i) overlay.dot(x + i * dx, y + i * dy, kInk);
+        for (int i = kGap; i < kArm; ++i) overlay.dot(x + i * dx, y + i * dy, kNoticeInk);
     };
     arm(1, 0), arm(-1, 0), arm(0, 1), arm(0, -1);
     const int margin = overlay.line_height() / 2;
@@ -171,7 +171,7 @@ int draw_pointed(Overlay& overlay, int x, int y, const std::string& text, int bo
     const int top = bottom - int(lines.size()) * overlay.line_height();
     for (std::size_t i = 0; i < lines.size(); ++i)
         overlay.rimmed_text((overlay.width() - overlay.text_width(lines[i])) / 2, top + int(i) * overlay.line_height(),
-                            lines[i], kInk);
+                            lines[i], kNoticeInk);
     return top;
 }
 
@@ -204,7 +204,7 @@ int Notices::draw(Overlay& overlay, double now_s) {
     int y = margin;
     for (const Notice& notice : notices_)
         for (const std::string& piece : wrapped(notice.text, most)) {
-            overlay.rimmed_text(margin, y, piece, kInk);
+            overlay.rimmed_text(margin, y, piece, kNoticeInk);
             y += overlay.line_height();
         }
     if (pinned_.empty()) return y;
@@ -214,7 +214,7 @@ int Notices::draw(Overlay& overlay, double now_s) {
     const Rect panel{margin, y, overlay.width() - 2 * margin, int(lines.size()) * overlay.line_height() + margin};
     overlay.fill(panel, kPanel);
     for (std::size_t i = 0; i < lines.size(); ++i)
-        overlay.text(2 * margin, y + margin / 2 + int(i) * overlay.line_height(), lines[i], kInk);
+        overlay.text(2 * margin, y + margin / 2 + int(i) * overlay.line_height(), lines[i], kNoticeInk);
     return y + panel.height;
 }
 

@@ -67,9 +67,8 @@ constexpr Setting number(std::string_view name, std::string_view label, std::str
         const auto value = parse_number(text);
         const bool is_whole = of.step < 1 || (value && *value == std::floor(*value));
         if (!value || *value < of.low || *value > of.high || !is_whole)
-            return Error{
-                "", fmt::format("expected a {} from {:g} to {:g}; found {}", of.step < 1 ? "number" : "whole number",
-                                of.low, of.high, in_quotes(text))};
+            return Error{"", fmt::format("expected a {} from {:g} to {:g}; found {}",
+                                         of.step < 1 ? "number" : "whole number", of.low, of.high, in_quotes(text))};
         all.*Field = *value;
         return {};
     };

@@ -91,8 +91,9 @@ void read_setting(SettingsReading& reading, const TomlEntry& entry, const Settin
 void keep_unknown(SettingsReading& reading, const TomlEntry& entry) {
     std::vector<std::string_view> known{kKeysTable};
     for (const Setting& setting : all_settings()) known.push_back(setting.name);
-    note(reading, entry.key_place, Severity::warning, "unknown-key",
-         "there is no setting " + in_quotes(entry.key) + nearest_suggestion(entry.key, known) + "; it is kept as it is");
+    note(
+        reading, entry.key_place, Severity::warning, "unknown-key",
+        "there is no setting " + in_quotes(entry.key) + nearest_suggestion(entry.key, known) + "; it is kept as it is");
     reading.unknown += string_text(entry.key) + " = " + toml_text(entry.value) + "\n";
 }
 

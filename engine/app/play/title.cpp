@@ -19,9 +19,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;  ///< [ns]
 constexpr int kHz = 60, kIdleHz = 30, kHiddenHz = 10;
-constexpr std::int64_t kUntilIdle = kSecond / 2;
 constexpr double kNoteSeconds = 12;
 
 double seconds_now() { return static_cast<double>(now_ns()) / kSecond; }

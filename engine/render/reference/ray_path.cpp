@@ -64,7 +64,7 @@ DirectedEdge turned_to(const Panel& panel, Vec2 eye) {
 }
 
 /// Nearer to each other than anybody should rely on. Two walls that both pass through the eye are at depth 0 exactly.
-bool are_close(double depth, double other) {
+bool are_close_depths(double depth, double other) {
     return std::fabs(depth - other) < kAmbiguous && (depth != 0 || other != 0);
 }
 
@@ -222,7 +222,7 @@ bool RayPath::ends_near_ray(const DirectedEdge& edge, const RayHit& hit) const {
 bool RayPath::is_ambiguous(const RayHit& hit) const {
     const EyeSpace& space = hit.space;
     const Wall* entry = entry_.is_none() ? nullptr : &map_[entry_];
-    if (entry && are_close(entry_depth_, hit.depth)) return true;
+    if (entry && are_close_depths(entry_depth_, hit.depth)) return true;
     const Sector& s = map_[hit.sector];
     for (std::uint32_t i = s.first_wall; i < s.first_wall + s.wall_count; ++i) {
         const Wall& wall = map_.walls[i];
@@ -231,7 +231,7 @@ bool RayPath::is_ambiguous(const RayHit& hit) const {
         const bool is_back_of_entry = entry && ((wall.a == entry->b && wall.b == entry->a) || i == entry_.index);
         if (WallId(i) == hit.wall || is_back_of_entry || !covers(wall, space)) continue;
         const double depth = depth_of(wall, space);
-        if (are_close(depth, hit.depth) || (entry && are_close(depth, entry_depth_))) return true;
+        if (are_close_depths(depth, hit.depth) || (entry && are_close_depths(depth, entry_depth_))) return true;
     }
     return false;
 }
@@ -249,8 +249,8 @@ void RayPath::add_panels(RayHit& hit) const {
         hit.ambiguous |= ends_near_ray(edge, hit);
         if (!covers(edge, hit.space)) continue;
         PanelHit met{PanelId(i), 0, depth_of(edge, hit.space)};
-        hit.ambiguous |= !are_on_one_line(edge, behind) && are_close(met.depth, hit.depth);
-        hit.ambiguous |= entry_ && !are_on_one_line(edge, map_[entry_]) && are_close(met.depth, entry_depth_);
+        hit.ambiguous |= !are_on_one_line(edge, behind) && are_close_depths(met.depth, hit.depth);
+        hit.ambiguous |= entry_ && !are_on_one_line(edge, map_[entry_]) && are_close_depths(met.depth, entry_depth_);
         const bool is_beyond = entry_.is_none() || are_on_one_line(edge, map_[entry_]) || is_beyond_entry(edge);
         if (!is_beyond || is_in_front(behind, edge)) continue;
         const auto a = static_cast<double>(offset(panel.a, hit.space.eye));

@@ -11,7 +11,7 @@ using test::Program;
 using ::testing::HasSubstr;
 
 /// Eleven frames.
-constexpr const char* kWalk = R"(map = "map.toml"
+constexpr const char* kWalkInParts = R"(map = "map.toml"
 size = [64, 40]
 rate = 10
 [[legs]]
@@ -26,7 +26,7 @@ class Parts : public ::testing::Test {
 protected:
     Parts() {
         program_.write("map.toml", test::kTwoRooms);
-        program_.write("walk.toml", kWalk);
+        program_.write("walk.toml", kWalkInParts);
     }
 
     Ended fly(std::vector<std::string> more) const {

@@ -58,7 +58,7 @@ public:
     std::string home(const std::string& name) const { return home_.path(name); }
 
 private:
-    testing::TempDir dir_, home_;
+    test::TempDir dir_, home_;
 };
 
 /// A sound map of two rooms with a door; without pictures, so with warnings. The player looks through the door.

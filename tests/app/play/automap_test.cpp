@@ -10,7 +10,7 @@
 namespace enfilade {
 namespace {
 
-constexpr Color kBlack = 0xFF000000;
+constexpr Color kBlank = 0xFF000000;
 
 class AutomapOfTwoRooms : public ::testing::Test {
 protected:
@@ -23,7 +23,7 @@ protected:
 
     /// Pixels of that colour, the player standing in the left room and looking along +x.
     long pixels(const Automap& automap, Color color) {
-        std::ranges::fill(frame_.pixels, kBlack);
+        std::ranges::fill(frame_.pixels, kBlank);
         Overlay overlay(frame_, font_);
         automap.draw(overlay, map_, {SectorId(0u), {2, 2}}, {1, 0});
         return std::ranges::count(frame_.pixels, color);
@@ -38,7 +38,7 @@ protected:
 TEST_F(AutomapOfTwoRooms, DrawsNothingWhileClosed) {
     Automap automap(map_);
     automap.visit(SectorId(0u));
-    EXPECT_EQ(pixels(automap, kBlack), 200 * 200);
+    EXPECT_EQ(pixels(automap, kBlank), 200 * 200);
 }
 
 TEST_F(AutomapOfTwoRooms, ShowsNoRoomThatWasNotVisited) {
@@ -87,7 +87,7 @@ TEST_F(AutomapOfTwoRooms, LooksUpWithThePlayer) {
     automap.toggle();
     automap.visit(SectorId(0u));
     automap.visit(SectorId(1u));
-    std::ranges::fill(frame_.pixels, kBlack);
+    std::ranges::fill(frame_.pixels, kBlank);
     Overlay overlay(frame_, font_);
     automap.draw(overlay, map_, {SectorId(0u), {2, 2}}, {1, 0});  // the other room lies ahead: in the upper half
     const auto middle = frame_.pixels.begin() + 200 * 100;
@@ -117,7 +117,7 @@ TEST_F(AutomapOfTwoRooms, HasOtherColorsForEyesThatNeedThem) {
     Automap automap(map_);
     automap.toggle();
     automap.visit(SectorId(0u));
-    std::ranges::fill(frame_.pixels, kBlack);
+    std::ranges::fill(frame_.pixels, kBlank);
     Overlay overlay(frame_, font_);
     automap.draw(overlay, map_, {SectorId(0u), {2, 2}}, {1, 0}, {AutomapColors::safe, {}, {}});
     EXPECT_GT(std::ranges::count(frame_.pixels, 0xFFFFFFFFu), 0);
@@ -128,10 +128,10 @@ TEST_F(AutomapOfTwoRooms, HasALegendWhereItIsAskedFor) {
     Automap automap(map_);
     automap.toggle();
     const auto ink = [&](std::string_view keys) {
-        std::ranges::fill(frame_.pixels, kBlack);
+        std::ranges::fill(frame_.pixels, kBlank);
         Overlay overlay(frame_, font_);
         automap.draw(overlay, map_, {SectorId(0u), {2, 2}}, {1, 0}, {AutomapColors::usual, {}, keys});
-        return std::ranges::count_if(frame_.pixels, [](Color color) { return color != kBlack; });
+        return std::ranges::count_if(frame_.pixels, [](Color color) { return color != kBlank; });
     };
     EXPECT_GT(ink("keys"), ink("") + 500);
 }
@@ -146,7 +146,7 @@ TEST(AutomapOfADoor, ShowsItInAColorOfItsOwn) {
         automap.visit(SectorId(0u));
         Frame frame;
         frame.resize(100, 100);
-        std::ranges::fill(frame.pixels, kBlack);
+        std::ranges::fill(frame.pixels, kBlank);
         const Font font;
         Overlay overlay(frame, font);
         automap.draw(overlay, of, {SectorId(0u), {2, 2}}, {1, 0});
@@ -169,7 +169,7 @@ TEST(AutomapOfALinkedRoom, LaysTheRoomOutBehindItsDoor) {
     automap.visit(SectorId(1u));
     Frame frame;
     frame.resize(100, 100);
-    std::ranges::fill(frame.pixels, kBlack);
+    std::ranges::fill(frame.pixels, kBlank);
     const Font font;
     Overlay overlay(frame, font);
     automap.draw(overlay, map, {SectorId(0u), {2, 2}}, {1, 0});

@@ -13,7 +13,7 @@
 
 #include "platform/window.h"
 
-namespace enfilade::testing {
+namespace enfilade::test {
 
 class DrivenWindow : public Window {
 public:
@@ -93,4 +93,4 @@ private:
     bool is_fresh_ = false;
 };
 
-}  // namespace enfilade::testing
+}  // namespace enfilade::test

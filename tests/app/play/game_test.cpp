@@ -50,7 +50,7 @@ protected:
     std::string tape_path() const { return dir_.path("walk.tape"); }
     Tape recorded() const { return read_tape(read_file(tape_path()).value()).value(); }
 
-    testing::TempDir dir_;
+    test::TempDir dir_;
     std::filesystem::file_time_type stamp_ = std::filesystem::file_time_type::clock::now();
     std::unique_ptr<Game> game_;
 };
@@ -191,7 +191,7 @@ TEST_F(GameOnDisk, EndsTheRecordingWhenTheMapIsLoadedAgain) {
 }
 
 TEST(Game, RefusesAMapWithoutPlayer) {
-    const testing::TempDir dir;
+    const test::TempDir dir;
     const std::string text = write_map(test::map_of({test::box_room("main", 0, 0, 4, 4)}));
     ASSERT_FALSE(write_file(dir.path("map.toml"), std::string_view(text)));
     EXPECT_FALSE(Game::start(dir.path("map.toml"), {}).ok());

@@ -59,7 +59,7 @@ protected:
         return {};
     }
 
-    testing::TempDir home_;
+    test::TempDir home_;
 };
 
 TEST_F(Maps, BeginWithTheTour) {

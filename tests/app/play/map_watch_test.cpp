@@ -19,7 +19,7 @@ protected:
     void save(const std::string& name) { ASSERT_FALSE(write_file(dir_.path(name), std::string_view("text"))); }
     void read(const std::string& name) { (void)watch_.start_reading()(dir_.path(name)).ok(); }
 
-    testing::TempDir dir_;
+    test::TempDir dir_;
     MapWatch watch_;
 };
 

@@ -54,11 +54,11 @@ protected:
     }
     static std::uint32_t at(const Frame& frame, int x, int y) { return frame.pixels[std::size_t(y * frame.width + x)]; }
 
-    testing::TempDir dir_;
+    test::TempDir dir_;
     std::unique_ptr<Game> game_;
     PlayOptions options_;
     SettingsStore store_;
-    testing::DrivenWindow window_;
+    test::DrivenWindow window_;
 };
 
 /// The room, with a wall where there was none, and another room behind it.

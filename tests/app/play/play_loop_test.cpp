@@ -69,7 +69,7 @@ protected:
         return PlayLoop(*game_, window, store_, options_, std::make_unique<BrokenRenderer>()).run();
     }
 
-    testing::TempDir dir_;
+    test::TempDir dir_;
     std::unique_ptr<Game> game_;
     PlayOptions options_;
     SettingsStore store_;

@@ -21,13 +21,13 @@ Frame red_pixel() {
 }
 
 TEST(Screenshot, TakesTheFirstNumberThatIsFree) {
-    const testing::TempDir dir;
+    const test::TempDir dir;
     EXPECT_EQ(save_screenshot(red_pixel(), dir.path()).value(), "enfilade-0001.png");
     EXPECT_EQ(save_screenshot(red_pixel(), dir.path()).value(), "enfilade-0002.png");
 }
 
 TEST(Screenshot, HoldsThePicture) {
-    const testing::TempDir dir;
+    const test::TempDir dir;
     const auto name = save_screenshot(red_pixel(), dir.path()).value();
     EXPECT_EQ(read_png(read_file(dir.path(name)).value()).value().pixels, red_pixel().pixels);
 }
@@ -48,7 +48,7 @@ protected:
     }
     void make(const std::string& folder) const { std::filesystem::create_directories(home_.path(folder)); }
 
-    testing::TempDir home_;
+    test::TempDir home_;
     std::string before_ = std::getenv("HOME") ? std::getenv("HOME") : "";
 };
 

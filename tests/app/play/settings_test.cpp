@@ -167,7 +167,7 @@ protected:
     }
     void write(std::string_view text) const { EXPECT_FALSE(write_file(path_, text)); }
 
-    testing::TempDir dir_;
+    test::TempDir dir_;
     std::string path_ = dir_.path("settings.toml");
 };
 

@@ -30,13 +30,13 @@ std::uint32_t grey(std::uint32_t value) { return kBlack | value << 16 | value <<
 
 TilePlace place(double tiles) { return place_on_tile(tiles); }
 
-constexpr int kRows = 96;
+constexpr int kBlendedRows = 96;
 
 /// One column of a wall, `u` and `v_per_row` in tiles, from the picture's top.
 std::vector<std::uint32_t> wall_column(const Texture& texture, double u, double v_per_row,
                                        const Texture* smaller = nullptr, std::uint32_t part = 0) {
-    std::vector<std::uint32_t> pixels(kRows, 0);
-    const int top = 0, bottom = kRows;
+    std::vector<std::uint32_t> pixels(kBlendedRows, 0);
+    const int top = 0, bottom = kBlendedRows;
     const TilePlace at = place(u);
     const TileSteps v = tile_steps(v_per_row / 2), step = tile_steps(v_per_row);
     const std::uint32_t none = 0;
@@ -49,11 +49,12 @@ std::vector<std::uint32_t> wall_column(const Texture& texture, double u, double 
 /// One column of a floor from `depth` 0 on, one row a step along v.
 std::vector<std::uint32_t> flat_column(const Texture& texture, double u, double v_per_row,
                                        const Texture* smaller = nullptr, std::uint32_t part = 0) {
-    std::vector<std::uint32_t> pixels(kRows, 0), parts(kRows, part), darkness(kRows, kFullBright * 0x10001u);
-    std::vector<double> depths(kRows);
-    for (int y = 0; y < kRows; ++y) depths[static_cast<std::size_t>(y)] = y + 0.5;
-    const int top = 0, bottom = kRows;
-    const double still = 0, farthest = kRows;
+    std::vector<std::uint32_t> pixels(kBlendedRows, 0), parts(kBlendedRows, part),
+        darkness(kBlendedRows, kFullBright * 0x10001u);
+    std::vector<double> depths(kBlendedRows);
+    for (int y = 0; y < kBlendedRows; ++y) depths[static_cast<std::size_t>(y)] = y + 0.5;
+    const int top = 0, bottom = kBlendedRows;
+    const double still = 0, farthest = kBlendedRows;
     fill_blended_flats(NumberKind::real64,
                        {{pixels.data(), 0, 1, &top, &bottom},
                         &texture,
@@ -122,7 +123,7 @@ TEST(BlendedRuns, ShowAMagnifiedChequerAsTheExactBlend) {
     for (const double u : {0.0, 0.25, 0.375, 0.5, 0.75, 0.9375}) {
         const std::vector<std::uint32_t> wall = wall_column(texture, u, 1.0 / 64),
                                          flat = flat_column(texture, u, 1.0 / 64);
-        for (int y = 0; y < kRows; ++y) {
+        for (int y = 0; y < kBlendedRows; ++y) {
             // White along one side is a zigzag between the middles of texels.
             const auto white_at = [](double tiles) {
                 const double part = tiles + 0.25 - std::floor(tiles + 0.25);
@@ -159,7 +160,7 @@ TEST(BlendedRuns, AtAWholeLevelAreBilinearInThatPicture) {
     for (const std::uint32_t part : {1u, 100u, 255u}) {
         const std::vector<std::uint32_t> wall = wall_column(large, 0.3, 0.02, &small, part);
         const std::vector<std::uint32_t> flat = flat_column(large, 0.3, 0.02, &small, part);
-        for (std::size_t y = 0; y < kRows; ++y) {
+        for (std::size_t y = 0; y < kBlendedRows; ++y) {
             ASSERT_EQ(wall[y], mixed(at_large[y], at_small[y], part)) << part << ", row " << y;
             ASSERT_EQ(flat[y], wall[y]) << part << ", row " << y;
         }
@@ -167,7 +168,7 @@ TEST(BlendedRuns, AtAWholeLevelAreBilinearInThatPicture) {
 }
 
 /// Colours in a row, and what becomes of them at 32 levels: anything.
-ColorTable random_table(Random& random, Texture& texture) {
+ColorTable random_blended_table(Random& random, Texture& texture) {
     Texture colors = picture(200, ColorTable::kLevels + 1, {});
     for (std::uint32_t i = 0; i < colors.width * colors.height; ++i)
         colors.pixels.push_back(kBlack | static_cast<std::uint32_t>(random.below(1 << 24)));
@@ -186,15 +187,15 @@ TEST(BlendedRuns, AreTheDefinitionPixelByPixel) {
         for (std::uint32_t i = 0; i < texture.width * texture.height; ++i)
             texture.pixels.push_back(static_cast<std::uint32_t>(random.bits()));
         const bool is_by_table = trial % 2 == 1;
-        const ColorTable table = is_by_table ? random_table(random, texture) : ColorTable();
+        const ColorTable table = is_by_table ? random_blended_table(random, texture) : ColorTable();
         const Shade shade = static_cast<Shade>(random.below(257));
         const double u = random.uniform(0, 1), step = random.uniform(-0.1, 0.1);
         const auto color_at = [&](std::uint32_t x, std::uint32_t y) {
             const std::size_t i = std::size_t{x} * texture.height + y;
             return is_by_table ? darkened_colors(table, shade)[texture.numbers[i]] : texture.pixels[i];
         };
-        std::vector<std::uint32_t> pixels(kRows, 0);
-        const int top = static_cast<int>(random.below(kRows)), bottom = kRows;
+        std::vector<std::uint32_t> pixels(kBlendedRows, 0);
+        const int top = static_cast<int>(random.below(kBlendedRows)), bottom = kBlendedRows;
         const TilePlace at = place(u);
         const TileSteps v = tile_steps(0.25), per_row = tile_steps(step);
         const std::uint32_t none = 0;
@@ -207,7 +208,7 @@ TEST(BlendedRuns, AreTheDefinitionPixelByPixel) {
                             is_by_table ? &table : nullptr},
                            {&at, nullptr, nullptr});
         const TexelPair across = texels_around(at, texture.width);
-        for (int y = 0; y < kRows; ++y) {
+        for (int y = 0; y < kBlendedRows; ++y) {
             const TileSteps here = v + per_row * static_cast<TileSteps>(y) + kHalfPlace;
             const TexelPair down = texels_around(static_cast<TilePlace>(here >> 32), texture.height);
             const std::uint32_t color =

@@ -6,11 +6,11 @@
 namespace enfilade::column {
 namespace {
 
-constexpr int kWidth = 8;
+constexpr int kMaskedWidth = 8;
 
 TEST(MaskedColumns, TakeNoMoreOfAColumnThanTheMostPictures) {
     MaskedColumns masked;
-    masked.clear(kWidth);
+    masked.clear(kMaskedWidth);
     for (std::size_t i = 0; i < 3 * kMostPictures; ++i) masked.note(0, 3, {0, 100}, {});
     EXPECT_EQ(masked.count(), kMostPictures);
     EXPECT_TRUE(masked.is_full(3));
@@ -18,7 +18,7 @@ TEST(MaskedColumns, TakeNoMoreOfAColumnThanTheMostPictures) {
 
 TEST(MaskedColumns, CountPicturesThatAreAboveOrBelowWhatIsOpen) {
     MaskedColumns masked;
-    masked.clear(kWidth);
+    masked.clear(kMaskedWidth);
     for (std::size_t i = 0; i < kMostPictures; ++i) masked.note(0, 3, {60, 60}, {});
     EXPECT_TRUE(masked.is_full(3));
     EXPECT_EQ(masked.count(), 0u);
@@ -26,11 +26,11 @@ TEST(MaskedColumns, CountPicturesThatAreAboveOrBelowWhatIsOpen) {
 
 TEST(MaskedColumns, CountEachColumnByItselfAndEachFrameAnew) {
     MaskedColumns masked;
-    masked.clear(kWidth);
+    masked.clear(kMaskedWidth);
     for (std::size_t i = 0; i < kMostPictures; ++i) masked.note(0, 3, {0, 100}, {});
     EXPECT_FALSE(masked.is_full(2));
     EXPECT_FALSE(masked.is_full(4));
-    masked.clear(kWidth);
+    masked.clear(kMaskedWidth);
     EXPECT_FALSE(masked.is_full(3));
     EXPECT_EQ(masked.count(), 0u);
 }

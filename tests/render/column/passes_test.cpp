@@ -13,7 +13,7 @@
 namespace enfilade::column {
 namespace {
 
-constexpr int kRows = 60;
+constexpr int kPassRows = 60;
 constexpr std::uint32_t kUntouched = 0x12345678u;
 
 std::uint32_t any_color(Random& random) { return static_cast<std::uint32_t>(random.bits()); }
@@ -25,14 +25,14 @@ LightCell any_light(Random& random) {
 
 /// A column of pixels, the run in it, and the same pixels as they were painted before a table darkened them.
 struct Column {
-    std::vector<std::uint32_t> pixels = std::vector<std::uint32_t>(kRows, kUntouched);
+    std::vector<std::uint32_t> pixels = std::vector<std::uint32_t>(kPassRows, kUntouched);
     std::vector<std::uint32_t> texels;
     int first = 0, count = 0;
     bool is_darkened = false;
 
     explicit Column(Random& random) {
-        first = static_cast<int>(random.below(kRows));
-        count = static_cast<int>(random.below(static_cast<std::uint64_t>(kRows - first) + 1));
+        first = static_cast<int>(random.below(kPassRows));
+        count = static_cast<int>(random.below(static_cast<std::uint64_t>(kPassRows - first) + 1));
         is_darkened = random.below(2) == 0;
         for (int i = 0; i < count; ++i) {
             pixels[static_cast<std::size_t>(first + i)] = any_color(random);
@@ -48,7 +48,7 @@ void expect_each(Column column, const Passes& passes, const std::function<void(c
                  const std::function<std::uint32_t(int row, std::uint32_t pixel)>& wanted) {
     const Column before = column;
     pass(passes, column);
-    for (int row = 0; row < kRows; ++row) {
+    for (int row = 0; row < kPassRows; ++row) {
         const std::uint32_t pixel = before.pixels[static_cast<std::size_t>(row)];
         const bool is_in = row >= before.first && row < before.first + before.count;
         ASSERT_EQ(column.pixels[static_cast<std::size_t>(row)], is_in ? wanted(row, pixel) : pixel) << "row " << row;
@@ -147,7 +147,7 @@ TEST_P(EachPasses, LightFlatsByTheirPlaceInTheGrid) {
         for (int i = 0; i < grid.columns * grid.rows; ++i) grid.cells.push_back(any_light(random));
         std::vector<double> depths;
         std::vector<Shade> shades;
-        for (int y = 0; y < kRows + kRowsBeyond; ++y) {
+        for (int y = 0; y < kPassRows + kRowsBeyond; ++y) {
             depths.push_back(random.below(20) == 0 ? std::numeric_limits<double>::infinity() : 40.0 / (y + 1));
             shades.push_back(static_cast<Shade>(random.below(257)));
         }
@@ -174,7 +174,7 @@ TEST_P(EachPasses, HidePixelsInFog) {
     for (int trial = 0; trial < 500; ++trial) {
         const std::uint32_t fog = any_color(random);
         std::vector<FogPart> fog_parts;
-        for (int y = 0; y < kRows + kRowsBeyond; ++y) fog_parts.push_back(static_cast<FogPart>(random.below(257)));
+        for (int y = 0; y < kPassRows + kRowsBeyond; ++y) fog_parts.push_back(static_cast<FogPart>(random.below(257)));
         const Column column(random);
         expect_each(
             column, passes_,

@@ -11,7 +11,7 @@ namespace enfilade::column {
 namespace {
 
 /// fov 90 and a square picture: focal_y is half the width.
-RayTables screen_of(int width, int height, double pitch_tangent = 0) {
+RayTables pitched_screen(int width, int height, double pitch_tangent = 0) {
     View view;
     view.pitch_tangent = pitch_tangent;
     RayTables screen;
@@ -32,14 +32,14 @@ int first_row_below_by_search(const RayTables& screen, double height, double dep
 
 /// The middle of a row meets the very edge of a surface; rounding puts its depth a little to either side.
 TEST(FirstRowBelow, IsTheSameWhateverRoundingDoesToADepth) {
-    const RayTables screen = screen_of(320, 200);
+    const RayTables screen = pitched_screen(320, 200);
     const double depth = 10.5 / screen.row_rises[30] * screen.focal_y;
     for (const double part : {-1e-14, 0.0, 1e-14})
         EXPECT_EQ(first_row_below(screen, 10.5, depth * (1 + part), 0, 200), 31) << part;
 }
 
 TEST(FirstRowBelow, IsTheRowTheDefinitionNames) {
-    const RayTables screen = screen_of(320, 200, 0.25);
+    const RayTables screen = pitched_screen(320, 200, 0.25);
     Random random(1);
     for (int trial = 0; trial < 20000; ++trial) {
         const double height = random.uniform(-8, 8), depth = random.uniform(0, 40);
@@ -53,14 +53,14 @@ TEST(FirstRowBelow, IsTheRowTheDefinitionNames) {
 // hard case R13
 TEST(FirstRowBelow, GivesRowCentresOnTheEdgeToTheSurfaceBelowIt) {
     const RayTables screen =
-        screen_of(320, 200);  // focal_y 160, horizon 100: the centre of row 19 is 80.5 rows above it
+        pitched_screen(320, 200);  // focal_y 160, horizon 100: the centre of row 19 is 80.5 rows above it
     EXPECT_EQ(first_row_below(screen, 80.5 / 160, 1, 0, 200), 20);
     EXPECT_EQ(first_row_below(screen, 80.5 / 160 + 1e-12, 1, 0, 200), 19);
 }
 
 // The definition says which of two rows shows an edge also where a product meets it to the last bit.
 TEST(FirstRowBelow, IsBehindTheRowThatMeetsTheHeightToTheLastBit) {
-    const RayTables screen = screen_of(256, 200);  // focal_y 128
+    const RayTables screen = pitched_screen(256, 200);  // focal_y 128
     for (const int y : {3, 30, 99, 100, 150}) {
         const double height = screen.tied_rises[static_cast<std::size_t>(y)] / 128;
         EXPECT_EQ(first_row_below(screen, height, 1, 0, 200), y + 1);
@@ -69,7 +69,7 @@ TEST(FirstRowBelow, IsBehindTheRowThatMeetsTheHeightToTheLastBit) {
 }
 
 TEST(FirstRowBelow, PutsAnEyeInTheWallsPlaneBetweenItsHeights) {
-    const RayTables screen = screen_of(320, 200);
+    const RayTables screen = pitched_screen(320, 200);
     EXPECT_EQ(first_row_below(screen, 1.0, 0, 10, 90), 10);    // the ceiling is above the eye: no row shows it
     EXPECT_EQ(first_row_below(screen, -1.0, 0, 10, 90), 90);   // the floor is below: no row shows it
     EXPECT_EQ(first_row_below(screen, 0.0, 0, 10, 190), 100);  // at the very height: from the horizon on
@@ -77,12 +77,12 @@ TEST(FirstRowBelow, PutsAnEyeInTheWallsPlaneBetweenItsHeights) {
 
 // hard case R7
 TEST(FirstRowBelow, DividesTheRowsOfAnEyeAtAHeightOfTheWallItStandsInAtTheHorizon) {
-    const RayTables screen = screen_of(320, 200);
+    const RayTables screen = pitched_screen(320, 200);
     EXPECT_EQ(first_row_below(screen, 0.0, 0, 10, 190), 100);
 }
 
 TEST(SplitRows, CoversTheOpenRowsInOrderForAnyHeights) {
-    const RayTables screen = screen_of(200, 160, -0.5);
+    const RayTables screen = pitched_screen(200, 160, -0.5);
     Random random(7);
     for (int trial = 0; trial < 20000; ++trial) {
         const double floor = random.uniform(-4, 1), behind_floor = random.uniform(-4, 4);
@@ -100,7 +100,7 @@ TEST(SplitRows, CoversTheOpenRowsInOrderForAnyHeights) {
 
 // hard case R18
 TEST(SplitRows, GivesAClosedDoorNoOpening) {
-    const RayTables screen = screen_of(320, 200);
+    const RayTables screen = pitched_screen(320, 200);
     const RelativeHeights here{-1.5, 1.5}, door{-1.5, -1.5};
     const RowSplit rows = split_rows(screen, {0, 200}, 3, here, &door);
     EXPECT_EQ(rows.opening_top, rows.opening_bottom);

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-constexpr int kWidth = 160, kHeight = 100;
+constexpr int kSampledWidth = 160, kSampledHeight = 100;
 
 /// Every texel differs from its neighbours, as on nothing that is painted: what is blended wrongly shows.
 void paint_noise(TextureSet& textures) {
@@ -25,7 +25,7 @@ void paint_noise(TextureSet& textures) {
 }
 
 /// Lamps, fog, layers and panels, so that all paths of drawing are gone; no edge of light is sharp.
-MapFile furnished_palace() {
+MapFile lit_palace() {
     MapFile file = palace();
     scatter_lights(file, 12, 5);
     scatter_panels(file, 12, 6);
@@ -50,7 +50,7 @@ void shuffle(TextureSet& textures) {
         }
 }
 
-int apart(std::uint32_t a, std::uint32_t b) {
+int channels_apart(std::uint32_t a, std::uint32_t b) {
     int most = 0;
     for (const int shift : {0, 8, 16}) most = std::max(most, std::abs(int(a >> shift & 0xFF) - int(b >> shift & 0xFF)));
     return most;
@@ -66,15 +66,15 @@ void compare(const TexturedMap& world, const View& view, Sampling sampling, Ligh
              SamplingComparison& sum) {
     Frame a, b, nearest;
     FrameFacts facts;
-    for (Frame* frame : {&a, &b, &nearest}) frame->resize(kWidth, kHeight);
-    reset(facts, kWidth, kHeight);
+    for (Frame* frame : {&a, &b, &nearest}) frame->resize(kSampledWidth, kSampledHeight);
+    reset(facts, kSampledWidth, kSampledHeight);
     columns.render(a, nullptr, world.snapshot, view);
     render_reference(b, &facts, world.map, world.textures, world.snapshot, view,
                      {.lights = &lights, .sampling = sampling});
     render_reference(nearest, nullptr, world.map, world.textures, world.snapshot, view, {.lights = &lights});
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         if (facts.ambiguous[i]) continue;
-        const int difference = apart(a.pixels[i], b.pixels[i]);
+        const int difference = channels_apart(a.pixels[i], b.pixels[i]);
         ++sum.pixels;
         sum.different += difference != 0;
         sum.largest = std::max(sum.largest, difference);
@@ -115,7 +115,7 @@ TEST(Sampling, IsTheReferencesInEveryWay) {
 }
 
 TEST(Sampling, IsTheReferencesUnderLampsInFogAndBehindFences) {
-    TexturedMap world(furnished_palace());
+    TexturedMap world(lit_palace());
     paint_noise(world.textures);
     world.textures.textures[world.textures.find("lattice").index] = lattice();
     expect_same_sampling(world, 2);
@@ -124,7 +124,7 @@ TEST(Sampling, IsTheReferencesUnderLampsInFogAndBehindFences) {
 TEST(Sampling, IsTheReferencesByAColorTable) {
     MapFile file = palace();
     file.render.light = LightModel::classic;
-    TexturedMap dark(file), lit(furnished_palace());
+    TexturedMap dark(file), lit(lit_palace());
     for (TexturedMap* world : {&dark, &lit}) {
         paint_by_table(world->textures);
         const Texture& first = world->textures.textures.front();
@@ -181,7 +181,7 @@ TEST(Sampling, LeavesOneColorAsItIs) {
         for (int i = 0; i < 3; ++i) {
             Dials dials;
             dials.sampling = ways[i];
-            frames[i].resize(kWidth, kHeight);
+            frames[i].resize(kSampledWidth, kSampledHeight);
             ColumnStrips(world.map, world.textures, 1, dials).render(frames[i], nullptr, world.snapshot, view);
         }
         ASSERT_EQ(frames[1].pixels, frames[0].pixels) << trial;
@@ -201,13 +201,13 @@ std::size_t expect_floor_by_the_view(const TexturedMap& world, const MipChains& 
     view.tilt = Tilt{direction(Angle::from_degrees(-60)), {1, 0}};
     Frame frame;
     FrameFacts facts;
-    frame.resize(kWidth, kHeight);
-    reset(facts, kWidth, kHeight);
+    frame.resize(kSampledWidth, kSampledHeight);
+    reset(facts, kSampledWidth, kSampledHeight);
     render_reference(frame, &facts, world.map, world.textures, world.snapshot, view,
                      {.sampling = Sampling::mip, .mips = &mips});
     const Surface& surface = world.map[world.map[SectorId(0u)].floor.surface];
     const Texture& floor = world.textures[surface.texture];
-    const double slope_per_column = 2 * std::sqrt(3.0) / kWidth, focal_y = 1 / slope_per_column;
+    const double slope_per_column = 2 * std::sqrt(3.0) / kSampledWidth, focal_y = 1 / slope_per_column;
     const Vec2 right = right_of(view.forward);
     std::size_t beside = 0;
     for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
@@ -223,7 +223,8 @@ std::size_t expect_floor_by_the_view(const TexturedMap& world, const MipChains& 
         const std::uint32_t v = texel_of(place_on_tile(facts.texels[i].v), level.height);
         EXPECT_EQ(frame.pixels[i], level.at(u, v)) << "pixel " << i;
         if (testing::Test::HasFailure()) break;
-        const Ray ray = Projection(view, kWidth, kHeight).ray(int(i) % kWidth, int(i) / kWidth);
+        const Ray ray =
+            Projection(view, kSampledWidth, kSampledHeight).ray(int(i) % kSampledWidth, int(i) / kSampledWidth);
         beside += ray.ahead < 0 && std::fabs(ray.right) > -ray.ahead;
     }
     return beside;
@@ -255,14 +256,14 @@ TEST(Sampling, OfATiltedPictureChoosesTheSameSmallerOnes) {
         tilted.tilt = Tilt{};
         Frame a, b;
         FrameFacts facts;
-        for (Frame* frame : {&a, &b}) frame->resize(kWidth, kHeight);
-        reset(facts, kWidth, kHeight);
+        for (Frame* frame : {&a, &b}) frame->resize(kSampledWidth, kSampledHeight);
+        reset(facts, kSampledWidth, kSampledHeight);
         const ReferenceOptions trilinear{.sampling = Sampling::trilinear};
         render_reference(a, &facts, world.map, world.textures, world.snapshot, level, trilinear);
         render_reference(b, nullptr, world.map, world.textures, world.snapshot, tilted, trilinear);
         for (std::size_t i = 0; i < a.pixels.size(); ++i) {
             if (facts.ambiguous[i] || std::isinf(facts.depths[i])) continue;
-            ASSERT_LE(apart(a.pixels[i], b.pixels[i]), 1) << trial << ", pixel " << i;
+            ASSERT_LE(channels_apart(a.pixels[i], b.pixels[i]), 1) << trial << ", pixel " << i;
         }
     }
 }

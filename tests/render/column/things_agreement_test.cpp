@@ -14,7 +14,7 @@ namespace {
 using namespace test;
 
 /// A disc with a hole in it; what is around it is clear, a part of it coloured glass.
-Texture ring(std::uint32_t color) {
+Texture ring_picture(std::uint32_t color) {
     Texture texture;
     texture.name = "ring";
     texture.width = texture.height = 64;
@@ -64,7 +64,7 @@ TexturedMap world_with_things(MapFile file, int count, std::uint64_t seed) {
     for (std::uint32_t i = 0; i < 8; ++i) {
         const std::string name = "ring" + std::to_string(i + 1);
         Texture& texture = world.textures.textures[world.textures.find(name).index];
-        texture = ring(0x101010u * i);
+        texture = ring_picture(0x101010u * i);
         texture.name = name;
     }
     return world;

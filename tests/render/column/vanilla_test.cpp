@@ -24,7 +24,7 @@ struct Errors {
 };
 
 constexpr VanillaScreen kScreen{1280, 640};
-constexpr double kRows = 720;
+constexpr double kVanillaRows = 720;
 
 /// A wall from 50 to 1000 units ahead, 128 high, seen at half its height.
 Errors errors_of_slanted_wall() {
@@ -36,7 +36,7 @@ Errors errors_of_slanted_wall() {
         const double part = (slope * left.y - left.x) / (along.x - slope * along.y);
         const double per_row = (left.y + part * along.y) / 640;
         const double u = std::fabs(part * std::sqrt(dot(along, along)) - wall.along_at(x));
-        for (double row = -kRows / 2; row < kRows / 2; ++row)
+        for (double row = -kVanillaRows / 2; row < kVanillaRows / 2; ++row)
             if (std::fabs(row * per_row) <= 64)
                 errors.push_back(std::max(u, std::fabs(row * (per_row - wall.per_row_at(x)))));
     }
@@ -48,7 +48,7 @@ Errors errors_of_floor(double radians) {
     const Vec2 forward = direction(Angle::from_radians(radians));
     const VanillaFlat flat(kScreen, 41, forward, 1);
     std::vector<double> errors;
-    for (double rows = 0.5; rows < kRows / 2; ++rows) {
+    for (double rows = 0.5; rows < kVanillaRows / 2; ++rows) {
         const double depth = 41 * 640 / rows;
         for (int x = 0; x < 1280 && depth <= 4096; ++x) {
             const Vec2 exact = (forward + right_of(forward) * ((x + 0.5 - 640) / 640)) * depth;

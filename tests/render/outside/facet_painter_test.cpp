@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-constexpr int kWidth = 97, kHeight = 61;
+constexpr int kFacetWidth = 97, kFacetHeight = 61;
 
 View view_at(Vec2 eye, double degrees) {
     View view;
@@ -20,12 +20,12 @@ View view_at(Vec2 eye, double degrees) {
 
 /// How often each pixel is covered.
 std::vector<int> covered(const std::vector<std::optional<Facet>>& facets) {
-    std::vector<int> counts(kWidth * kHeight);
+    std::vector<int> counts(kFacetWidth * kFacetHeight);
     for (const auto& facet : facets) {
         if (!facet) continue;
-        for (int y = facet->first_row(); y < std::min(facet->end_row(), kHeight); ++y) {
-            const Facet::Span span = facet->span(y, kWidth);
-            for (int x = span.begin; x < span.end; ++x) ++counts[std::size_t(y * kWidth + x)];
+        for (int y = facet->first_row(); y < std::min(facet->end_row(), kFacetHeight); ++y) {
+            const Facet::Span span = facet->span(y, kFacetWidth);
+            for (int x = span.begin; x < span.end; ++x) ++counts[std::size_t(y * kFacetWidth + x)];
         }
     }
     return counts;
@@ -53,7 +53,7 @@ TEST(Facets, CoverAllOfTheGroundOnce) {
         const Vec2 eye{somewhere(), somewhere()};
         const double degrees = is_tie ? (round % 4) * 90 : somewhere() * 18;
         const OutsideFrom from = round % 2 ? OutsideFrom::above : OutsideFrom::behind;
-        const OutsideCamera camera(from, view_at(eye, degrees), 12, kWidth, kHeight);
+        const OutsideCamera camera(from, view_at(eye, degrees), 12, kFacetWidth, kFacetHeight);
         const Vec2 middle = is_tie ? eye : Vec2{somewhere(), somewhere()};
         const Vec2 low = is_tie ? eye - Vec2{50, 50} : Vec2{-50, -50}, high = low + Vec2{100, 100};
         const auto whole =
@@ -68,7 +68,7 @@ TEST(Facets, OfWallsOfDifferentHeightMeetAtTheirEdge) {
     for (int round = 0; round < 200; ++round) {
         const auto somewhere = [&] { return double(random.below(20000)) / 1000 - 10; };
         const OutsideFrom from = round % 2 ? OutsideFrom::above : OutsideFrom::behind;
-        const OutsideCamera camera(from, view_at({somewhere(), -8}, 90), 40, kWidth, kHeight);
+        const OutsideCamera camera(from, view_at({somewhere(), -8}, 90), 40, kFacetWidth, kFacetHeight);
         const Vec2 a{-40, 20}, edge{somewhere(), 20}, b{40, 20};
         const auto wall = [&](Vec2 left, Vec2 right, double bottom, double top) {
             return Facet::upright(camera, {left, top}, {right, bottom}, {}, FacetSides::both);
@@ -84,7 +84,7 @@ TEST(Facets, OfWallsOfDifferentHeightMeetAtTheirEdge) {
 }
 
 TEST(Facets, AreLeftOutFromBehindWhereOnlyTheirFrontCounts) {
-    const OutsideCamera camera(OutsideFrom::above, view_at({0, 0}, 0), 12, kWidth, kHeight);
+    const OutsideCamera camera(OutsideFrom::above, view_at({0, 0}, 0), 12, kFacetWidth, kFacetHeight);
     EXPECT_TRUE(ground(camera, {0, 0}, {4, 0}, {4, 4}));
     EXPECT_FALSE(ground(camera, {0, 0}, {4, 4}, {4, 0}));
     const FacetCorner low_left{{4, -2}, 0}, high_left{{4, -2}, 2}, low_right{{4, 2}, 0}, high_right{{4, 2}, 2};
@@ -96,7 +96,7 @@ TEST(Facets, AreLeftOutFromBehindWhereOnlyTheirFrontCounts) {
 }
 
 TEST(Facets, TellWhatIsInEachPixel) {
-    const OutsideCamera camera(OutsideFrom::behind, view_at({0, 0}, 0), 20, kWidth, kHeight);
+    const OutsideCamera camera(OutsideFrom::behind, view_at({0, 0}, 0), 20, kFacetWidth, kFacetHeight);
     const auto facet = Facet::triangle(
         camera, {FacetCorner{{-30, -50}, 0, {-30, -50}}, {{50, -50}, 0, {50, -50}}, {{50, 80}, 0, {50, 80}}}, {},
         FacetSides::front);

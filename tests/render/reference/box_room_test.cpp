@@ -12,7 +12,7 @@ namespace enfilade::test {
 namespace {
 
 /// Depths and places are sums and products of a few numbers below 100: errors stay below 1e-13 [m].
-constexpr double kRounding = 1e-12;
+constexpr double kBoxRounding = 1e-12;
 
 /// A room of 8 m x 8 m around the origin and 3 m high, seen along +x from near its middle. The eye is so placed that no
 /// ray ends on the edge of a texel.
@@ -61,7 +61,7 @@ TEST_F(BoxRoom, KnowsTheDepthOfEveryPixel) {
         for (int y = 0; y < kHeight; ++y) {
             const double h = height_at_wall(x, y);
             const double expected = h >= 3 ? (3 - kEyeZ) / climb(y) : h < 0 ? -kEyeZ / climb(y) : wall_depth(x);
-            ASSERT_NEAR(picture_.depth(x, y), expected, kRounding) << x << ", " << y;
+            ASSERT_NEAR(picture_.depth(x, y), expected, kBoxRounding) << x << ", " << y;
         }
 }
 
@@ -70,8 +70,8 @@ TEST_F(BoxRoom, LaysTilesOfTheFloorFromTheOriginOfTheWorld) {
         for (int y = 0; y < kHeight; ++y) {
             if (picture_.id(x, y) != floor_id(box_)) continue;
             const double z = -kEyeZ / climb(y);
-            ASSERT_NEAR(picture_.texel(x, y).u, fraction(kEyeX + z), kRounding) << x << ", " << y;
-            ASSERT_NEAR(picture_.texel(x, y).v, fraction(kEyeY + slope(x) * z), kRounding) << x << ", " << y;
+            ASSERT_NEAR(picture_.texel(x, y).u, fraction(kEyeX + z), kBoxRounding) << x << ", " << y;
+            ASSERT_NEAR(picture_.texel(x, y).v, fraction(kEyeY + slope(x) * z), kBoxRounding) << x << ", " << y;
         }
 }
 
@@ -80,7 +80,7 @@ TEST_F(BoxRoom, CountsWallTilesFromTheWallsStart) {
         for (int y = 0; y < kHeight; ++y) {
             if (!shows_wall_ahead(x, y)) continue;
             const double along = kEyeY + slope(x) * (4 - kEyeX) + 4;
-            ASSERT_NEAR(picture_.texel(x, y).u, fraction(along), kRounding) << x << ", " << y;
+            ASSERT_NEAR(picture_.texel(x, y).u, fraction(along), kBoxRounding) << x << ", " << y;
         }
 }
 
@@ -88,7 +88,7 @@ TEST_F(BoxRoom, HangsWallTilesFromTheCeiling) {
     for (int x = 0; x < kWidth; ++x)
         for (int y = 0; y < kHeight; ++y) {
             if (!shows_wall_ahead(x, y)) continue;
-            ASSERT_NEAR(picture_.texel(x, y).v, fraction(3 - height_at_wall(x, y)), kRounding) << x << ", " << y;
+            ASSERT_NEAR(picture_.texel(x, y).v, fraction(3 - height_at_wall(x, y)), kBoxRounding) << x << ", " << y;
         }
 }
 

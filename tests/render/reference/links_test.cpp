@@ -9,7 +9,7 @@
 namespace enfilade::test {
 namespace {
 
-constexpr double kRounding = 1e-9;  ///< the eye is put onto a grid of 2^-32 behind each link [m]
+constexpr double kLinkRounding = 1e-9;  ///< the eye is put onto a grid of 2^-32 behind each link [m]
 
 /// A room and another behind it, to the west, as neighbours. An eye on the line between them is in the first room.
 MapFile side_by_side(double far_floor) {
@@ -35,7 +35,7 @@ MapFile far_apart(int quarters, Vec2 shift, double far_floor, double rise) {
 void expect_same_ids_and_depths(const Picture& a, const Picture& b) {
     for (std::size_t i = 0; i < a.facts.ids.size(); ++i) {
         ASSERT_EQ(a.facts.ids[i], b.facts.ids[i]) << "pixel " << i;
-        ASSERT_NEAR(a.facts.depths[i], b.facts.depths[i], kRounding) << "pixel " << i;
+        ASSERT_NEAR(a.facts.depths[i], b.facts.depths[i], kLinkRounding) << "pixel " << i;
     }
 }
 
@@ -101,7 +101,7 @@ protected:
 TEST_F(Mirror, ShowsEverythingAsFarAwayAsInARoomTwiceAsLong) {
     const Picture in_mirror = mirrored_.look(view_), in_room = doubled_.look(view_);
     for (std::size_t i = 0; i < in_mirror.facts.depths.size(); ++i)
-        ASSERT_NEAR(in_mirror.facts.depths[i], in_room.facts.depths[i], kRounding) << "pixel " << i;
+        ASSERT_NEAR(in_mirror.facts.depths[i], in_room.facts.depths[i], kLinkRounding) << "pixel " << i;
 }
 
 TEST_F(Mirror, ShowsTheWallBehindTheEyeStraightAhead) {
@@ -125,7 +125,7 @@ TEST_F(Mirror, IsLookedIntoFromItsVeryPlane) {
     const View view = look_from(mirrored_.map, {0, 1.7}, 1.4, 200);
     const Picture in_mirror = mirrored_.look(view), in_room = doubled_.look(view);
     for (std::size_t i = 0; i < in_mirror.facts.depths.size(); ++i)
-        ASSERT_NEAR(in_mirror.facts.depths[i], in_room.facts.depths[i], kRounding) << "pixel " << i;
+        ASSERT_NEAR(in_mirror.facts.depths[i], in_room.facts.depths[i], kLinkRounding) << "pixel " << i;
 }
 
 /// Two mirrors that face each other.
@@ -140,7 +140,7 @@ TEST(ChainOfLinks, EndsInTheRecursionColorAtTheLargestDepth) {
     const Picture picture = rooms.look(look_from(rooms.map, {1.25, 2.03}, 1.4, 0));
     EXPECT_EQ(picture.id(32, 24), kRecursionEnd);
     EXPECT_EQ(picture.frame.pixels[picture.at(32, 24)], 0xFF563412u);
-    EXPECT_NEAR(picture.depth(32, 24), 2.75 + 5 * 4, kRounding);  // five mirrors were looked into, the sixth not
+    EXPECT_NEAR(picture.depth(32, 24), 2.75 + 5 * 4, kLinkRounding);  // five mirrors were looked into, the sixth not
 }
 
 TEST(ChainOfLinks, OfNoLengthShowsNothingBehindALink) {

@@ -116,7 +116,7 @@ TEST(OwnLight, HasTheShadowOfAPillarAtItsVeryPlace) {
 }
 
 /// A doorway between y = 1.5 and y = 2.5 whose lintel is at 1.25 m, and a lamp 2 m before it at 1 m.
-MapFile two_rooms() {
+MapFile rooms_of_one_lamp() {
     MapFile file = map_of(
         {box_room("west", 0, 0, 4, 4), box_room("door", 4, 1.5, 4.5, 2.5, 0.5, 1.25), box_room("east", 4.5, 0, 8, 4)});
     split_and_join(file);
@@ -127,7 +127,7 @@ MapFile two_rooms() {
 // The look under the lintel climbs a quarter of a metre in 2.5 m; over the sill of the doorway it falls half a metre in
 // 2.5 m, and comes to the floor 5 m from the lamp.
 TEST(OwnLight, GoesUnderALintelAndOverASillAsFarAsItMay) {
-    const LitRooms rooms(two_rooms());
+    const LitRooms rooms(rooms_of_one_lamp());
     const OwnLight light(rooms.map, rooms.snapshot);
     const WallId east = rooms.wall({8, 0}, {8, 4});
     const double highest = 1 + 0.25 * 6 / 2.5;
@@ -139,7 +139,7 @@ TEST(OwnLight, GoesUnderALintelAndOverASillAsFarAsItMay) {
 }
 
 TEST(OwnLight, FollowsADoor) {
-    LitRooms rooms(two_rooms());
+    LitRooms rooms(rooms_of_one_lamp());
     double& ceiling_z = rooms.snapshot.sectors[rooms.sector("door").index].ceiling_z;
     const std::uint32_t open = rooms.red_on_floor("east", {7.5, 2});
     EXPECT_GT(open, 0u);
@@ -161,7 +161,7 @@ TEST(OwnLight, GoesOverWallsThatAreUnderTheSkyOnBothSides) {
 }
 
 TEST(OwnLight, IsOnPanelsFromBothSidesAlsoAlongDoorways) {
-    MapFile file = two_rooms();
+    MapFile file = rooms_of_one_lamp();
     PanelRecord panel;
     panel.a = {4.5, 1.5};
     panel.b = {4.5, 2.5};
@@ -217,7 +217,7 @@ Vec2 moved(Vec2 v, int way) {
 constexpr double kUnit = 29.0 / 16;
 
 /// Three rooms in a row, a pillar in the second and a lintel before the third, side by side or linked after the first.
-MapFile side_by_side() {
+MapFile lit_side_by_side() {
     MapFile file = map_of({box_room("near", 0, 0, 2 * kUnit, 2 * kUnit, 0, 3),
                            box_room("far", -2 * kUnit, 0, 0, 2 * kUnit, 0.25, 3),
                            box_room("end", -3 * kUnit, 0, -2 * kUnit, 2 * kUnit, 0.125, 0.75)});
@@ -227,8 +227,8 @@ MapFile side_by_side() {
     return file;
 }
 
-MapFile far_apart(int way, double rise) {
-    MapFile file = side_by_side();
+MapFile lit_far_apart(int way, double rise) {
+    MapFile file = lit_side_by_side();
     for (const char* name : {"far", "end"}) {
         SectorRecord& room = sector(file, name);
         room.floor.z += rise;
@@ -243,10 +243,10 @@ MapFile far_apart(int way, double rise) {
 
 // hard case I10
 TEST(OwnLight, GoesThroughALinkAsThroughADoorway) {
-    const LitRooms plain(side_by_side());
+    const LitRooms plain(lit_side_by_side());
     const OwnLight here(plain.map, plain.snapshot);
     for (int way = 0; way <= 4; ++way) {
-        const LitRooms linked(far_apart(way, 7.25));
+        const LitRooms linked(lit_far_apart(way, 7.25));
         const OwnLight there(linked.map, linked.snapshot);
         Random random(9);
         std::size_t lit[2] = {}, dark[2] = {};

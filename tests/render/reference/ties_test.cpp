@@ -8,7 +8,7 @@ namespace enfilade::test {
 namespace {
 
 /// Two rooms of 4 m x 4 m in a row along x, both 0 to 2 m high.
-MapFile two_rooms() {
+MapFile two_like_rooms() {
     MapFile file = map_of({box_room("near", 0, 0, 4, 4), box_room("far", 4, 0, 8, 4)});
     join_all(file);
     return file;
@@ -29,7 +29,7 @@ protected:
     static constexpr int kWidth = 65, kHeight = 47, kHorizon = kHeight / 2;
 
     Picture look(double eye_z) const {
-        const Rooms rooms(two_rooms());
+        const Rooms rooms(two_like_rooms());
         return rooms.look(look_from(rooms.map, {4, 1.40625}, eye_z, GetParam()), kWidth, kHeight);
     }
 };
@@ -62,7 +62,7 @@ TEST_P(EyeOnALine, KnowsADepthForEveryPixel) {
 INSTANTIATE_TEST_SUITE_P(Every15Degrees, EyeOnALine, testing::Range(0, 360, 15));
 
 TEST(RayThroughVertices, GoesOnWhereTheEyeStandsOnALineAndLooksAlongIt) {
-    const Rooms rooms(two_rooms());
+    const Rooms rooms(two_like_rooms());
     for (double yaw : {90.0, 270.0}) {
         const View view = look_from(rooms.map, {4, 2}, 1, yaw);
         const Picture picture = rooms.look(view, 65, 47);
@@ -75,7 +75,7 @@ TEST(RayThroughVertices, GoesOnWhereTheEyeStandsOnALineAndLooksAlongIt) {
 }
 
 TEST(RayThroughVertices, IsCalledAmbiguous) {
-    const Rooms rooms(two_rooms());
+    const Rooms rooms(two_like_rooms());
     // The vertex (8, 4) is 4 m ahead and 33/16 m aside: slope 33/64, the centre of column 48 of 64.
     View view = look_from(rooms.map, {4.0, 4 - 33 / 16.0}, 1, 0);
     const Picture picture = rooms.look(view, 64, 48);

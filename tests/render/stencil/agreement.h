@@ -1,9 +1,12 @@
 // The stencil renderer held against the column renderer, or where that cannot, the reference, pixel by pixel.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <memory>
 #include <string>
 
 #include "hard_cases/poses.h"
+#include "hard_cases/scenes.h"
 #include "map/textures.h"
 #include "platform/gl_context.h"
 #include "render/light_grids.h"
@@ -11,6 +14,9 @@
 #include "world/snapshot.h"
 
 namespace enfilade::test {
+
+/// What a test of one scene is called.
+inline std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
 
 /// How pictures of one view, or of many, differ [px].
 struct Agreement {

@@ -11,7 +11,7 @@
 namespace enfilade::test {
 namespace {
 
-constexpr PictureSize kSize{160, 100};
+constexpr PictureSize kApiSize{160, 100};
 
 struct Hall {
     MapFile file = linked_rooms();
@@ -22,17 +22,17 @@ struct Hall {
 
 TEST(StencilApis, DrawTheSamePicture) {
     const Hall hall;
-    const StencilPicture desktop = Sight(hall.map, hall.textures, GlApi::desktop).by_stencil(hall.view, kSize);
-    const StencilPicture es = Sight(hall.map, hall.textures, GlApi::es).by_stencil(hall.view, kSize);
+    const StencilPicture desktop = Sight(hall.map, hall.textures, GlApi::desktop).by_stencil(hall.view, kApiSize);
+    const StencilPicture es = Sight(hall.map, hall.textures, GlApi::es).by_stencil(hall.view, kApiSize);
     EXPECT_EQ(desktop.frame.pixels, es.frame.pixels);
 }
 
 TEST(StencilRenderer, DrawsTheSameWithAndWithoutFacts) {
     const Hall hall;
     const auto renderer = software_stencil(hall.map, hall.textures);
-    const StencilPicture with_facts = Sight(hall.map, hall.textures).by_stencil(hall.view, kSize);
+    const StencilPicture with_facts = Sight(hall.map, hall.textures).by_stencil(hall.view, kApiSize);
     Frame frame;
-    frame.resize(kSize.width, kSize.height);
+    frame.resize(kApiSize.width, kApiSize.height);
     EXPECT_FALSE(renderer->render(frame, nullptr, at_rest(hall.map), hall.view));
     EXPECT_EQ(frame.pixels, with_facts.frame.pixels);
 }
@@ -40,9 +40,9 @@ TEST(StencilRenderer, DrawsTheSameWithAndWithoutFacts) {
 TEST(StencilRenderer, DrawsOnAnyThread) {
     const Hall hall;
     Sight sight(hall.map, hall.textures);
-    const StencilPicture here = sight.by_stencil(hall.view, kSize);
+    const StencilPicture here = sight.by_stencil(hall.view, kApiSize);
     StencilPicture there;
-    std::thread([&] { there = sight.by_stencil(hall.view, kSize); }).join();
+    std::thread([&] { there = sight.by_stencil(hall.view, kApiSize); }).join();
     EXPECT_EQ(here.frame.pixels, there.frame.pixels);
 }
 
@@ -50,9 +50,9 @@ TEST(StencilRenderer, DrawsOnAnyThread) {
 TEST(StencilRenderer, ChangesItsSize) {
     const Hall hall;
     Sight sight(hall.map, hall.textures);
-    const StencilPicture first = sight.by_stencil(hall.view, kSize);
+    const StencilPicture first = sight.by_stencil(hall.view, kApiSize);
     sight.by_stencil(hall.view, {33, 7});
-    EXPECT_EQ(sight.by_stencil(hall.view, kSize).frame.pixels, first.frame.pixels);
+    EXPECT_EQ(sight.by_stencil(hall.view, kApiSize).frame.pixels, first.frame.pixels);
 }
 
 // hard cases R12, G12

@@ -77,8 +77,6 @@ TEST_P(StencilScene, LooksTheSameInAllThreeRenderers) {
     expect_three_agree(GetParam().name, built(file), textures_for(file));
 }
 
-std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
-
 INSTANTIATE_TEST_SUITE_P(Linked, StencilScene, testing::ValuesIn(linked_scenes()), name_of_scene);
 
 }  // namespace

@@ -83,8 +83,6 @@ TEST_P(StencilPlaceBehind, APortalOneGridStep) { expect_agreement_at_portals(Get
 // hard case R5
 TEST_P(StencilPlaceBehind, APortalAHair) { expect_agreement_at_portals(GetParam(), {{0.25, -0x1p-16}}); }
 
-std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
-
 INSTANTIATE_TEST_SUITE_P(Linked, StencilHardPlace, testing::ValuesIn(linked_scenes()), name_of_scene);
 
 const auto kWithDoorways =

@@ -15,7 +15,7 @@
 namespace enfilade::test {
 namespace {
 
-constexpr PictureSize kSize{96, 60};
+constexpr PictureSize kBudgetSize{96, 60};
 constexpr std::size_t kPixels = std::size_t{96} * 60, kMiddle = std::size_t{30} * 96 + 48;
 constexpr std::uint32_t kRecursionColor = 0xFFFF00FFu;
 
@@ -50,19 +50,21 @@ MapFile row_of_rooms(int count) {
     return map_of(std::move(rooms));
 }
 
-struct Place {
+struct BudgetPlace {
     Map map;
     TextureSet textures;
     Sight sight;
     View view;
-    Place(const MapFile& file, Vec2 eye, double yaw_degrees)
+    BudgetPlace(const MapFile& file, Vec2 eye, double yaw_degrees)
         : map(built(file)),
           textures(textures_for(file)),
           sight(map, textures),
           view(look_from(map, eye, 0, yaw_degrees)) {}
 };
 
-Place hall(int walls, int max_depth) { return {hall_of_links(walls, max_depth), {walls * 0.125 + 0.0625, 2}, -90}; }
+BudgetPlace hall(int walls, int max_depth) {
+    return {hall_of_links(walls, max_depth), {walls * 0.125 + 0.0625, 2}, -90};
+}
 
 std::size_t ends_in(const StencilPicture& picture) {
     return static_cast<std::size_t>(std::ranges::count(picture.facts.ids, kRecursionEnd));
@@ -75,10 +77,10 @@ std::size_t different_surfaces(const StencilPicture& one, const StencilPicture& 
     return count;
 }
 
-void expect_all_cut_short_alike(Place& place) {
-    const StencilPicture column = place.sight.by_column(place.view, kSize),
-                         stencil = place.sight.by_stencil(place.view, kSize),
-                         reference = place.sight.by_reference(place.view, kSize);
+void expect_all_cut_short_alike(BudgetPlace& place) {
+    const StencilPicture column = place.sight.by_column(place.view, kBudgetSize),
+                         stencil = place.sight.by_stencil(place.view, kBudgetSize),
+                         reference = place.sight.by_reference(place.view, kBudgetSize);
     for (const StencilPicture* picture : {&column, &stencil, &reference}) {
         EXPECT_TRUE(picture->frame.is_cut_short);
         EXPECT_EQ(picture->facts.ids[kMiddle], kRecursionEnd);
@@ -91,42 +93,42 @@ void expect_all_cut_short_alike(Place& place) {
 
 // hard case R23
 TEST(LookBudget, EndsLooksThroughLinksInAllRenderersAlike) {
-    Place place = hall(500, 1024);
+    BudgetPlace place = hall(500, 1024);
     expect_all_cut_short_alike(place);
 }
 
 TEST(LookBudget, EndsLooksThroughPlainDoorwaysInAllRenderersAlike) {
-    Place place(row_of_rooms(2000), {0.5, 32}, 0);
+    BudgetPlace place(row_of_rooms(2000), {0.5, 32}, 0);
     expect_all_cut_short_alike(place);
 }
 
 TEST(LookBudget, IsNotMetBeforeTheDepthOfAnyHonestMap) {
-    Place links = hall(500, 60), rooms(row_of_rooms(1800), {0.5, 32}, 0);
-    for (Place* place : {&links, &rooms}) {
-        EXPECT_FALSE(place->sight.by_column(place->view, kSize).frame.is_cut_short);
-        EXPECT_FALSE(place->sight.by_stencil(place->view, kSize).frame.is_cut_short);
-        EXPECT_FALSE(place->sight.by_reference(place->view, kSize).frame.is_cut_short);
+    BudgetPlace links = hall(500, 60), rooms(row_of_rooms(1800), {0.5, 32}, 0);
+    for (BudgetPlace* place : {&links, &rooms}) {
+        EXPECT_FALSE(place->sight.by_column(place->view, kBudgetSize).frame.is_cut_short);
+        EXPECT_FALSE(place->sight.by_stencil(place->view, kBudgetSize).frame.is_cut_short);
+        EXPECT_FALSE(place->sight.by_reference(place->view, kBudgetSize).frame.is_cut_short);
     }
-    EXPECT_GT(ends_in(links.sight.by_column(links.view, kSize)), 0u);  // of depth, not of the budget
+    EXPECT_GT(ends_in(links.sight.by_column(links.view, kBudgetSize)), 0u);  // of depth, not of the budget
 }
 
 TEST(LookBudget, BoundsTheWallsLookedAtByTheColumnsOfThePicture) {
     for (const int walls : {500, 1000, 2000}) {
-        Place place = hall(walls, 1024);
+        BudgetPlace place = hall(walls, 1024);
         Frame frame;
-        frame.resize(kSize.width, kSize.height);
+        frame.resize(kBudgetSize.width, kBudgetSize.height);
         ColumnRenderer renderer(place.map, place.textures);
         renderer.render(frame, nullptr, at_rest(place.map), place.view);
         const std::size_t each = cost_of_look_into(place.map.sectors[0], 0);
-        EXPECT_LE(renderer.counts().viewports * each, std::size_t(kSize.width) * (kLookBudget + each)) << walls;
-        EXPECT_GT(renderer.counts().viewports, std::size_t(kSize.width)) << walls;
+        EXPECT_LE(renderer.counts().viewports * each, std::size_t(kBudgetSize.width) * (kLookBudget + each)) << walls;
+        EXPECT_GT(renderer.counts().viewports, std::size_t(kBudgetSize.width)) << walls;
     }
 }
 
 TEST(LookBudget, IsTheSameForAnyNumberOfThreads) {
-    Place place = hall(500, 1024);
+    BudgetPlace place = hall(500, 1024);
     Frame whole, parts;
-    for (Frame* frame : {&whole, &parts}) frame->resize(kSize.width, kSize.height);
+    for (Frame* frame : {&whole, &parts}) frame->resize(kBudgetSize.width, kBudgetSize.height);
     ColumnStrips(place.map, place.textures, 1).render(whole, nullptr, at_rest(place.map), place.view);
     EXPECT_TRUE(whole.is_cut_short);
     for (const std::size_t threads : {2u, 7u}) {
@@ -137,20 +139,20 @@ TEST(LookBudget, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(LookBudget, IsForgottenInTheNextFrame) {
-    Place place = hall(500, 1024);
+    BudgetPlace place = hall(500, 1024);
     View wall = place.view;
     wall.forward = {1, 0};
     wall.eye = {124.75, 2};
     wall.fov_degrees = 10;
     ColumnRenderer column(place.map, place.textures);
     Frame frame;
-    frame.resize(kSize.width, kSize.height);
+    frame.resize(kBudgetSize.width, kBudgetSize.height);
     for (const bool to_links : {true, false}) {
         const View& view = to_links ? place.view : wall;
         column.render(frame, nullptr, at_rest(place.map), view);
         EXPECT_EQ(frame.is_cut_short, to_links);
-        EXPECT_EQ(place.sight.by_stencil(view, kSize).frame.is_cut_short, to_links);
-        EXPECT_EQ(place.sight.by_reference(view, kSize).frame.is_cut_short, to_links);
+        EXPECT_EQ(place.sight.by_stencil(view, kBudgetSize).frame.is_cut_short, to_links);
+        EXPECT_EQ(place.sight.by_reference(view, kBudgetSize).frame.is_cut_short, to_links);
     }
 }
 

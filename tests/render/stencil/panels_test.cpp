@@ -46,8 +46,6 @@ TEST_P(StencilPanels, LookAsInTheColumnRendererAmongThingsAndFences) {
     expect_agreement(Sight(world.map, world.textures).compare_poses(6, {160, 100}, 4), kBehindGlass);
 }
 
-std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
-
 INSTANTIATE_TEST_SUITE_P(Scenes, StencilPanels,
                          testing::Values(NamedScene{"SteppedRooms", stepped_rooms},
                                          NamedScene{"CrookedRooms", crooked_rooms},

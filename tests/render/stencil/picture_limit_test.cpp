@@ -14,11 +14,11 @@
 namespace enfilade::test {
 namespace {
 
-constexpr PictureSize kSize{97, 61};
+constexpr PictureSize kLimitSize{97, 61};
 constexpr int kMiddleColumn = 48;
 
 constexpr std::size_t pixel(int x, int y) {
-    return static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * kLimitSize.width + static_cast<std::size_t>(x);
 }
 
 /// Seen from (0.5, 4) along x.
@@ -58,13 +58,13 @@ MapFile row_before_a_giant(std::size_t count) {
 bool shows_the_last_thing(const Gallery& gallery, const StencilPicture& picture) {
     const PixelSurface last = thing_id(gallery.map, ThingId(gallery.map.things.size() - 1));
     bool shows = false;
-    for (int y = 0; y < kSize.height; ++y) shows |= picture.facts.ids[pixel(kMiddleColumn, y)] == last;
+    for (int y = 0; y < kLimitSize.height; ++y) shows |= picture.facts.ids[pixel(kMiddleColumn, y)] == last;
     return shows;
 }
 
 void expect_the_same_in_all_renderers(Gallery& gallery) {
-    const StencilPicture column = gallery.sight.by_column(gallery.view, kSize),
-                         reference = gallery.sight.by_reference(gallery.view, kSize);
+    const StencilPicture column = gallery.sight.by_column(gallery.view, kLimitSize),
+                         reference = gallery.sight.by_reference(gallery.view, kLimitSize);
     std::size_t different = 0, certain = 0;
     for (std::size_t i = 0; i < column.facts.ids.size(); ++i) {
         if (reference.facts.ambiguous[i]) continue;
@@ -74,7 +74,7 @@ void expect_the_same_in_all_renderers(Gallery& gallery) {
     }
     EXPECT_EQ(different, 0u);
     EXPECT_GT(certain, column.facts.ids.size() / 2);
-    expect_agreement(gallery.sight.compare(gallery.view, kSize));
+    expect_agreement(gallery.sight.compare(gallery.view, kLimitSize));
 }
 
 TEST(PictureLimit, IsMetByAsManyThingsAsItSays) {
@@ -82,12 +82,12 @@ TEST(PictureLimit, IsMetByAsManyThingsAsItSays) {
     const auto is_shown = [](Gallery& gallery, StencilPicture picture) {
         return shows_the_last_thing(gallery, picture);
     };
-    EXPECT_TRUE(is_shown(most, most.sight.by_column(most.view, kSize)));
-    EXPECT_TRUE(is_shown(most, most.sight.by_stencil(most.view, kSize)));
-    EXPECT_TRUE(is_shown(most, most.sight.by_reference(most.view, kSize)));
-    EXPECT_FALSE(is_shown(one_more, one_more.sight.by_column(one_more.view, kSize)));
-    EXPECT_FALSE(is_shown(one_more, one_more.sight.by_stencil(one_more.view, kSize)));
-    EXPECT_FALSE(is_shown(one_more, one_more.sight.by_reference(one_more.view, kSize)));
+    EXPECT_TRUE(is_shown(most, most.sight.by_column(most.view, kLimitSize)));
+    EXPECT_TRUE(is_shown(most, most.sight.by_stencil(most.view, kLimitSize)));
+    EXPECT_TRUE(is_shown(most, most.sight.by_reference(most.view, kLimitSize)));
+    EXPECT_FALSE(is_shown(one_more, one_more.sight.by_column(one_more.view, kLimitSize)));
+    EXPECT_FALSE(is_shown(one_more, one_more.sight.by_stencil(one_more.view, kLimitSize)));
+    EXPECT_FALSE(is_shown(one_more, one_more.sight.by_reference(one_more.view, kLimitSize)));
 }
 
 TEST(PictureLimit, LeavesOutTheSameInAllRenderers) {

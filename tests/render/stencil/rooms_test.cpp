@@ -181,8 +181,6 @@ TEST(StencilColorTable, IsTheColumnRenderers) {
         }
 }
 
-std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
-
 INSTANTIATE_TEST_SUITE_P(Scenes, StencilLamps,
                          testing::Values(NamedScene{"SteppedRooms", stepped_rooms},
                                          NamedScene{"LinkedRooms", linked_rooms}, NamedScene{"Mirrors", mirrors}),

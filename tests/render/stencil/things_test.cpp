@@ -11,7 +11,7 @@ namespace enfilade::test {
 namespace {
 
 /// What is behind glass has edges of texels, too, which are not noted for pixels that show the glass.
-constexpr double kBehindGlass = 2e-5;
+constexpr double kThingsBehindGlass = 2e-5;
 
 /// A disc with a hole in it, its upper part coloured glass.
 Texture ring(const std::string& name) {
@@ -65,7 +65,7 @@ TEST_P(StencilThings, LookAsInTheColumnRenderer) {
         const Map map = built(file);
         TextureSet textures = textures_for(file);
         make_ring(textures, "ring");
-        expect_agreement(Sight(map, textures).compare_poses(6, {160, 100}, 3), kBehindGlass);
+        expect_agreement(Sight(map, textures).compare_poses(6, {160, 100}, 3), kThingsBehindGlass);
     }
 }
 
@@ -81,10 +81,8 @@ TEST_P(StencilThings, AreSeenThroughPanes) {
     TextureSet textures = textures_for(file);
     make_ring(textures, "ring");
     make_ring(textures, "pane");
-    expect_agreement(Sight(map, textures).compare_random_poses(8, {240, 150}, 3), kBehindGlass);
+    expect_agreement(Sight(map, textures).compare_random_poses(8, {240, 150}, 3), kThingsBehindGlass);
 }
-
-std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, StencilThings,
                          testing::Values(NamedScene{"SteppedRooms", stepped_rooms}, NamedScene{"OpenSteps", open_steps},

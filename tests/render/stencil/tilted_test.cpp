@@ -12,7 +12,7 @@
 namespace enfilade::test {
 namespace {
 
-constexpr PictureSize kSize{96, 60};
+constexpr PictureSize kTiltedSize{96, 60};
 
 Tilt tilt_of(double pitch_degrees, double roll_degrees) {
     return {direction(Angle::from_degrees(pitch_degrees)), direction(Angle::from_degrees(roll_degrees))};
@@ -33,7 +33,7 @@ Agreement compare_tilted(const MapFile& file, int count, std::uint64_t seed) {
     Sight sight(map, textures);
     Random random(seed);
     Agreement sum;
-    for (int i = 0; i < count; ++i) sum += sight.compare(any_tilted_view(map, random), kSize);
+    for (int i = 0; i < count; ++i) sum += sight.compare(any_tilted_view(map, random), kTiltedSize);
     return sum;
 }
 
@@ -56,8 +56,6 @@ TEST_P(TiltedStencil, ShowsThingsPanelsAndFencesAsInTheReference) {
     expect_agreement(compare_tilted(furnished(GetParam().file()), 8, 3));
 }
 
-std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info) { return info.param.name; }
-
 INSTANTIATE_TEST_SUITE_P(Scenes, TiltedStencil,
                          testing::Values(NamedScene{"SteppedRooms", stepped_rooms}, NamedScene{"OpenSteps", open_steps},
                                          NamedScene{"CrookedRooms", crooked_rooms},
@@ -74,7 +72,7 @@ TEST(TiltedView, LooksSteeplyUpAndDownAsInTheReference) {
         for (const double roll : {0.0, 30.0, 180.0}) {
             View view = look_from(map, {10.3, 12.1}, 1.5, 30);
             view.tilt = tilt_of(pitch, roll);
-            sum += sight.compare(view, kSize);
+            sum += sight.compare(view, kTiltedSize);
         }
     expect_agreement(sum);
 }
@@ -90,7 +88,7 @@ Agreement compare_in_courtyard(Vec2 eye, double eye_z, double yaw_degrees, doubl
     view.eye_z = eye_z;
     view.fov_degrees = fov_degrees;
     view.tilt = tilt;
-    return sight.compare(view, kSize);
+    return sight.compare(view, kTiltedSize);
 }
 
 /// The part of the thing that is in the room behind ends in the doorway, where a panel begins: the panel is before it.
@@ -116,9 +114,9 @@ TEST(TiltedView, IsTheUprightOneWhereItIsTiltedByNothing) {
     const TextureSet textures = textures_for(linked_rooms());
     Sight sight(map, textures);
     View view = look_from(map, {10.3, 12.1}, 1.5, 30);
-    const StencilPicture upright = sight.by_stencil(view, kSize);
+    const StencilPicture upright = sight.by_stencil(view, kTiltedSize);
     view.tilt = Tilt{};
-    const StencilPicture tilted = sight.by_stencil(view, kSize);
+    const StencilPicture tilted = sight.by_stencil(view, kTiltedSize);
     std::size_t differ = 0;
     for (std::size_t i = 0; i < upright.facts.ids.size(); ++i) differ += upright.facts.ids[i] != tilted.facts.ids[i];
     EXPECT_LE(differ, upright.facts.ids.size() / 1000);

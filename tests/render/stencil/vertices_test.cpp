@@ -16,14 +16,14 @@ namespace enfilade::test {
 namespace {
 
 /// How much is compared: maps, and views of each.
-struct Sample {
+struct VertexSample {
     int maps, views;
     PictureSize size;
 };
 
 /// A long run draws ten million pixels.
 const bool kIsLong = std::getenv("ENFILADE_LONG") != nullptr;
-const Sample kSample = kIsLong ? Sample{64, 32, {80, 50}} : Sample{24, 16, {80, 50}};
+const VertexSample kSample = kIsLong ? VertexSample{64, 32, {80, 50}} : VertexSample{24, 16, {80, 50}};
 
 /// A square grid of this many cells a side, whose corners are strewn.
 constexpr int kSide = 5;

@@ -10,7 +10,7 @@
 namespace enfilade::test {
 namespace {
 
-constexpr PictureSize kSize{160, 100};
+constexpr PictureSize kWayBackSize{160, 100};
 
 /// A pair of rooms, furnished, the far one lower, so that its way back has a step.
 MapFile rooms_with_way_back(bool is_link) {
@@ -64,8 +64,8 @@ TEST(WaysBack, AreLookedThroughOnlyWhileTheyStandOpen) {
             const View view = rooms.look_at_it();
             const SectorId near = sector_named(rooms.map, "near");
             for (const StencilPicture& picture :
-                 {rooms.sight.by_column(view, kSize), rooms.sight.by_stencil(view, kSize),
-                  rooms.sight.by_reference(view, kSize)}) {
+                 {rooms.sight.by_column(view, kWayBackSize), rooms.sight.by_stencil(view, kWayBackSize),
+                  rooms.sight.by_reference(view, kWayBackSize)}) {
                 const std::vector<SectorId> seen = rooms_in(rooms.map, picture);
                 EXPECT_EQ(std::ranges::find(seen, near) != seen.end(), is_open) << is_link;
             }
@@ -77,9 +77,10 @@ TEST(WaysBack, LookTheSameInAllRenderers) {
         for (const bool is_open : {true, false}) {
             Rooms rooms(is_link);
             if (is_open) rooms.sight.snapshot().way_back = rooms.way_back();
-            expect_agreement(rooms.sight.compare_poses(10, kSize, 1));
+            expect_agreement(rooms.sight.compare_poses(10, kWayBackSize, 1));
             const View view = rooms.look_at_it();
-            EXPECT_EQ(rooms.sight.by_column(view, kSize).facts.ids, rooms.sight.by_reference(view, kSize).facts.ids);
+            EXPECT_EQ(rooms.sight.by_column(view, kWayBackSize).facts.ids,
+                      rooms.sight.by_reference(view, kWayBackSize).facts.ids);
         }
 }
 

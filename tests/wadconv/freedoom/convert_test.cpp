@@ -27,7 +27,7 @@ protected:
     std::optional<ReadWad> wad_;
 };
 
-void print_row(const Report& r) {
+void print_report_row(const Report& r) {
     std::printf(
         "%-6s %6zu lines %5zu -> %5zu sectors %6zu walls %3zu panels %5zu things;"
         " %4zu converted %3zu repaired %3zu guessed %2zu dropped\n",
@@ -46,7 +46,7 @@ TEST_P(FreeDoom, ConvertsEveryMapSoThatItPassesTheCheck) {
         EXPECT_TRUE(build_map(reading.map, sizes, reading.findings)) << map.name;
         for (const Finding& finding : reading.findings) ADD_FAILURE() << to_text(map.name, finding);
         EXPECT_TRUE(conversion.report.sides.is_complete()) << map.name;
-        print_row(conversion.report);
+        print_report_row(conversion.report);
     }
 }
 

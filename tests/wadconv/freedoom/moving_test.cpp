@@ -8,7 +8,7 @@
 namespace enfilade::test {
 namespace {
 
-constexpr int kTicks = 3000, kTicksOfALongRun = 1'000'000;
+constexpr int kMovingTicks = 3000, kMovingTicksOfALongRun = 1'000'000;
 constexpr int kStarts = 10;  ///< places from which the ticks are run, a part each
 
 struct LevelsOfWad {
@@ -47,7 +47,7 @@ TEST_P(FreeDoomMoves, AndNobodyIsEverInWhatIsSolid) {
     if (is_missing(GetParam().wad)) GTEST_SKIP() << kMissing;
     const ConvertedWad converted(GetParam().wad, Doors::as_they_are, GetParam().levels);
     ASSERT_EQ(converted.maps().size(), GetParam().levels.size()) << converted.error();
-    const int ticks = is_long_run() ? kTicksOfALongRun : kTicks;
+    const int ticks = is_long_run() ? kMovingTicksOfALongRun : kMovingTicks;
     std::size_t changes = 0;
     for (const std::string& name : converted.maps()) {
         const LoadedMap loaded = converted.load(name);

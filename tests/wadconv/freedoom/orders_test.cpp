@@ -29,11 +29,11 @@ TEST_P(FreeDoomOrders, WorkAsOftenAsInDoom) {
     print("repeats", compared);
 }
 
-using Mover = std::pair<std::uint32_t, bool>;  ///< Doom's sector, and whether its ceiling
+using OrderedMover = std::pair<std::uint32_t, bool>;  ///< Doom's sector, and whether its ceiling
 
 /// What is still on its way a tick after it was set off. Anything that moves for two tics or more is.
-std::set<Mover> busy_after(const ConvertedLevel& level, const std::vector<Motion>& motions) {
-    std::set<Mover> busy;
+std::set<OrderedMover> busy_after(const ConvertedLevel& level, const std::vector<Motion>& motions) {
+    std::set<OrderedMover> busy;
     for (const Motion& motion : motions) {
         const auto& sector = level.doom.sectors[motion.sector];
         const double start = motion.is_ceiling ? std::max(sector.ceiling, sector.floor) : sector.floor;
@@ -48,8 +48,8 @@ std::set<Mover> busy_after(const ConvertedLevel& level, const std::vector<Motion
 }
 
 /// What the second firing ordered.
-std::set<Mover> ordered_by(const ConvertedLevel& level, const Fired& fired) {
-    std::set<Mover> movers;
+std::set<OrderedMover> ordered_by(const ConvertedLevel& level, const Fired& fired) {
+    std::set<OrderedMover> movers;
     for (std::size_t i = fired.first_change; i < fired.history.changes().size(); ++i) {
         const Change& change = fired.history.changes()[i];
         if (change.channel != Channel::light)
@@ -76,11 +76,11 @@ TEST_P(FreeDoomOrders, LeaveAloneWhatIsOnItsWay) {
         for (const auto& [sector, lines] : movers_of(level))
             for (const Linedef* first : lines) {
                 const History before = level.range.fire(*first).history;
-                const std::set<Mover> busy = busy_after(level, level.motions_of(*first));
+                const std::set<OrderedMover> busy = busy_after(level, level.motions_of(*first));
                 for (const Linedef* second : lines) {
-                    const std::set<Mover> ordered = ordered_by(level, level.range.fire(*second, before, 1));
+                    const std::set<OrderedMover> ordered = ordered_by(level, level.range.fire(*second, before, 1));
                     if (turns_round(second->special)) {
-                        const Mover door{sector, true};
+                        const OrderedMover door{sector, true};
                         if (!busy.contains(door)) continue;
                         ++turned[first->special];
                         EXPECT_TRUE(ordered.contains(door)) << level.name_of(*second) << ", pushed a tick after "
@@ -88,7 +88,7 @@ TEST_P(FreeDoomOrders, LeaveAloneWhatIsOnItsWay) {
                         continue;
                     }
                     ++compared[second->special];
-                    for (const Mover& mover : busy)
+                    for (const OrderedMover& mover : busy)
                         EXPECT_FALSE(ordered.contains(mover))
                             << level.name_of(*second) << ", a tick after " << level.name_of(*first) << ": "
                             << (mover.second ? "ceiling" : "floor") << " of sector " << mover.first;
@@ -108,7 +108,7 @@ TEST_P(FreeDoomOrders, TurnDoorsRoundThatArePushedAgain) {
             const std::uint32_t door = level.motions_of(line).front().sector;
             const History opening = level.range.fire(line).history;
             const Fired closing = level.range.fire(line, opening, 1);
-            ASSERT_EQ(ordered_by(level, closing), (std::set<Mover>{{door, true}})) << level.name_of(line);
+            ASSERT_EQ(ordered_by(level, closing), (std::set<OrderedMover>{{door, true}})) << level.name_of(line);
             const Track& track = closing.history.changes().back().track;
             ++compared[line.special];
             EXPECT_EQ(track.count, 1) << level.name_of(line);

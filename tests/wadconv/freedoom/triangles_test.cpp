@@ -36,7 +36,7 @@ void expect_tiles(const std::string& name, const Map& map) {
 }
 
 /// One row of the table.
-Agreement compare_map(const std::string& name, const LoadedMap& loaded, std::uint64_t seed) {
+Agreement compare_triangles(const std::string& name, const LoadedMap& loaded, std::uint64_t seed) {
     const Agreement agreement = Sight(*loaded.map, loaded.textures).compare_poses(kPoses, kSize, seed);
     std::printf(
         "%-6s %5zu sectors as triangles, %d + %d poses by stencil: %llu pixels %3llu of another surface at edges"
@@ -60,7 +60,7 @@ TEST_P(FreeDoomTriangles, AreRightInEveryMapAndMakeTilesAndPictures) {
         ASSERT_TRUE(loaded.map) << name;
         expect_triangles(name, *loaded.map);
         expect_tiles(name, *loaded.map);
-        sum += compare_map(name, loaded, i);
+        sum += compare_triangles(name, loaded, i);
     }
     expect_agreement(sum);
 }

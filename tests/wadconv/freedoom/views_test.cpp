@@ -9,7 +9,7 @@
 namespace enfilade::test {
 namespace {
 
-constexpr int kPoses = 100;                              ///< of each kind and map
+constexpr int kViewPoses = 100;                          ///< of each kind and map
 constexpr PictureSize kSmall{40, 25}, kLarge{160, 100};  ///< in CI, and where there is time
 
 class FreeDoomViews : public ::testing::TestWithParam<FreeDoomWad> {};
@@ -18,12 +18,12 @@ class FreeDoomViews : public ::testing::TestWithParam<FreeDoomWad> {};
 Comparison compare_map(const std::string& name, const LoadedMap& loaded) {
     const PictureSize size = is_long_run() ? kLarge : kSmall;
     const Subject subject{name + ".toml", *loaded.map, loaded.textures};
-    const Comparison random = compare_poses(subject, PoseKind::random, kPoses, size, 1);
-    const Comparison lattice = compare_poses(subject, PoseKind::lattice, kPoses, size, 2);
+    const Comparison random = compare_poses(subject, PoseKind::random, kViewPoses, size, 1);
+    const Comparison lattice = compare_poses(subject, PoseKind::lattice, kViewPoses, size, 2);
     Comparison sum = random;
     sum += lattice;
     std::printf("%-6s %3d + %3d poses %9llu pixels %4llu unwritten %4llu twice %4llu wrong %4llu of a wrong colour\n",
-                name.c_str(), kPoses, kPoses, static_cast<unsigned long long>(sum.pixels),
+                name.c_str(), kViewPoses, kViewPoses, static_cast<unsigned long long>(sum.pixels),
                 static_cast<unsigned long long>(sum.unwritten), static_cast<unsigned long long>(sum.written_twice),
                 static_cast<unsigned long long>(sum.wrong), static_cast<unsigned long long>(sum.wrong_color));
     return sum;

@@ -73,7 +73,7 @@ public:
     LoadedMap load(const std::string& map, std::optional<int> skill = {}) const;
 
 private:
-    enfilade::testing::TempDir dir_;
+    enfilade::test::TempDir dir_;
     std::vector<std::string> maps_;
     std::string error_;
 };
