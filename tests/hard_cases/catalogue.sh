@@ -2,11 +2,12 @@
 # Fills in CASES.md: which tests hold each hard case, and what they tried. A test names its cases in the line before it,
 # `// hard cases R4, I1: more words`.
 #   tests/hard_cases/catalogue.sh --check    is every case held, every mark known, and the page as the tests say? 1: no
+#   tests/hard_cases/catalogue.sh --tests    writes the tests' names anew and leaves the figures of what was tried
 #   tests/hard_cases/catalogue.sh BUILD      runs the marked tests of a build folder (an hour on two cores, or less), and
 #                                            writes the page anew; what was run is not run again until it is rebuilt
 set -eu
 
-[ $# -eq 1 ] || { sed -n '2,6s/^# //p' "$0" >&2 && exit 2; }
+[ $# -eq 1 ] || { sed -n '2,7s/^# //p' "$0" >&2 && exit 2; }
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 page=$here/CASES.md
 cd "$here/../.."
@@ -99,8 +100,8 @@ filled_page() {
             listed[name] = 1
             tests = name in held ? held[name] : cell[5] ~ /^does not apply: / ? cell[5] : ""
             if (tests == "") complain(name " is held by no test: mark one, or write \"does not apply: \" and why")
-            if (tests != cell[5] && !write) complain("other tests hold " name " than the page says: run catalogue.sh BUILD")
-            print "| " name " | " cell[3] " | " cell[4] " | " tests " | " (write ? seen(name) : cell[6]) " |"
+            if (tests != cell[5] && write == "nothing") complain("other tests hold " name " than the page says: run catalogue.sh --tests, or BUILD")
+            print "| " name " | " cell[3] " | " cell[4] " | " tests " | " (write == "all" ? seen(name) : cell[6]) " |"
             next
         }
         { print }
@@ -112,10 +113,15 @@ filled_page() {
 
 marks >"$work/marks"
 : >"$work/figures"
-if [ "$1" = --check ]; then
-    filled_page 0 >/dev/null
-else
-    figures "$1" >"$work/figures"
-    filled_page 1 >"$work/page"
-    cp "$work/page" "$page"
-fi
+case $1 in
+    --check)
+        filled_page nothing >/dev/null
+        exit
+        ;;
+    --tests) filled_page tests >"$work/page" ;;
+    *)
+        figures "$1" >"$work/figures"
+        filled_page all >"$work/page"
+        ;;
+esac
+cp "$work/page" "$page"

@@ -1,7 +1,9 @@
 // A hall, a passage and a room in a row, and a player before the passage, which is what moves in most tests of
 // triggers.
 #pragma once
+#include "world/body.h"
 #include "world/game.h"
+#include "world/instant.h"
 
 namespace enfilade::test {
 
@@ -29,6 +31,15 @@ inline void walk_into_passage(Game& game) {
     for (int i = 0; i < 200 && game.point().x < 8.25; ++i) game.hold(kForward);
     game.hold(kNoKeys, 20);
     ENFILADE_CHECK(game.room() == "passage");
+}
+
+/// No part of the body is above a ceiling, below a floor or in a wall.
+inline bool is_in_the_open(const Game& game) {
+    const Instant at = now(game.map, game.world);
+    Body body{game.player().place, game.player().feet_z, game.player().height, kBodyRadius, kWorldLimit};
+    body.ceiling_z = squeezed(at, body).ceiling_z;
+    const Reach found = around(at, body);
+    return game.is_contained() && fits(at, body, found);
 }
 
 }  // namespace enfilade::test
