@@ -82,10 +82,11 @@ public:
         if constexpr (requires { record_.places; }) record_.places.note(key.name, value.node.place(), found == 0);
     }
 
-    /// Once all keys are read: what was found, and not in one of them, is about the record.
+    /// At last: what was found, and not in one of the keys, is about the record; what is full finds nothing more.
     void end() {
         if constexpr (requires { record_.places; })
-            if (reading_.findings.size() - at_start_ > found_in_keys_) record_.places.note_fault();
+            if (reading_.findings.size() - at_start_ > found_in_keys_ || reading_.is_full())
+                record_.places.note_fault();
     }
 
 private:
@@ -103,7 +104,7 @@ void read_record(Reading& reading, TomlNode table, Record& record) {
     RecordNotes notes(reading, record, entries.size());
     std::vector<std::string_view> misspelt;  // a key that is missing because of that is mended with it
     for (const TomlEntry& entry : entries) {
-        if (reading.is_full()) return;
+        if (reading.is_full()) return notes.end();
         const auto has_name = [&](const Key<Record>& key) { return key.name == entry.key; };
         const auto key = std::find_if(list.keys.begin(), list.keys.end(), has_name);
         if (key == list.keys.end())
@@ -119,8 +120,8 @@ void read_record(Reading& reading, TomlNode table, Record& record) {
             std::find(misspelt.begin(), misspelt.end(), key.name) == misspelt.end())
             missing_key(reading, table.place(), list.record, key.name);
     }
-    notes.end();
     check_record(reading, table, entries, record);
+    notes.end();
 }
 
 template <class T>

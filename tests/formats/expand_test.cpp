@@ -261,6 +261,18 @@ TEST(Opening, WithAFaultBlamesNobodyElse) {
     EXPECT_THAT(codes_and_places(reading.findings), ElementsAre("opening-off-wall 15:6"));
 }
 
+TEST(Opening, OfOneRoomOrThreeIsRefusedAndNotCut) {
+    const std::string head = "format = 1\n[[sectors]]\nname = \"hall\"\nrect = [0, 0,  4, 4]\nwall = {}\n";
+    for (const char* rooms : {"[]", "[\"hall\"]", "[\"hall\", \"hall\", \"hall\"]"}) {
+        const std::string opening = std::string("[[openings]]\nbetween = ") + rooms + "\n";
+        const MapReading reading = read_map(head + opening);
+        EXPECT_THAT(codes_and_places(reading.findings), ElementsAre("wrong-type 7:11")) << rooms;
+        std::string many = head;  // findings that leave no room for that of the opening
+        for (std::size_t i = 0; i <= kMaxFindings; ++i) many += "[[lights]]\n";
+        EXPECT_THAT(read_map(many + opening).findings, SizeIs(kMaxFindings + 1)) << rooms;
+    }
+}
+
 // Prefabs.
 
 FileReader files(std::map<std::string, std::string> texts) {
