@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/play/game.h"
+#include "base/attempt.h"
 #include "base/files.h"
 #include "formats/map_toml.h"
 #include "hard_cases/comparison.h"
@@ -29,8 +30,9 @@ public:
         result_.counts.rounds = 1;
         find(ground_fault({game_->map(), game_->textures()}, random_.bits()));
         for (int tick = 0; tick < kTicks && !result_.fault; ++tick) {
-            play(keys_[static_cast<std::size_t>(tick)]);
-            if (random_.below(24) == 0) interrupt();
+            const Status broken = attempt([&] { play(keys_[static_cast<std::size_t>(tick)]); });
+            if (broken) find(broken->text());
+            if (!broken && random_.below(24) == 0) interrupt();
         }
         Hash all;
         for (const std::uint64_t state : hashes_) all.add(state);
@@ -116,11 +118,14 @@ private:
     void look() {
         HardPose pose = hard_pose(game_->map(), kLargestPicture, random_);
         if (random_.below(2) == 0) pose.view = game_->view(random_.uniform(0, 1), {}, pose.view.fov_degrees);
-        const Comparison seen =
-            compare({game_->path(), game_->map(), game_->textures()}, game_->snapshot(1), pose.view, pose.size);
-        result_.counts.pixels += seen.pixels;
-        if (seen.is_faultless()) return;
-        find(describe(seen));
+        const std::string fault = what_is_wrong([&] {
+            const Comparison seen =
+                compare({game_->path(), game_->map(), game_->textures()}, game_->snapshot(1), pose.view, pose.size);
+            result_.counts.pixels += seen.pixels;
+            return seen.is_faultless() ? std::string() : describe(seen);
+        });
+        if (fault.empty()) return;
+        find(fault);
         result_.fault->pose = pose;
         result_.sector = game_->map()[pose.view.sector].name;
     }

@@ -1,6 +1,7 @@
 #include "wild/trial.h"
 
 #include "app/play/automap.h"
+#include "base/attempt.h"
 #include "hard_cases/comparison.h"
 #include "space/hearing.h"
 #include "space/triangle_faults.h"
@@ -78,15 +79,23 @@ std::vector<TickInput> random_inputs(int ticks, Random& random) {
     return inputs;
 }
 
-std::string picture_fault(const TrialMap& on, const HardPose& pose) {
-    const Comparison result = compare({on.map.name, on.map, on.textures}, at_rest(on.map), pose.view, pose.size);
-    return result.is_faultless() ? "" : describe(result);
+std::string what_is_wrong(const std::function<std::string()>& work) {
+    std::string fault;
+    const Status broken = attempt([&] { fault = work(); });
+    return broken ? broken->text() : fault;
 }
 
-std::string walk_fault(const TrialMap& on, std::vector<TickInput>& inputs) {
-    const std::optional<World> start = start_of(on.map);
-    if (!start) return "";
-    Timeline timeline(*start);
+std::string picture_fault(const TrialMap& on, const HardPose& pose) {
+    return what_is_wrong([&] {
+        const Comparison result = compare({on.map.name, on.map, on.textures}, at_rest(on.map), pose.view, pose.size);
+        return result.is_faultless() ? std::string() : describe(result);
+    });
+}
+
+namespace {
+
+std::string fault_of_walk(const TrialMap& on, const World& start, std::vector<TickInput>& inputs) {
+    Timeline timeline(start);
     PlayerWatch watch;
     for (std::size_t tick = 0; tick < inputs.size(); ++tick) {
         timeline.play(on.map, inputs[tick]);
@@ -100,7 +109,7 @@ std::string walk_fault(const TrialMap& on, std::vector<TickInput>& inputs) {
     return hash(again) == hash(timeline.world()) ? "" : "half of the walk again leads elsewhere";
 }
 
-std::string ground_fault(const TrialMap& on, std::uint64_t seed) {
+std::string fault_of_ground(const TrialMap& on, std::uint64_t seed) {
     Random random(seed);
     const HardPose pose = hard_pose(on.map, {1, 1}, random);
     const Place place{pose.view.sector, pose.view.eye};
@@ -109,6 +118,17 @@ std::string ground_fault(const TrialMap& on, std::uint64_t seed) {
     for (int i = 0; i < kBodies && fault.empty(); ++i) fault = body_fault(on.map, random);
     if (fault.empty()) draw_automap(on.map, place);
     return fault;
+}
+
+}  // namespace
+
+std::string walk_fault(const TrialMap& on, std::vector<TickInput>& inputs) {
+    const std::optional<World> start = start_of(on.map);
+    return start ? what_is_wrong([&] { return fault_of_walk(on, *start, inputs); }) : "";
+}
+
+std::string ground_fault(const TrialMap& on, std::uint64_t seed) {
+    return what_is_wrong([&] { return fault_of_ground(on, seed); });
 }
 
 std::optional<Fault> first_fault(const TrialMap& on, const TrialPlan& plan) {

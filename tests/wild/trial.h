@@ -1,5 +1,6 @@
 // Everything that runs on a map, run on one map, and what is wrong first.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ struct TrialMap {
     const Map& map;
     const TextureSet& textures;
 };
+
+/// What the work finds wrong; empty: nothing. A contract that it breaks is as wrong as anything.
+std::string what_is_wrong(const std::function<std::string()>& work);
 
 /// Pictures by column and reference, triangles, ways of sound, the automap, a walk with everything moving, and back.
 std::optional<Fault> first_fault(const TrialMap& on, const TrialPlan& plan);
