@@ -1,5 +1,6 @@
 // What one sees of a room and through its portals, by height and by row: shared by all renderers.
 #pragma once
+#include <bit>
 #include <cstdint>
 
 #include "map/map.h"
@@ -48,6 +49,28 @@ inline constexpr std::uint32_t kLookBudget = 1u << 16;
 inline std::uint32_t cost_of_look_into(const Sector& sector, std::size_t things) {
     return sector.wall_count + sector.panel_count + static_cast<std::uint32_t>(things) + kRoomCost;
 }
+
+/// A look that strays: where the eye was rounded past the end of a link, a look along that end may miss every wall of a
+/// room and goes on through the one it misses least. Such a look may come round to the wall it went through before, and
+/// on for ever; there it ends, as one does that has cost too much. What it meets next depends on the wall it comes
+/// through alone, so a ring is found as in a sequence of numbers, by remembering the first, second, fourth, eighth, …
+/// wall (Richard Brent, "An improved Monte Carlo factorization algorithm", 1980): after at most four times as many
+/// walls as there are.
+class StrayingLook {
+public:
+    /// The look goes through the wall, having missed it (but least) or not; true where it comes round to it. Behind a
+    /// link a look is a new one.
+    bool comes_round_to(WallId wall, bool has_missed) {
+        if (walls_ == 0 && !has_missed) return false;
+        if (walls_ > 0 && wall == remembered_) return true;
+        if (std::has_single_bit(++walls_)) remembered_ = wall;
+        return false;
+    }
+
+private:
+    std::uint32_t walls_ = 0;  ///< gone through since it missed one
+    WallId remembered_;
+};
 
 /// Pictures with holes that are seen one behind the other: things, panels and fences that a look along one column of
 /// the picture passes, whether they are in its way or above or below it. Those behind are left out: no honest map

@@ -38,6 +38,7 @@ Viewport& ViewportPool::take(int begin, int end) {
     Viewport& viewport = viewports_[used_++];
     viewport.begin = begin;
     viewport.end = end;
+    viewport.straying = {};
     const auto count = static_cast<std::size_t>(end - begin);
     viewport.rows.assign(count, {});
     viewport.boundary.assign(count, 0);

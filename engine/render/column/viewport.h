@@ -19,6 +19,7 @@ struct Viewport {
     int pose = 0;                  ///< index of the eye in the frame's list of poses
     int depth = 0;                 ///< portals looked through so far
     std::uint32_t spent = 0;       ///< on the looks into this sector and those before it (render/openings.h)
+    StrayingLook straying;         ///< of its one column, where it strays
     int begin = 0, end = 0;        ///< columns
     std::vector<OpenRows> rows;    ///< occlusion bounds [end - begin]
     std::vector<double> boundary;  ///< 1 / depth of the portal looked through [end - begin]; what is drawn lies beyond.
@@ -146,6 +147,9 @@ public:
         const auto i = static_cast<std::size_t>(number);
         return i < walls_.size() ? walls_[i] : lost_[i - walls_.size()];
     }
+
+    /// Whether no projected wall covers its column.
+    bool is_missed(int number) const { return static_cast<std::size_t>(number) >= walls_.size(); }
 
 private:
     void offer(const Map& map, const RayTables& screen, WallColumns offered);

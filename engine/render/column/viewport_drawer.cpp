@@ -194,7 +194,9 @@ Viewport* ViewportDrawer::child_of(const ColumnScene& scene, FrameState& state, 
                                    const ProjectedWall& projected) {
     const bool is_link = built_in::kLinks && wall.link != Wall::kNoLink;
     const bool is_spent = viewport_->spent >= kLookBudget;
-    if (is_spent || (is_link && pose_.links >= scene.map.render.max_depth)) {
+    StrayingLook straying = viewport_->straying;
+    const bool comes_round = straying.comes_round_to(projected.wall, nearest_.is_missed(wall_index_));
+    if (is_spent || comes_round || (is_link && pose_.links >= scene.map.render.max_depth)) {
         ++state.cut;
         state.is_cut_short |= is_spent;
         return nullptr;
@@ -207,6 +209,7 @@ Viewport* ViewportDrawer::child_of(const ColumnScene& scene, FrameState& state, 
     child.spent =
         viewport_->spent + cost_of_look_into(scene.map[wall.behind], scene.snapshot.things.in(wall.behind).size());
     child.pose = viewport_->pose;
+    if (!is_link) child.straying = straying;
     if (is_link) {
         child.pose = static_cast<int>(state.poses.size());
         state.poses.push_back(beyond(pose_, passage_of(scene, wall)));

@@ -232,7 +232,7 @@ Seen end_of_chain(const Arrival& at) {
 }
 
 /// Where the ray ends if it ends at this wall: on the flats before it, on the wall, on a step, or because it has
-/// followed as many links as it may, or spent its budget.
+/// followed as many links as it may, spent its budget, or comes round to where it was.
 std::optional<Seen> end_of_ray(const Arrival& at) {
     const SectorId sector = at.hit.sector;
     if (reaches(at, at.own.ceiling))
@@ -249,7 +249,7 @@ std::optional<Seen> end_of_ray(const Arrival& at) {
     }
     const bool is_linked = at.wall.link != Wall::kNoLink;
     const bool is_too_deep = is_linked && at.hit.space.links >= at.scene.map.render.max_depth;
-    if (is_too_deep || is_spent(at)) return end_of_chain(at);
+    if (is_too_deep || is_spent(at) || at.hit.comes_round) return end_of_chain(at);
     return std::nullopt;
 }
 

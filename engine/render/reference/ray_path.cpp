@@ -90,13 +90,10 @@ const RayHit& RayPath::operator[](std::size_t i) {
 void RayPath::add_next() {
     if (hits_.empty()) {
         start_step(first_space_);
-        hits_.push_back(next_hit(first_space_, first_sector_));
-        hits_.back().spent = cost_of_look_into(map_[first_sector_], 0);
-        return;
+        return add(next_hit(first_space_, first_sector_), cost_of_look_into(map_[first_sector_], 0));
     }
-    // A straight line crosses a wall at most once, so between two links no wall is met twice.
-    ENFILADE_CHECK(hits_.size() <= map_.walls.size() * (static_cast<std::size_t>(map_.render.max_depth) + 2));
     const RayHit last = hits_.back();
+    ENFILADE_CHECK(!last.comes_round);
     const Wall& wall = map_[last.wall];
     ENFILADE_CHECK(wall.kind != WallKind::solid);
     const bool is_mirror = wall.kind == WallKind::mirror;
@@ -105,12 +102,19 @@ void RayPath::add_next() {
     entry_depth_ = last.depth;
     const EyeSpace space = is_linked ? through(map_.passage(wall), last.space) : last.space;
     if (is_linked) start_step(space);
-    hits_.push_back(next_hit(space, is_mirror ? last.sector : wall.behind));
-    const SectorId sector = hits_.back().sector;
-    hits_.back().spent = last.spent + cost_of_look_into(map_[sector], things_ ? things_->in(sector).size() : 0);
+    const SectorId sector = is_mirror ? last.sector : wall.behind;
+    add(next_hit(space, sector),
+        last.spent + cost_of_look_into(map_[sector], things_ ? things_->in(sector).size() : 0));
+}
+
+void RayPath::add(RayHit hit, std::uint32_t spent) {
+    hit.spent = spent;
+    hit.comes_round = straying_.comes_round_to(hit.wall, hit.is_missed);
+    hits_.push_back(std::move(hit));
 }
 
 void RayPath::start_step(const EyeSpace& space) {
+    straying_ = {};
     const Vec2 normal = space.forward * slope_ - right_of(space.forward) * space.flip;
     normal_x_ = std::llround(normal.x * kNormalSteps);
     normal_y_ = std::llround(normal.y * kNormalSteps);
@@ -185,19 +189,22 @@ WallId RayPath::least_missed(const EyeSpace& space, SectorId sector) const {
 }
 
 RayHit RayPath::next_hit(const EyeSpace& space, SectorId sector) const {
-    RayHit hit{space, sector, nearest_covering(space, sector), 0, 0, 0, false, {}};
-    const bool is_lost = hit.wall.is_none();
-    if (is_lost) hit.wall = least_missed(space, sector);
+    RayHit hit;
+    hit.space = space;
+    hit.sector = sector;
+    hit.wall = nearest_covering(space, sector);
+    hit.is_missed = hit.wall.is_none();
+    if (hit.is_missed) hit.wall = least_missed(space, sector);
     const Wall& wall = map_[hit.wall];
     const auto a = static_cast<double>(offset(wall.a, space.eye)), b = static_cast<double>(offset(wall.b, space.eye));
     hit.along = a != b ? std::clamp(a / (a - b), 0.0, 1.0) : 0.0;
-    if (is_lost) {
+    if (hit.is_missed) {
         const Vec2 place = wall.a + (wall.b - wall.a) * hit.along;
         hit.depth = std::max(entry_depth_, dot(space.forward, place - space.eye));
     } else {
         hit.depth = depth_of(wall, space);
     }
-    hit.ambiguous = is_lost || is_ambiguous(hit);
+    hit.ambiguous = hit.is_missed || is_ambiguous(hit);
     if (map_[sector].panel_count != 0) add_panels(hit);
     return hit;
 }

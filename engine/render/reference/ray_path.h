@@ -5,6 +5,7 @@
 
 #include "map/map.h"
 #include "math/predicates.h"
+#include "render/openings.h"
 #include "render/view.h"
 #include "space/presence.h"
 
@@ -74,6 +75,8 @@ struct RayHit {
     double along = 0;              ///< 0 at the wall's a, 1 at its b [1]
     double depth = 0;              ///< along `forward`; 0 where the eye is on the wall's line [m]
     std::uint32_t spent = 0;       ///< on the looks into this sector and those before it (render/openings.h)
+    bool is_missed = false;        ///< no wall of the sector was met; this one was missed least
+    bool comes_round = false;      ///< it was met before (render/openings.h): the ray ends here
     bool ambiguous = false;        ///< a vertex, another wall or a panel was within kAmbiguous of changing the answer
     std::vector<PanelHit> panels;  ///< with a picture, met on the way through the sector; depths never fall
 };
@@ -100,6 +103,7 @@ public:
 
 private:
     void start_step(const EyeSpace& space);
+    void add(RayHit hit, std::uint32_t spent);
     void add_next();
     RayHit next_hit(const EyeSpace& space, SectorId sector) const;
     WallId nearest_covering(const EyeSpace& space, SectorId sector) const;
@@ -124,6 +128,7 @@ private:
     double entry_depth_ = 0;                    ///< [m]
     std::int64_t normal_x_ = 0, normal_y_ = 0;  ///< slope * forward - right [2^-55]
     int side_of_tie_ = 1;                       ///< what side() says of a vertex exactly on the ray
+    StrayingLook straying_;
     std::vector<RayHit> hits_;
 };
 
