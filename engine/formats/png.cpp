@@ -84,6 +84,11 @@ Result<Image> read_indexed(PngHolder& png) {
 /// specification, §5.2 and §5.3) [bytes].
 constexpr std::size_t kSignature = 8, kBeforeData = 8, kSum = 4;
 
+bool has_signature(std::span<const std::byte> bytes) {
+    return bytes.size() >= kSignature &&
+           png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, kSignature) == 0;
+}
+
 /// Where the header has the width; the height follows (PNG specification, §5.2 and §11.2.2) [bytes].
 constexpr std::size_t kWidthAt = 16;
 
@@ -111,15 +116,14 @@ Status refuse_long_chunks(std::span<const std::byte> bytes) {
 }  // namespace
 
 std::optional<ImageSize> png_size(std::span<const std::byte> bytes) {
-    if (bytes.size() < kWidthAt + 8 || png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) != 0)
-        return {};
+    if (bytes.size() < kWidthAt + 8 || !has_signature(bytes)) return {};
     const ImageSize size{big_endian(bytes, kWidthAt), big_endian(bytes, kWidthAt + 4)};
     const auto is_side = [](std::uint32_t side) { return side >= 1 && side <= kMaxImageSide; };
     return is_side(size.width) && is_side(size.height) ? std::optional(size) : std::nullopt;
 }
 
 Result<Image> read_png(std::span<const std::byte> bytes) {
-    if (png_size(bytes))
+    if (has_signature(bytes))
         if (Status refused = refuse_long_chunks(bytes)) return *refused;
     PngHolder png;
     if (!png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size())) return not_an_image(png.image);

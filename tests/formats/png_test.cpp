@@ -128,12 +128,15 @@ TEST(Png, IsRefusedForAChunkLongerThanTheFile) {
     const std::size_t begin = 33;  // of the first chunk after the header
     const Bytes text = with_u32(with_u32(Bytes(12), 0, 0x7FFFFFFF), 4, 0x69545874);  // "iTXt"
     png.insert(png.begin() + begin, text.begin(), text.end());
-    const auto refused = read_png(png);
-    ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(refused.error().what,
-              "not a PNG image: a chunk of 2147483647 bytes begins at byte 33, but the file ends "
-              "after " +
-                  std::to_string(png.size()));
+    const std::uint32_t width_at = 16, too_wide = kMaxImageSide + 1;
+    for (const Bytes& file : {png, with_u32(png, width_at, too_wide)}) {
+        const auto refused = read_png(file);
+        ASSERT_FALSE(refused.ok());
+        EXPECT_EQ(refused.error().what,
+                  "not a PNG image: a chunk of 2147483647 bytes begins at byte 33, but the file ends "
+                  "after " +
+                      std::to_string(png.size()));
+    }
 }
 
 TEST(IndexedPng, KeepsColoursAndAlpha) {
