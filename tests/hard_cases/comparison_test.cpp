@@ -1,7 +1,10 @@
-// The column renderer shows what the reference shows, wherever one stands.
+// The column renderer shows what the reference shows, wherever one stands. ENFILADE_LONG=1 looks at 10^9 pixels, in
+// some ten minutes.
 #include "hard_cases/comparison.h"
 
 #include <gtest/gtest.h>
+
+#include <cstdlib>
 
 #include "hard_cases/scenes.h"
 #include "support/map_builder.h"
@@ -9,7 +12,8 @@
 namespace enfilade::test {
 namespace {
 
-constexpr int kPosesOfAKind = 60;  ///< of each kind and size; a fault in a rule of ties shows in one of ten
+/// Of each kind and size; a fault in a rule of ties shows in one of ten.
+const int kPosesOfAKind = std::getenv("ENFILADE_LONG") ? 720 : 60;
 constexpr PictureSize kEven{320, 200}, kOdd{117, 83};  ///< an odd side has a ray exactly along the look
 
 struct Case {
