@@ -21,20 +21,15 @@ View upright(View view) {
     return view;
 }
 
-/// What one sees through, in heights of the wall's own sector [m].
-struct Gap {
-    double bottom, top;
-};
-
-Gap gap_of(const Map& map, const Snapshot& snapshot, const Wall& wall) {
-    const Heights own = heights_at(snapshot, wall.sector);
-    Gap gap{own.floor_z, own.ceiling_z};
-    if (wall.kind == WallKind::mirror) return gap;
+/// Between what heights one sees through, in those of the wall's own sector.
+Heights open_heights(const Map& map, const Snapshot& snapshot, const Wall& wall) {
+    Heights open = heights_at(snapshot, wall.sector);
+    if (wall.kind == WallKind::mirror) return open;
     const Heights behind = heights_at(snapshot, wall.behind);
     const double rise = map.passage(wall).rise;
-    if (has_lower_step(map, wall)) gap.bottom = std::max(gap.bottom, behind.floor_z - rise);
-    if (has_upper_step(map, wall)) gap.top = std::min(gap.top, behind.ceiling_z - rise);
-    return gap;
+    if (has_lower_step(map, wall)) open.floor_z = std::max(open.floor_z, behind.floor_z - rise);
+    if (has_upper_step(map, wall)) open.ceiling_z = std::min(open.ceiling_z, behind.ceiling_z - rise);
+    return open;
 }
 
 /// The look as it goes on after a mirror; none where rounding lets it miss the mirror.
@@ -95,10 +90,10 @@ void SeenRooms::follow(const Map& map, const Snapshot& snapshot, int column) {
 std::optional<PathSegment> SeenRooms::go_on(const Map& map, const Snapshot& snapshot, const PathSegment& segment,
                                             SeenPart& part) {
     const Wall& wall = map[part.exit];
-    const Gap gap = gap_of(map, snapshot, wall);
+    const Heights open = open_heights(map, snapshot, wall);
     const double eye_z = view_.eye_z - rooms_[part.room].to_eye.rise;
-    part.low = std::max(part.low, (gap.bottom - eye_z) / part.exit_depth);
-    part.high = std::min(part.high, (gap.top - eye_z) / part.exit_depth);
+    part.low = std::max(part.low, (open.floor_z - eye_z) / part.exit_depth);
+    part.high = std::min(part.high, (open.ceiling_z - eye_z) / part.exit_depth);
     if (!(part.low < part.high)) return {};
     const auto next = wall.kind == WallKind::mirror ? segment_in_mirror(map, segment, part.exit)
                                                     : segment_behind(map, segment, part.exit);
