@@ -114,7 +114,7 @@ Status write_crops_of(const AccuracyRequest& request, const std::string& folder)
 
 /// What is not about dials of texels.
 struct Besides {
-    std::vector<LightRow> light;
+    std::vector<LightErrorRow> light;
     std::vector<DriftRow> drifts;
     std::vector<CrossingRow> crossings;
 };

@@ -93,7 +93,7 @@ std::size_t walls_of(const SectorRecord& sector) {
 }
 
 /// The stretch of a wall before another one that faces it, in its own steps.
-struct Stretch {
+struct FacingStretch {
     WallIndex near, far;
     WallLine line;
     double begin = 0, end = 0;
@@ -217,7 +217,7 @@ std::optional<TwoGaps> GapFinder::facing(const OpeningRecord& opening, std::size
     const std::size_t near_walls = walls_of(near), far_walls = walls_of(far);
     if (is_too_much(opening, near_walls + far_walls + near_walls * far_walls / kPairsPerWall)) return {};
     const double width = opening.width.value_or(0) / kVertexGrid;
-    std::vector<Stretch> best;
+    std::vector<FacingStretch> best;
     for_walls(near, near_sector, [&](WallIndex near_wall, const WallLine& line) {
         if (!record(near_wall).next.empty()) return;
         for_walls(far, far_sector, [&](WallIndex far_wall, const WallLine& wall) {
@@ -243,7 +243,7 @@ std::optional<TwoGaps> GapFinder::facing(const OpeningRecord& opening, std::size
                       point_text(best[1].line.at((best[1].begin + best[1].end) / 2)) + "; say which by 'at'");
         return {};
     }
-    const Stretch& stretch = best.front();
+    const FacingStretch& stretch = best.front();
     const double middle = (stretch.begin + stretch.end) / 2,
                  half = (opening.width ? width : stretch.end - stretch.begin) / 2;
     const Gap gap{stretch.near, stretch.line.at(middle - half), stretch.line.at(middle + half)};

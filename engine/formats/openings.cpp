@@ -22,7 +22,7 @@ constexpr std::size_t kUsualNames = 256;
 /// Names are suggested for so many that are not known: each is compared with all that are.
 constexpr int kMostSuggestions = 16;
 
-struct Heights {
+struct FlatHeights {
     double floor = 0, ceiling = 0;
 };
 
@@ -59,7 +59,8 @@ public:
     /// False where its sectors would have no height.
     bool has_height(int parts) const {
         for (int i = 0; i < parts; ++i)
-            if (const Heights heights = heights_of(i, parts); !is_leaf(i, parts) && heights.ceiling <= heights.floor) {
+            if (const FlatHeights heights = heights_of(i, parts);
+                !is_leaf(i, parts) && heights.ceiling <= heights.floor) {
                 reading_.error(opening_.place, "opening-without-height",
                                "the opening's floor would be at " + number_text(heights.floor) +
                                    " m and its ceiling at " + number_text(heights.ceiling) +
@@ -178,11 +179,11 @@ private:
         return wall;
     }
 
-    Heights heights_of(int part, int parts) const {
-        const Heights here{near_->floor.z, near_->ceiling.z};
-        Heights there{far_->floor.z, far_->ceiling.z};
+    FlatHeights heights_of(int part, int parts) const {
+        const FlatHeights here{near_->floor.z, near_->ceiling.z};
+        FlatHeights there{far_->floor.z, far_->ceiling.z};
         if (opening_.to) there = {here.floor, here.floor + there.ceiling - there.floor};  // floor meets floor
-        Heights heights{std::max(here.floor, there.floor), std::min(here.ceiling, there.ceiling)};
+        FlatHeights heights{std::max(here.floor, there.floor), std::min(here.ceiling, there.ceiling)};
         if (opening_.steps > 0) {
             const double way = double(part + 1) / (parts + 1);
             heights = {here.floor + (there.floor - here.floor) * way,
@@ -210,7 +211,7 @@ private:
 
     SectorRecord sector(int part, int parts) const {
         SectorRecord made = opening_.sector;
-        const Heights heights = heights_of(part, parts);
+        const FlatHeights heights = heights_of(part, parts);
         made.name = part_name(part, parts);
         made.floor = flat(opening_.sector.floor, &SectorRecord::floor, heights.floor);
         made.ceiling = flat(opening_.sector.ceiling, &SectorRecord::ceiling, heights.ceiling);

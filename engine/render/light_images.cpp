@@ -16,7 +16,7 @@ struct Reached {
 };
 
 /// What leads to any place that a light reaches, at most.
-struct Way {
+struct WayCost {
     double rooms = 0;  ///< that a ray passes
     double work = 0;   ///< of finding the ray [walls]
 };
@@ -65,7 +65,7 @@ public:
         const std::size_t first = all.size();
         const Reach reached = reach(map_, {light.sector, light.position}, light.reach);
         work += static_cast<double>(reached.walls_looked_at);
-        const Way way = longest_way(reached);
+        const WayCost way = longest_way(reached);
         for (const ReachedSector& there : reached.sectors) {
             const LightImage image{number, there.passage, snap_to_point_grid(there.passage.apply(light.position)),
                                    there.passage.apply_height(light.z)};
@@ -94,8 +94,8 @@ private:
         });
     }
 
-    static Way longest_way(const Reach& reached) {
-        Way longest;
+    static WayCost longest_way(const Reach& reached) {
+        WayCost longest;
         for (const ReachedSector& there : reached.sectors) {
             longest.rooms = std::max<double>(longest.rooms, there.rooms_on_way);
             longest.work = std::max<double>(longest.work, there.walls_on_way + kRoomWork * there.rooms_on_way);
@@ -103,7 +103,7 @@ private:
         return longest;
     }
 
-    double work_of(SectorId id, const LightImage& image, const Way& way) {
+    double work_of(SectorId id, const LightImage& image, const WayCost& way) {
         const Sector& sector = map_[id];
         LitSector& lit = lit_[id.index];
         lit.surfaces.resize(1 + sector.wall_count + sector.panel_count);
@@ -123,7 +123,7 @@ private:
 
     /// Of what stands upright: a ray to each column, along which each portal on the way is compared for each point.
     template <class Upright>
-    double work_on(const Upright& upright, const LightImage& image, const Way& way, LitBox& lit) {
+    double work_on(const Upright& upright, const LightImage& image, const WayCost& way, LitBox& lit) {
         const Vec2 along = (upright.b - upright.a) * (1 / upright.length), to_light = image.from - upright.a;
         const double reach = map_.lights[image.light].reach, aside = dot(right_of(along), to_light);
         const double half = std::sqrt(std::max(reach * reach - aside * aside, 0.0)), before = dot(along, to_light);

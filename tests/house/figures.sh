@@ -50,10 +50,10 @@ includes | awk '
     stem != own { ++readers[$2]; reader[$2] = $1 }
     END { for (h in readers) if (readers[h] == 1) print "  " h " <- " reader[h] }' | sort
 
-echo "types of one name in more than one place:"
 # shellcheck disable=SC2086 # file names
-grep -EHo '^ *(struct|class|enum class|union) [A-Z][A-Za-z]+ (final )?(: [a-z:_0-9A-Z ]+ )?\{' $sources |
+twice=$(grep -EHo '^ *(struct|class|enum class|union) [A-Z][A-Za-z]+ (final )?(: [a-z:_0-9A-Z ]+ )?\{' $sources |
     sed -E 's/:[ ]*(struct|class|enum class|union) / /; s/ (final )?(:.*)?\{$//' |
-    awk '{ places[$2] = places[$2] " " $1; ++count[$2] } END { for (n in count) if (count[n] > 1) print "  " n ":" places[n] }' | sort
+    awk '{ places[$2] = places[$2] " " $1; ++count[$2] } END { for (n in count) if (count[n] > 1) print "  " n ":" places[n] }' | sort)
+echo "types of one name in more than one place: ${twice:-none}"
 
-[ "$circles" -eq 0 ]
+[ "$circles" -eq 0 ] && [ -z "$twice" ]

@@ -95,9 +95,9 @@ Result<LightErrors> measure_light(const OpenMap& map, const std::vector<View>& v
     return errors;
 }
 
-Result<std::vector<LightRow>> measure_light_grids(const std::string& scene, const OpenMap& map,
-                                                  const std::vector<View>& views, int width, int height) {
-    std::vector<LightRow> rows;
+Result<std::vector<LightErrorRow>> measure_light_grids(const std::string& scene, const OpenMap& map,
+                                                       const std::vector<View>& views, int width, int height) {
+    std::vector<LightErrorRow> rows;
     if (map.map.lights.empty()) return rows;
     for (const int points : {1, 2, 4, 8, 16, 64}) {
         Dials dials;
@@ -109,14 +109,14 @@ Result<std::vector<LightRow>> measure_light_grids(const std::string& scene, cons
     return rows;
 }
 
-std::string light_page(const std::vector<LightRow>& rows) {
+std::string light_page(const std::vector<LightErrorRow>& rows) {
     std::string text =
         "\n## Light\n\nThe light of lamps is kept on grids (dial `light_grid`, points per metre; 4 is usual). It is "
         "held against the reference's own, which follows a straight way to each lamp for every pixel and shares no "
         "grid; colours and effects of lamps, and the light of suns, are shared.\n\n| map | points a metre | pixels lit "
         "| "
         "off by more than 1/255 [%] | mean [1/255] | largest [1/255] |\n|---|---|---|---|---|---|\n";
-    for (const LightRow& row : rows)
+    for (const LightErrorRow& row : rows)
         text += fmt::format("| {} | {} | {} | {:.2f} | {:.3f} | {} |\n", row.scene, row.points_per_m, row.errors.lit,
                             100 * row.errors.share_off(), row.errors.mean(), row.errors.largest);
     return text;

@@ -37,17 +37,17 @@ Result<LightErrors> measure_light(const OpenMap& map, const std::vector<View>& v
                                   const Dials& dials);
 
 /// One map by one grid.
-struct LightRow {
+struct LightErrorRow {
     std::string scene;
     int points_per_m = 0;  ///< of the dial light_grid
     LightErrors errors;
 };
 
 /// The views by grids from 1 to 64 points per metre. Nothing for a map without lamps.
-Result<std::vector<LightRow>> measure_light_grids(const std::string& scene, const OpenMap& map,
-                                                  const std::vector<View>& views, int width, int height);
+Result<std::vector<LightErrorRow>> measure_light_grids(const std::string& scene, const OpenMap& map,
+                                                       const std::vector<View>& views, int width, int height);
 
 /// A section of the report, in Markdown.
-std::string light_page(const std::vector<LightRow>& rows);
+std::string light_page(const std::vector<LightErrorRow>& rows);
 
 }  // namespace enfilade

@@ -127,9 +127,9 @@ std::string triggers_text(const std::vector<TriggerRecord>& triggers) {
 }
 
 /// Writes the picture, one drawing after the other.
-class Plan {
+class PlanDrawing {
 public:
-    explicit Plan(const MapFile& map) : map_(map), drawings_(map) {}
+    explicit PlanDrawing(const MapFile& map) : map_(map), drawings_(map) {}
 
     std::string run() {
         for (std::size_t i = 0; i < map_.sectors.size(); ++i)
@@ -339,6 +339,6 @@ private:
 
 }  // namespace
 
-std::string plan_svg(const MapFile& map) { return Plan(map).run(); }
+std::string plan_svg(const MapFile& map) { return PlanDrawing(map).run(); }
 
 }  // namespace enfilade

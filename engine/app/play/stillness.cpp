@@ -85,7 +85,7 @@ bool Stillness::is_as_lit_and_shown(const Snapshot& snapshot) const {
     return std::ranges::all_of(
                lit_, [&](const Lamp& lamp) { return lamp_color(map_, snapshot, lamp.light) == lamp.color; }) &&
            std::ranges::all_of(shown_,
-                               [&](const Shown& shown) { return frame_of(shown.thing, snapshot) == shown.frame; });
+                               [&](const ShownThing& shown) { return frame_of(shown.thing, snapshot) == shown.frame; });
 }
 
 void Stillness::drew(const View& view, const Snapshot& snapshot, const std::vector<SectorId>& seen) {

@@ -42,7 +42,7 @@ private:
         std::uint32_t light;  ///< index into Map::lights
         LampColor color;
     };
-    struct Shown {
+    struct ShownThing {
         ThingId thing;
         std::size_t frame;
     };
@@ -57,8 +57,8 @@ private:
     std::vector<bool> is_lively_;  ///< by sector
     std::optional<View> view_;     ///< none: nothing was drawn, or it changes by itself
     std::vector<Moved> moved_;
-    std::vector<Lamp> lit_;     ///< the flickering lamps of what was seen
-    std::vector<Shown> shown_;  ///< the things there that have several pictures
+    std::vector<Lamp> lit_;          ///< the flickering lamps of what was seen
+    std::vector<ShownThing> shown_;  ///< the things there that have several pictures
     std::vector<ThingId> taken_;
     std::vector<WallId> pressed_;
     WallId way_back_;
