@@ -1,7 +1,7 @@
 #!/bin/sh
 # The house in numbers: files and functions with their lengths, comments in headers, circles of includes, headers with
-# one reader, and names of types that stand for more than one thing. `tests/house/figures.sh`; exit status 1 where
-# includes go in a circle.
+# one reader, and names of types that stand for more than one thing. `tests/house/figures.sh`; exit status 1 where such a
+# name is found, or includes go in a circle.
 set -eu
 
 cd "$(dirname "$0")/../.."
