@@ -98,6 +98,12 @@ std::uint32_t big_endian(std::span<const std::byte> bytes, std::size_t at) {
     return number;
 }
 
+/// Whether the header is the first chunk, as it has to be (PNG specification, §5.6); libpng takes it anywhere.
+bool begins_with_header(std::span<const std::byte> bytes) {
+    constexpr std::uint32_t kHeader = 0x49484452;  // "IHDR"
+    return has_signature(bytes) && bytes.size() >= kWidthAt + 8 && big_endian(bytes, kSignature + 4) == kHeader;
+}
+
 /// libpng takes as much memory as a chunk says it is long, up to 2 GiB, before it sees that there are no such bytes.
 /// Not so of the image's own data, which come last.
 Status refuse_long_chunks(std::span<const std::byte> bytes) {
@@ -116,13 +122,15 @@ Status refuse_long_chunks(std::span<const std::byte> bytes) {
 }  // namespace
 
 std::optional<ImageSize> png_size(std::span<const std::byte> bytes) {
-    if (bytes.size() < kWidthAt + 8 || !has_signature(bytes)) return {};
+    if (!begins_with_header(bytes)) return {};
     const ImageSize size{big_endian(bytes, kWidthAt), big_endian(bytes, kWidthAt + 4)};
     const auto is_side = [](std::uint32_t side) { return side >= 1 && side <= kMaxImageSide; };
     return is_side(size.width) && is_side(size.height) ? std::optional(size) : std::nullopt;
 }
 
 Result<Image> read_png(std::span<const std::byte> bytes) {
+    if (has_signature(bytes) && !begins_with_header(bytes))
+        return Error{"", "not a PNG image: expected the header (IHDR) as the first chunk"};
     if (has_signature(bytes))
         if (Status refused = refuse_long_chunks(bytes)) return *refused;
     PngHolder png;

@@ -122,6 +122,18 @@ TEST(Png, SurvivesChunksThatClaimToBeHuge) {
     EXPECT_FALSE(read_png(with_u32(write_png(some_image(3, 2)), 33, 0x7FFFFFFF)).ok());
 }
 
+// Who asks for its size before it is unpacked would be told another one.
+TEST(Png, IsRefusedWhereAnythingIsBeforeItsHeader) {
+    Bytes png = write_png(some_image(3, 2));
+    const std::size_t begin = 8;                                                      // of the header
+    const Bytes chunk = with_u32(with_u32(Bytes(12), 4, 0x616E676C), 8, 0xA0A1F5A2);  // "angl", and its sum
+    png.insert(png.begin() + begin, chunk.begin(), chunk.end());
+    const auto refused = read_png(png);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().what, "not a PNG image: expected the header (IHDR) as the first chunk");
+    EXPECT_FALSE(png_size(png));
+}
+
 // libpng would take as much memory as the chunk says.
 TEST(Png, IsRefusedForAChunkLongerThanTheFile) {
     Bytes png = write_png(some_image(3, 2));
