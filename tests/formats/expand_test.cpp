@@ -390,53 +390,64 @@ std::string filled(std::string text, const std::string& part, std::size_t size =
     return text;
 }
 
+std::string only_rooms() { return kTwoRooms.substr(0, kTwoRooms.find("[[openings]]")); }
+
+std::string zigzag() {
+    std::string v = "[[sectors]]\nname = \"big\"\nwall = {}\n[[sectors.loops]]\nv = [";
+    for (int i = 0; i < 40000; ++i) v += std::to_string(i % 30000) + "," + std::to_string(i % 7) + ",";
+    return "format = 1\n" + v + "]\n";
+}
+
+std::string openings_along_one_wall() {
+    std::string text =
+        "format = 1\nsectors = [{ name = 'a', rect = [0,0,9999,1], wall = {} }, "
+        "{ name = 'b', rect = [0,1,9999,2], wall = {} }]\nopenings = [\n";
+    for (int i = 1; i < 20000; ++i) text += "{between=['a','b'],width=0.1,at=[" + number_text(i * 0.45) + ",1]},\n";
+    return text + "]\n";
+}
+
+std::string one_long_wall() {
+    const std::string texture(kMiB / 2, 'x');
+    return filled("format = 1\n[[sectors]]\nname = \"a\"\nwall = { texture = \"" + texture +
+                      "\" }\n[[sectors.loops]]\nv = [",
+                  "0,0,") +
+           "]\n";
+}
+
+// The texts are made where they are read: every process of this program lists these maps, one of them reads one.
 struct Hostile {
     const char* name;
-    std::string text;
+    std::string (*text)();
 };
 void PrintTo(const Hostile& hostile, std::ostream* out) { *out << hostile.name; }
 
-std::vector<Hostile> hostile_maps() {
-    const std::string rooms = kTwoRooms.substr(0, kTwoRooms.find("[[openings]]"));
-    const std::string zigzag = [] {
-        std::string v = "[[sectors]]\nname = \"big\"\nwall = {}\n[[sectors.loops]]\nv = [";
-        for (int i = 0; i < 40000; ++i) v += std::to_string(i % 30000) + "," + std::to_string(i % 7) + ",";
-        return "format = 1\n" + v + "]\n";
-    }();
-    return {
-        {"OpeningsInOnePlace", filled(rooms, "[[openings]]\nbetween = [\"hall\", \"yard\"]\n")},
-        {"OpeningsAlongOneWall",
-         [&] {
-             std::string text =
-                 "format = 1\nsectors = [{ name = 'a', rect = [0,0,9999,1], wall = {} }, "
-                 "{ name = 'b', rect = [0,1,9999,2], wall = {} }]\nopenings = [\n";
-             for (int i = 1; i < 20000; ++i)
-                 text += "{between=['a','b'],width=0.1,at=[" + number_text(i * 0.45) + ",1]},\n";
-             return text + "]\n";
-         }()},
-        {"OpeningsBetweenLargeRooms", filled(zigzag, "[[openings]]\nbetween = [\"big\", \"big\"]\n")},
-        {"LinksOfALargeRoom", filled(zigzag, "[[openings]]\nbetween=['big','big']\nat=[0,0]\nto=[1,1]\nwidth=1\n")},
-        {"StairsWithoutEnd", filled(rooms, "[[openings]]\nbetween=['hall','yard']\nat=[4,1]\nwidth=1\nsteps=256\n")},
-        {"Polygons", filled("format = 1\n[[sectors]]\nname = \"a\"\nwall = {}\n",
-                            "[[sectors.loops]]\npolygon={x=0,y=0,radius=9,corners=256}\n")},
-        {"OneLongWall", filled("format = 1\n[[sectors]]\nname = \"a\"\nwall = { texture = \"" +
-                                   std::string(kMiB / 2, 'x') + "\" }\n[[sectors.loops]]\nv = [",
-                               "0,0,") +
-                            "]\n"},
-        {"UnknownRooms", filled(rooms, "[[openings]]\nbetween = [\"hlal\", \"yrad\"]\n")},
-        {"Prefabs", filled("format = 1\nsectors = []\n", "[[prefabs]]\nname='p'\nfile='big'\n")},
-        {"MissingPrefabs", filled("format = 1\nsectors = []\n", "[[prefabs]]\nname='p'\nfile='none'\n")},
-    };
-}
+const Hostile kHostileMaps[] = {
+    {"OpeningsInOnePlace", [] { return filled(only_rooms(), "[[openings]]\nbetween = [\"hall\", \"yard\"]\n"); }},
+    {"OpeningsAlongOneWall", openings_along_one_wall},
+    {"OpeningsBetweenLargeRooms", [] { return filled(zigzag(), "[[openings]]\nbetween = [\"big\", \"big\"]\n"); }},
+    {"LinksOfALargeRoom",
+     [] { return filled(zigzag(), "[[openings]]\nbetween=['big','big']\nat=[0,0]\nto=[1,1]\nwidth=1\n"); }},
+    {"StairsWithoutEnd",
+     [] { return filled(only_rooms(), "[[openings]]\nbetween=['hall','yard']\nat=[4,1]\nwidth=1\nsteps=256\n"); }},
+    {"Polygons",
+     [] {
+         return filled("format = 1\n[[sectors]]\nname = \"a\"\nwall = {}\n",
+                       "[[sectors.loops]]\npolygon={x=0,y=0,radius=9,corners=256}\n");
+     }},
+    {"OneLongWall", one_long_wall},
+    {"UnknownRooms", [] { return filled(only_rooms(), "[[openings]]\nbetween = [\"hlal\", \"yrad\"]\n"); }},
+    {"Prefabs", [] { return filled("format = 1\nsectors = []\n", "[[prefabs]]\nname='p'\nfile='big'\n"); }},
+    {"MissingPrefabs", [] { return filled("format = 1\nsectors = []\n", "[[prefabs]]\nname='p'\nfile='none'\n"); }},
+};
 
 class HostileShortWords : public testing::TestWithParam<Hostile> {};
 
 TEST_P(HostileShortWords, AreWrittenOutInAMoment) {
     const std::string big = filled("format = 1\nsectors = []\n", "[[sounds]]\nname='s'\nfile='f'\n", kMiB / 2);
-    EXPECT_LT(seconds_to_read(GetParam().text, files({{"big", big}})), kMostSeconds);
+    EXPECT_LT(seconds_to_read(GetParam().text(), files({{"big", big}})), kMostSeconds);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, HostileShortWords, testing::ValuesIn(hostile_maps()),
+INSTANTIATE_TEST_SUITE_P(All, HostileShortWords, testing::ValuesIn(kHostileMaps),
                          [](const auto& hostile) { return std::string(hostile.param.name); });
 
 TEST(ShortWords, MakeOnlySoMuch) {
