@@ -1,8 +1,9 @@
 // A million moves on the authored maps, many of them aimed where moves go wrong: at vertices, along walls, across many
-// rooms at once.
+// rooms at once. ENFILADE_LONG=1: a hundred million.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@
 namespace enfilade {
 namespace {
 
-constexpr int kMovesPerMap = 143'000;  // seven maps: a million
+const int kMovesPerMap = std::getenv("ENFILADE_LONG") ? 14'300'000 : 143'000;  // seven maps: a million
 
 class AuthoredMoves : public testing::TestWithParam<std::string> {
 protected:
