@@ -12,17 +12,17 @@
 // a Flight (flight/flight.h). What is drawn depends on what is handed in and on nothing else: the same arguments give
 // the same bytes, with any compiler and any number of threads.
 //
-// Nothing throws. What can fail is a Result<T> or a Status, whose error() is a sentence for people (base/result.h).
-// The programs in engine/examples/ are the shortest that do something.
+// Nothing throws. What can fail is a Result<T>, or a Result<void>, whose error() is a sentence for people
+// (base/result.h). The programs in engine/examples/ are the shortest that do something.
 #pragma once
 #include "base/files.h"
 #include "base/finding.h"
 #include "base/result.h"
 #include "flight/flight.h"
-#include "flight/renderer.h"
 #include "formats/map_toml.h"
 #include "formats/png.h"
 #include "map/load.h"
+#include "render/choice/renderer.h"
 #include "render/frame.h"
 #include "render/view_from.h"
 #include "world/snapshot.h"

@@ -44,8 +44,8 @@ struct RunOptions {
     ConvertOptions convert;
 };
 
-/// Called from any thread as work gets done: done of total steps. done reaches total.
-using Progress = std::function<void(std::size_t done, std::size_t total)>;
+/// Called by any of the threads (worker, from 0) as work gets done: done of total steps. done reaches total.
+using StepListener = std::function<void(std::size_t done, std::size_t total, std::size_t worker)>;
 
 struct RunResult {
     std::vector<Report> reports;        ///< one for each map, in the order of the WADs
@@ -60,7 +60,7 @@ struct RunResult {
 /// does not pass is refused, like one that cannot be converted, and leaves no file. The same input gives the same bytes
 /// with any number of jobs. An Error where an archive cannot be read, a map that was asked for is not there, or a file
 /// cannot be written; the report is written last, so where there is a new one, everything else is there.
-Result<RunResult> convert_wads(const RunOptions& options, const Progress& progress);
+Result<RunResult> convert_wads(const RunOptions& options, const StepListener& listener);
 
 /// What lies in the folder OUT now, and what to do with it: a line or two.
 std::string written_text(const RunResult& result, const std::string& out);

@@ -106,7 +106,7 @@ public:
         if (report.refused.empty() && options_.strict && report.count(Fate::guessed) > 0)
             report.refused = guesses_text(report);
         if (report.refused.empty())
-            if (Status failed = write(name, *conversion.file)) return *failed;
+            if (const Result<void> done = write(name, *conversion.file); !done.ok()) return done.error();
         return std::move(report);
     }
 
@@ -126,7 +126,7 @@ private:
     }
 
     /// The report, written last, flushes the folder.
-    Status write(const std::string& name, const MapFile& file) const {
+    Result<void> write(const std::string& name, const MapFile& file) const {
         const std::string text = write_map(file);
         return write_one_of_many(options_.out + "/" + file_of(name), std::as_bytes(std::span(text)));
     }
@@ -138,17 +138,18 @@ private:
     const TextureSet sizes_;
 };
 
-Status make_folder(const std::string& path) {
+Result<void> make_folder(const std::string& path) {
     std::error_code failed;
     std::filesystem::create_directories(path, failed);
-    return failed ? Status(Error{path, "cannot make the folder: " + failed.message()}) : Status();
+    if (failed) return Error{path, "cannot make the folder: " + failed.message()};
+    return {};
 }
 
 }  // namespace
 
 bool RunResult::is_complete() const { return problems.empty() && std::ranges::all_of(reports, is_converted); }
 
-Result<RunResult> convert_wads(const RunOptions& options, const Progress& progress) {
+Result<RunResult> convert_wads(const RunOptions& options, const StepListener& listener) {
     const Result<WadPile> pile = read_pile(options.wads);
     if (!pile) return pile.error();
     const Result<std::vector<std::string>> maps = choose_maps(pile.value(), options.maps);
@@ -158,10 +159,10 @@ Result<RunResult> convert_wads(const RunOptions& options, const Progress& progre
     const Pictures& pictures = listed.value();
     const Sounds sounds = Sounds::list(pile.value());
 
-    if (Status failed = make_folder(options.out)) return *failed;
+    if (const Result<void> made = make_folder(options.out); !made.ok()) return made.error();
     const std::size_t total = pictures.files().size() + maps.value().size();
     std::atomic<std::size_t> done{0};
-    const auto step = [&] { progress(done.fetch_add(1) + 1, total); };
+    const auto step = [&](std::size_t worker) { listener(done.fetch_add(1) + 1, total, worker); };
     RunResult result;
     result.light = light_text(pictures);
     const auto add_problems = [&](const std::vector<Error>& errors) {
@@ -171,26 +172,27 @@ Result<RunResult> convert_wads(const RunOptions& options, const Progress& progre
     add_problems(sounds.problems());
     const MapWriter writer(pile.value(), pictures, sounds, options);
     result.reports.resize(maps.value().size());
-    std::vector<Status> unwritten(maps.value().size());
-    parallel_for(maps.value().size(), options.jobs, [&](std::size_t i, std::size_t) {
+    std::vector<Result<void>> converted(maps.value().size());
+    parallel_for(maps.value().size(), options.jobs, [&](std::size_t i, std::size_t worker) {
         Result<Report> report = writer.convert(maps.value()[i]);
         if (report)
             result.reports[i] = std::move(report).value();
         else
-            unwritten[i] = report.error();
-        step();
+            converted[i] = report.error();
+        step(worker);
     });
-    for (const Status& failed : unwritten)
-        if (failed) return *failed;
+    for (const Result<void>& one : converted)
+        if (!one.ok()) return one.error();
     if (std::ranges::any_of(result.reports, is_converted)) {
         const auto problems = write_pictures(pictures, options.out + "/textures", options.jobs, step);
         if (!problems) return problems.error();
         add_problems(problems.value());
-        if (Status failed = sounds.write(options.out)) return *failed;
+        if (const Result<void> written = sounds.write(options.out); !written.ok()) return written.error();
     } else {
-        for (std::size_t i = 0; i < pictures.files().size(); ++i) step();
+        for (std::size_t i = 0; i < pictures.files().size(); ++i) step(0);
     }
-    if (Status failed = write_file(options.out + "/report.txt", to_text(result))) return *failed;
+    if (const Result<void> written = write_file(options.out + "/report.txt", to_text(result)); !written.ok())
+        return written.error();
     return result;
 }
 

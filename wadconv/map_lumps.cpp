@@ -40,8 +40,8 @@ void read(ByteReader& in, DoomThing& t) { t = {in.i16(), in.i16(), in.u16(), in.
 
 /// Decodes whole records of `record_bytes` each; adds what is left over to trailing_bytes.
 template <class Record>
-Status decode(const char* lump, std::span<const std::byte> bytes, std::size_t record_bytes,
-              std::vector<Record>& records, DoomMap& map) {
+Result<void> decode(const char* lump, std::span<const std::byte> bytes, std::size_t record_bytes,
+                    std::vector<Record>& records, DoomMap& map) {
     const std::size_t count = bytes.size() / record_bytes;
     if (count > kMaxRecords)
         return Error{map.name, std::string(lump) + " has " + std::to_string(count) +
@@ -58,11 +58,11 @@ Status decode(const char* lump, std::span<const std::byte> bytes, std::size_t re
 Result<DoomMap> decode_map(const MapLumps& lumps) {
     DoomMap map;
     map.name = lumps.name;
-    for (const Status& failed :
+    for (const Result<void>& decoded :
          {decode("VERTEXES", lumps.vertices, 4, map.vertices, map), decode("LINEDEFS", lumps.lines, 14, map.lines, map),
           decode("SIDEDEFS", lumps.sides, 30, map.sides, map), decode("SECTORS", lumps.sectors, 26, map.sectors, map),
           decode("THINGS", lumps.things, 10, map.things, map)})
-        if (failed) return *failed;
+        if (!decoded.ok()) return decoded.error();
     return map;
 }
 

@@ -79,9 +79,9 @@ public:
 
     Result<Parts> make() {
         for (std::uint32_t s = 0; s < own_.size(); ++s)
-            if (Status failed = make_sector(s)) return *failed;
+            if (const Result<void> done = make_sector(s); !done.ok()) return done.error();
         for (std::uint32_t s = 0; s < own_.size(); ++s)
-            if (Status failed = house_orphans(s)) return *failed;
+            if (const Result<void> done = house_orphans(s); !done.ok()) return done.error();
         for (std::uint32_t s = 0; s < own_.size(); ++s) lose_clashing_parts(s);
         for (std::uint32_t s = 0; s < own_.size(); ++s) take(s);
         std::ranges::sort(all_.lone);
@@ -91,7 +91,7 @@ public:
     }
 
 private:
-    Status make_sector(std::uint32_t sector) {
+    Result<void> make_sector(std::uint32_t sector) {
         Tracing tracing = trace_loops(all_.edges, own_[sector]);
         if (!tracing.open_ends.empty()) {
             if (!close_gap(sector, tracing.open_ends)) return cannot_close(sector, tracing.open_ends);
@@ -130,7 +130,7 @@ private:
     }
 
     /// Deep water: the outside of each orphan goes to the sector it lies in.
-    Status house_orphans(std::uint32_t sector) {
+    Result<void> house_orphans(std::uint32_t sector) {
         for (const Loop& orphan : std::vector<Loop>(sectors_[sector].orphans)) {
             const Edge first = all_.edges[orphan.edges[0]];
             const std::optional<std::uint32_t> host = host_of(sector, orphan);
@@ -142,7 +142,7 @@ private:
             std::erase_if(own_[sector], [&](std::uint32_t e) { return all_.edges[e].sector != sector; });
             own_[*host].insert(own_[*host].end(), orphan.edges.begin(), orphan.edges.end());
             std::ranges::sort(own_[*host]);
-            if (Status failed = make_sector(*host)) return failed;
+            if (const Result<void> done = make_sector(*host); !done.ok()) return done.error();
         }
         sectors_[sector].orphans.clear();
         return {};
@@ -162,7 +162,7 @@ private:
     }
 
     /// Leaves the whole sector out for lines that cross; the error where none do.
-    Status lose_sector(std::uint32_t sector, const Error& error) {
+    Result<void> lose_sector(std::uint32_t sector, const Error& error) {
         if (!lose_if_clashing(sector, own_[sector])) return error;
         sectors_[sector] = {};
         return {};

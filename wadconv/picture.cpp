@@ -116,7 +116,7 @@ Error bad_column(std::uint32_t x, const std::string& what) { return {"", "column
 std::uint32_t max_painted_rows(std::uint32_t height) { return 2 * height + 255; }
 
 /// Reads one column's posts from the reader into column x.
-Status read_column(ByteReader reader, std::uint32_t x, Picture& picture) {
+Result<void> read_column(ByteReader reader, std::uint32_t x, Picture& picture) {
     std::uint32_t top = 0, painted = 0;
     bool is_first = true;
     for (;;) {
@@ -165,7 +165,8 @@ Result<Picture> read_patch(std::span<const std::byte> lump) {
         const std::uint32_t offset = offsets.u32();
         if (offset >= lump.size())
             return bad_column(x, "starts at byte " + std::to_string(offset) + " of " + std::to_string(lump.size()));
-        if (Status failed = read_column(ByteReader(lump.subspan(offset)), x, picture)) return *failed;
+        if (const Result<void> done = read_column(ByteReader(lump.subspan(offset)), x, picture); !done.ok())
+            return done.error();
     }
     return picture;
 }

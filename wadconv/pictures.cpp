@@ -36,7 +36,7 @@ Result<Picture> read_flat(const Lump& lump) {
 
 /// What is wrong with one picture, and why it could not be written.
 struct PictureFaults {
-    Status undrawn, unwritten;
+    Result<void> drawn, written;
 };
 
 PictureFaults write_picture(const PictureFile& file, const Palette& palette, const std::string& folder) {
@@ -47,7 +47,7 @@ PictureFaults write_picture(const PictureFile& file, const Palette& palette, con
 
 constexpr std::array<std::string_view, 3> kFolders{"", kFlatFolder, kSpriteFolder};
 
-Status make_folders(const std::string& folder) {
+Result<void> make_folders(const std::string& folder) {
     for (std::string_view part : kFolders) {
         const std::string path = folder + "/" + std::string(part);
         std::error_code failed;
@@ -175,21 +175,21 @@ TextureSet Pictures::sizes() const {
 }
 
 Result<std::vector<Error>> write_pictures(const Pictures& pictures, const std::string& folder, std::size_t workers,
-                                          const std::function<void()>& progress) {
-    if (Status failed = make_folders(folder)) return *failed;
+                                          const std::function<void(std::size_t worker)>& step) {
+    if (const Result<void> done = make_folders(folder); !done.ok()) return done.error();
     const std::vector<PictureFile>& files = pictures.files();
     std::vector<PictureFaults> faults(files.size());
-    parallel_for(files.size(), workers, [&](std::size_t i, std::size_t) {
+    parallel_for(files.size(), workers, [&](std::size_t i, std::size_t worker) {
         faults[i] = write_picture(files[i], pictures.palette(), folder);
-        progress();
+        step(worker);
     });
     std::vector<Error> problems;
     for (const PictureFaults& fault : faults) {
-        if (fault.unwritten) return *fault.unwritten;
-        if (fault.undrawn) problems.push_back(*fault.undrawn);
+        if (!fault.written.ok()) return fault.written.error();
+        if (!fault.drawn.ok()) problems.push_back(fault.drawn.error());
     }
     for (std::string_view part : kFolders)
-        if (Status failed = flush_folder(folder + "/" + std::string(part))) return *failed;
+        if (const Result<void> done = flush_folder(folder + "/" + std::string(part)); !done.ok()) return done.error();
     return problems;
 }
 

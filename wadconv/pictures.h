@@ -146,9 +146,9 @@ private:
 };
 
 /// Writes every picture as FOLDER/NAME.png, on `workers` threads. Returns what is wrong with those that cannot be
-/// drawn, in the order of the pictures; an error where one cannot be written. `progress` is called after each picture,
+/// drawn, in the order of the pictures; an error where one cannot be written. `step` is called after each picture,
 /// from any thread.
 Result<std::vector<Error>> write_pictures(const Pictures& pictures, const std::string& folder, std::size_t workers,
-                                          const std::function<void()>& progress);
+                                          const std::function<void(std::size_t worker)>& step);
 
 }  // namespace enfilade::wadconv

@@ -198,14 +198,15 @@ Sounds Sounds::list(const WadPile& pile) {
 
 std::string Sounds::file_of(std::string_view name) { return std::string(kSoundFolder) + std::string(name) + ".wav"; }
 
-Status Sounds::write(const std::string& folder) const {
+Result<void> Sounds::write(const std::string& folder) const {
     if (files_.empty()) return {};
     const std::string path = folder + "/" + std::string(kSoundFolder);
     std::error_code failed;
     std::filesystem::create_directories(path, failed);
     if (failed) return Error{path, "cannot make the folder: " + failed.message()};
     for (const auto& [name, bytes] : files_)
-        if (Status unwritten = write_one_of_many(folder + "/" + file_of(name), bytes)) return unwritten;
+        if (const Result<void> done = write_one_of_many(folder + "/" + file_of(name), bytes); !done.ok())
+            return done.error();
     return flush_folder(path);
 }
 

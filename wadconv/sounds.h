@@ -31,7 +31,7 @@ public:
     const std::vector<Error>& problems() const { return problems_; }
 
     /// Writes every one below the folder of the maps.
-    Status write(const std::string& folder) const;
+    Result<void> write(const std::string& folder) const;
 
 private:
     std::map<std::string, Bytes, std::less<>> files_;

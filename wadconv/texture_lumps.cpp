@@ -60,7 +60,7 @@ Result<TextureDef> read_def(ByteReader reader, const Lump& lump, const std::vect
 /// few bytes stand for billions of patches.
 constexpr std::size_t kMaxPatchUses = 1'000'000;
 
-Status read_lump(const Lump& lump, const std::vector<std::string>& patch_names, std::vector<TextureDef>& defs) {
+Result<void> read_lump(const Lump& lump, const std::vector<std::string>& patch_names, std::vector<TextureDef>& defs) {
     ByteReader reader(lump.bytes);
     const std::uint32_t count = reader.u32();
     if (reader.failed() || reader.remaining() / 4 < count) return too_short(lump.name, lump.bytes.size());
@@ -231,7 +231,7 @@ Result<std::vector<TextureDef>> read_texture_defs(const WadPile& pile) {
     std::vector<TextureDef> defs;
     for (const char* name : {"TEXTURE1", "TEXTURE2"})
         if (const Lump* lump = pile.find(name))
-            if (Status failed = read_lump(*lump, patch_names.value(), defs)) return *failed;
+            if (const Result<void> done = read_lump(*lump, patch_names.value(), defs); !done.ok()) return done.error();
     std::set<std::string> seen;
     std::vector<TextureDef> first;
     for (TextureDef& def : defs)

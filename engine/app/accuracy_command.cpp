@@ -64,8 +64,8 @@ Result<AccuracyScene> measure_scene(const std::string& path, const AccuracyReque
     const std::vector<View> timed = poses_in(map->map, PoseKind::random, plan.timed, kSeed);
     if (!request.out.empty()) {
         const std::string folder = request.out + "/views", file = folder + "/" + scene_name(path) + ".csv";
-        if (Status failed = make_folder(folder)) return *failed;
-        if (Status failed = write_file(file, views_csv(timed))) return *failed;
+        if (const Result<void> done = make_folder(folder); !done.ok()) return done.error();
+        if (const Result<void> done = write_file(file, views_csv(timed)); !done.ok()) return done.error();
         if (!request.quick && is_installed("valgrind")) plan.price.views_file = file;
     }
     const auto prices = measure_prices(*map, timed, settings, plan.price);
@@ -90,9 +90,9 @@ std::string command_text(const AccuracyRequest& request) {
 }
 
 /// Pictures where gnuplot is installed; what it would be told in any case.
-Status write_plot(const std::string& folder, const std::vector<AccuracyScene>& scenes) {
+Result<void> write_plot(const std::string& folder, const std::vector<AccuracyScene>& scenes) {
     const std::string script = folder + "/accuracy.gp";
-    if (Status failed = write_file(script, accuracy_plot(scenes, folder))) return failed;
+    if (const Result<void> done = write_file(script, accuracy_plot(scenes, folder)); !done.ok()) return done.error();
     if (!is_installed("gnuplot")) {
         print_text(stderr,
                    "enfilade: no picture, because gnuplot is not installed; `gnuplot " + script + "` draws it\n");
@@ -100,13 +100,13 @@ Status write_plot(const std::string& folder, const std::vector<AccuracyScene>& s
     }
     const auto end = run_child({"gnuplot", script});
     if (!end.ok()) return end.error();
-    return end.value().exit_code == 0 ? Status() : Error{"gnuplot", end.value().said};
+    return end.value().exit_code == 0 ? Result<void>() : Error{"gnuplot", end.value().said};
 }
 
 std::string report_in(const std::string& folder) { return folder + "/report.json"; }
 
 /// In the first of the maps.
-Status write_crops_of(const AccuracyRequest& request, const std::string& folder) {
+Result<void> write_crops_of(const AccuracyRequest& request, const std::string& folder) {
     const auto map = open_map(maps_of(request).front(), request.texture_folders, {});
     ENFILADE_CHECK(map);  // it was measured
     return write_crops(folder, *map, crop_settings());
@@ -139,11 +139,13 @@ std::string whole_page(const AccuracyRun& run, const std::vector<AccuracyScene>&
            motion_page(besides.drifts, besides.crossings);
 }
 
-Status write_report(const AccuracyRequest& request, const std::string& page, const std::vector<AccuracyScene>& scenes) {
+Result<void> write_report(const AccuracyRequest& request, const std::string& page,
+                          const std::vector<AccuracyScene>& scenes) {
     const std::string& folder = request.out;
-    if (Status failed = write_crops_of(request, folder + "/crops")) return failed;
-    if (Status failed = write_file(folder + "/accuracy.csv", accuracy_csv(scenes))) return failed;
-    if (Status failed = write_file(folder + "/README.md", page)) return failed;
+    if (const Result<void> done = write_crops_of(request, folder + "/crops"); !done.ok()) return done.error();
+    if (const Result<void> done = write_file(folder + "/accuracy.csv", accuracy_csv(scenes)); !done.ok())
+        return done.error();
+    if (const Result<void> done = write_file(folder + "/README.md", page); !done.ok()) return done.error();
     return write_plot(folder, scenes);
 }
 
@@ -177,20 +179,22 @@ bool is_among(const std::vector<AccuracyScene>& scenes, const std::string& path)
 }
 
 /// Adds what is not there yet, and keeps each scene as soon as it is measured.
-Status measure_scenes(const AccuracyRequest& request, const AccuracyRun& run, std::vector<AccuracyScene>& scenes) {
+Result<void> measure_scenes(const AccuracyRequest& request, const AccuracyRun& run,
+                            std::vector<AccuracyScene>& scenes) {
     for (const std::string& path : maps_of(request)) {
         if (is_among(scenes, path)) continue;
         auto scene = measure_scene(path, request);
         if (!scene.ok()) return scene.error();
         scenes.push_back(std::move(scene).value());
         if (request.out.empty()) continue;
-        if (Status failed = make_folder(request.out)) return failed;
-        if (Status failed = write_file(report_in(request.out), accuracy_json(run, scenes))) return failed;
+        if (const Result<void> done = make_folder(request.out); !done.ok()) return done.error();
+        if (const Result<void> done = write_file(report_in(request.out), accuracy_json(run, scenes)); !done.ok())
+            return done.error();
     }
     return {};
 }
 
-Status verify(const std::string& path, const std::vector<AccuracyScene>& scenes) {
+Result<void> verify(const std::string& path, const std::vector<AccuracyScene>& scenes) {
     const auto report = read_report(path);
     if (!report.ok()) return report.error();
     return compare_errors(path, report.value().scenes, scenes);
@@ -215,7 +219,7 @@ std::string score_line(const std::string& scene, const EntryScore& score) {
 }
 
 /// What --export and --score do with one map.
-Status exchange_scene(const std::string& path, const AccuracyRequest& request) {
+Result<void> exchange_scene(const std::string& path, const AccuracyRequest& request) {
     const auto map = open_map(path, request.texture_folders, {});
     if (!map) return Error{path, "expected a map without errors; see above"};
     const AccuracyPlan plan = plan_of(request.quick);
@@ -229,38 +233,39 @@ Status exchange_scene(const std::string& path, const AccuracyRequest& request) {
     return {};
 }
 
-Status exchange(const AccuracyRequest& request) {
+Result<void> exchange(const AccuracyRequest& request) {
     if (!request.score.empty())
         print_text(stdout, "| scene | noise [dB] | likeness | wrong surfaces [of a million] |\n|---|---|---|---|\n");
     for (const std::string& path : maps_of(request))
-        if (Status failed = exchange_scene(path, request)) return failed;
+        if (const Result<void> done = exchange_scene(path, request); !done.ok()) return done.error();
     return {};
 }
 
-Status measure_accuracy(const AccuracyRequest& request) {
+Result<void> measure_accuracy(const AccuracyRequest& request) {
     if (!request.score.empty() || !request.export_to.empty()) return exchange(request);
     if (request.resume && request.out.empty()) return Error{"--resume", "expected --out DIR, where the report is"};
     const auto run = run_of(request);
     if (!run.ok()) return run.error();
     auto scenes = scenes_to_go_on_from(request, run.value());
     if (!scenes.ok()) return scenes.error();
-    if (Status failed = measure_scenes(request, run.value(), scenes.value())) return failed;
+    if (const Result<void> done = measure_scenes(request, run.value(), scenes.value()); !done.ok()) return done.error();
     const auto besides = measure_besides(request);
     if (!besides.ok()) return besides.error();
     const std::string page = whole_page(run.value(), scenes.value(), besides.value());
     print_text(stdout, page);
     if (!request.out.empty())
-        if (Status failed = write_report(request, page, scenes.value())) return failed;
-    if (Status broken = check_promises(scenes.value())) return broken;
-    if (Status broken = check_motion(besides.value().drifts, besides.value().crossings)) return broken;
-    return request.verify.empty() ? Status() : verify(request.verify, scenes.value());
+        if (const Result<void> done = write_report(request, page, scenes.value()); !done.ok()) return done.error();
+    if (const Result<void> valid = check_promises(scenes.value()); !valid.ok()) return valid.error();
+    if (const Result<void> valid = check_motion(besides.value().drifts, besides.value().crossings); !valid.ok())
+        return valid.error();
+    return request.verify.empty() ? Result<void>() : verify(request.verify, scenes.value());
 }
 
 }  // namespace
 
 int run_accuracy(const AccuracyRequest& request) {
-    const Status failed = measure_accuracy(request);
-    return failed ? fail(*failed) : kDone;
+    const Result<void> done = measure_accuracy(request);
+    return done.ok() ? kDone : fail(done.error());
 }
 
 }  // namespace enfilade

@@ -153,7 +153,7 @@ std::vector<BenchFrame> frames_in_turn(const std::vector<int>& counts) {
     return frames;
 }
 
-Status measure(std::vector<BenchFrame>& frames, std::size_t rounds, const TimedDrawing& draw, Talk talk) {
+Result<void> measure(std::vector<BenchFrame>& frames, std::size_t rounds, const TimedDrawing& draw, Talk talk) {
     std::vector<std::vector<std::int64_t>> times(frames.size());
     Progress progress((rounds + 1) * frames.size(), "frames", talk);
     for (std::size_t round = 0; round <= rounds; ++round)

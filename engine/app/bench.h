@@ -75,7 +75,8 @@ std::vector<BenchFrame> frames_in_turn(const std::vector<int>& counts);
 
 /// Draws all frames `rounds` times, >= 1, and once before, uncounted, so that no frame pays for memory that grows.
 /// Shows on a terminal how far it is. The first error ends it.
-Status measure(std::vector<BenchFrame>& frames, std::size_t rounds, const TimedDrawing& draw, Talk talk = Talk::usual);
+Result<void> measure(std::vector<BenchFrame>& frames, std::size_t rounds, const TimedDrawing& draw,
+                     Talk talk = Talk::usual);
 
 /// The middle of the times, of an even number the lower one. times: at least one; their order is lost.
 std::int64_t median_of(std::vector<std::int64_t>& times);
@@ -109,7 +110,7 @@ Result<std::vector<PassFrame>> read_pass(const std::string& program, std::string
 using Passes = std::vector<std::vector<PassFrame>>;
 
 /// An error where the programs, or two passes of one, did not draw the same frames.
-Status compare_frames(const std::array<std::string, 2>& programs, const std::array<Passes, 2>& passes);
+Result<void> compare_frames(const std::array<std::string, 2>& programs, const std::array<Passes, 2>& passes);
 
 /// A line for each subject: the means over its frames of each program's minimum and median, the ratios of the first
 /// program's to the second's, and how many pictures differ; last, the means over the subjects.

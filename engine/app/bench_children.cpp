@@ -115,7 +115,7 @@ Result<std::vector<PassFrame>> read_pass(const std::string& program, std::string
                                       kHeader, first)};
 }
 
-Status compare_frames(const std::array<std::string, 2>& programs, const std::array<Passes, 2>& passes) {
+Result<void> compare_frames(const std::array<std::string, 2>& programs, const std::array<Passes, 2>& passes) {
     const auto& wanted = passes[0][0];
     for (std::size_t program = 0; program < 2; ++program)
         for (const auto& pass : passes[program])
@@ -233,7 +233,7 @@ Result<std::string> compare_with(const std::string& other, const ChildBench& ben
         passes[program].push_back(std::move(pass).value());
         progress.step(0);
     }
-    if (Status failed = compare_frames(programs, passes)) return *failed;
+    if (const Result<void> done = compare_frames(programs, passes); !done.ok()) return done.error();
     return comparison_table(passes);
 }
 

@@ -11,10 +11,10 @@
 #include "app/options.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "flight/renderer.h"
 #include "formats/map_toml.h"
 #include "platform/clock.h"
 #include "platform/gl_context.h"
+#include "render/choice/renderer.h"
 #include "render/column/column_renderer.h"
 
 namespace enfilade {
@@ -31,7 +31,7 @@ struct BenchChoices {
 };
 
 /// What the measure of prices has no choice of.
-Status refuse_beside_effects(const BenchRequest& request) {
+Result<void> refuse_beside_effects(const BenchRequest& request) {
     if (!request.effects) return {};
     if (!request.against.empty() || request.instructions)
         return Error{request.instructions ? "--instructions" : "--against",
@@ -53,7 +53,7 @@ Status refuse_beside_effects(const BenchRequest& request) {
 }
 
 /// JSON is of the times of frames.
-Status refuse_beside_json(const BenchRequest& request) {
+Result<void> refuse_beside_json(const BenchRequest& request) {
     if (request.format == kText) return {};
     if (request.csv == "-")
         return Error{"--csv", "both would go to standard output; name a file, or leave one of the two out"};
@@ -64,7 +64,7 @@ Status refuse_beside_json(const BenchRequest& request) {
 }
 
 /// What other processes measure has no frames to write down here.
-Status refuse_beside_children(const BenchRequest& request) {
+Result<void> refuse_beside_children(const BenchRequest& request) {
     if (request.against.empty() && !request.instructions) return {};
     if (!request.against.empty() && request.instructions)
         return Error{"--instructions",
@@ -93,9 +93,9 @@ PriceChoices price_choices(const BenchRequest& request, const PictureSize& size)
 Result<BenchChoices> choices_of(const BenchRequest& request) {
     if (request.files.empty() && !request.effects)
         return Error{"", "expected maps, walks or scripts to measure, or --effects; see `enfilade bench --help`"};
-    if (Status wrong = refuse_beside_effects(request)) return *wrong;
-    if (Status wrong = refuse_beside_children(request)) return *wrong;
-    if (Status wrong = refuse_beside_json(request)) return *wrong;
+    if (const Result<void> valid = refuse_beside_effects(request); !valid.ok()) return valid.error();
+    if (const Result<void> valid = refuse_beside_children(request); !valid.ok()) return valid.error();
+    if (const Result<void> valid = refuse_beside_json(request); !valid.ok()) return valid.error();
     const auto size = request.size.empty() ? PictureSize{} : parse_size(request.size);
     if (!size.ok()) return size.error();
     const auto renderer = parse_renderer(request.renderer.empty() ? "column" : request.renderer);
@@ -112,16 +112,16 @@ Result<BenchChoices> choices_of(const BenchRequest& request) {
 
 /// What is measured of a picture, and nothing else: by time, and by valgrind, which finds it by its name
 /// (kMeasuredFunction).
-[[gnu::noinline]] Status draw_measured(Renderer& renderer, Frame& picture, const FlightFrame& shown) {
+[[gnu::noinline]] Result<void> draw_measured(Renderer& renderer, Frame& picture, const FlightFrame& shown) {
     return renderer.render(picture, nullptr, shown.snapshot, shown.view);
 }
 
 Result<std::int64_t> time_picture(Renderer& renderer, Frame& picture, const BenchSubject& subject, int number) {
     const FlightFrame shown = subject.frame(number);
     const std::int64_t began_ns = now_ns();
-    Status failed = draw_measured(renderer, picture, shown);
+    const Result<void> drawn = draw_measured(renderer, picture, shown);
     const std::int64_t took_ns = now_ns() - began_ns;
-    if (failed) return *failed;
+    if (!drawn.ok()) return drawn.error();
     return took_ns;
 }
 
@@ -149,15 +149,16 @@ Result<Renderers> renderers_for(const std::vector<BenchSubject>& subjects, const
 }
 
 /// Draws every frame once more, with facts, which cost too much to have them while time is measured.
-Status count_frames(const Renderers& renderers, RendererKind kind, Frame& picture,
-                    const std::vector<BenchSubject>& subjects, std::vector<BenchFrame>& frames) {
+Result<void> count_frames(const Renderers& renderers, RendererKind kind, Frame& picture,
+                          const std::vector<BenchSubject>& subjects, std::vector<BenchFrame>& frames) {
     FrameFacts facts;
     for (BenchFrame& frame : frames) {
         const BenchSubject& subject = subjects[frame.subject];
         Renderer& renderer = *renderers[frame.subject];
         const FlightFrame shown = subject.frame(frame.number);
         reset(facts, picture.width, picture.height);
-        if (Status failed = renderer.render(picture, &facts, shown.snapshot, shown.view)) return failed;
+        if (const Result<void> done = renderer.render(picture, &facts, shown.snapshot, shown.view); !done.ok())
+            return done.error();
         frame.counts = counts_of(subject.map(), picture, facts);
         frame.counts.viewports = count_viewports(renderer, kind, picture, subject, shown);
     }
@@ -178,8 +179,8 @@ void tell_times(const BenchRequest& request, const BenchChoices& choices, const 
     if (!kernels.empty()) print_text(out, fmt::format("inner loops: {}\n", kernels));
 }
 
-Status time_frames(const BenchRequest& request, const BenchChoices& choices,
-                   const std::vector<BenchSubject>& subjects) {
+Result<void> time_frames(const BenchRequest& request, const BenchChoices& choices,
+                         const std::vector<BenchSubject>& subjects) {
     const Result<Renderers> renderers = renderers_for(subjects, choices);
     if (!renderers.ok()) return renderers.error();
     std::vector<int> counts;
@@ -190,10 +191,12 @@ Status time_frames(const BenchRequest& request, const BenchChoices& choices,
     const auto draw = [&](std::size_t subject, int number) {
         return time_picture(*renderers.value()[subject], picture, subjects[subject], number);
     };
-    if (Status failed = measure(frames, choices.rounds, draw, request.talk)) return failed;
-    if (Status failed = count_frames(renderers.value(), choices.renderer, picture, subjects, frames)) return failed;
+    if (const Result<void> done = measure(frames, choices.rounds, draw, request.talk); !done.ok()) return done.error();
+    if (const Result<void> done = count_frames(renderers.value(), choices.renderer, picture, subjects, frames);
+        !done.ok())
+        return done.error();
     tell_times(request, choices, frames, renderers.value().front()->kernels());
-    return request.csv.empty() ? Status() : write_file(request.csv, bench_csv(request.files, frames));
+    return request.csv.empty() ? Result<void>() : write_file(request.csv, bench_csv(request.files, frames));
 }
 
 ChildBench child_bench(const BenchRequest& request, const BenchChoices& choices) {
@@ -254,7 +257,8 @@ int run_bench(const BenchRequest& request) {
         if (!subject) return kFailed;
         subjects.push_back(std::move(*subject));
     }
-    if (Status failed = time_frames(request, choices.value(), subjects)) return fail(*failed);
+    if (const Result<void> done = time_frames(request, choices.value(), subjects); !done.ok())
+        return fail(done.error());
     return kDone;
 }
 

@@ -72,8 +72,8 @@ Findings findings_around(const std::string& path, const LoadedMap& loaded) {
 Findings findings_about(const std::string& path, const LoadedMap& loaded) {
     const bool was_read = loaded.findings.empty() || loaded.findings.front().code != "unreadable";
     if (!loaded.map)
-        if (Status other = refuse_as_map(path))
-            return {{{}, Severity::error, was_read ? "not-a-map" : "unreadable", other->what}};
+        if (const Result<void> valid = refuse_as_map(path); !valid.ok())
+            return {{{}, Severity::error, was_read ? "not-a-map" : "unreadable", valid.error().what}};
     Findings findings = loaded.findings;
     if (loaded.map) std::ranges::copy(findings_around(path, loaded), std::back_inserter(findings));
     sort_by_place(findings);

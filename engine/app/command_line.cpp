@@ -10,7 +10,6 @@
 #include <array>
 #include <csignal>
 #include <cstdlib>
-#include <sstream>
 
 #include "app/accuracy/accuracy_options.h"
 #include "app/authoring/author_options.h"
@@ -18,7 +17,6 @@
 #include "app/options.h"
 #include "app/play/settings.h"
 #include "base/output_file.h"
-#include "base/terminal.h"
 #include "formats/text_parts.h"
 #include "render/view.h"
 
@@ -392,32 +390,10 @@ CLI::App* declare_bench(CLI::App& enfilade, BenchRequest& request) {
     return command;
 }
 
-/// The subcommand that was being read, or the whole program: whose help to point to.
-std::string command_at_fault(const CLI::App& enfilade) {
-    const auto chosen = enfilade.get_subcommands();
-    return chosen.empty() ? "enfilade" : "enfilade " + chosen.front()->get_name();
-}
-
-/// The names of all options of a command, as they are typed: "--size".
-std::vector<std::string> options_of(const CLI::App& command) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : command.get_options())
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    return names;
-}
-
-/// What is wrong, in words that help: CLI11 does not say which name was nearly right.
-std::string fault_text(const CLI::App& enfilade, const CLI::ParseError& error) {
-    const auto chosen = enfilade.get_subcommands();
-    const std::vector<std::string> left_over = enfilade.remaining(true);
-    const std::vector<std::string> options = options_of(chosen.empty() ? enfilade : *chosen.front());
-    const std::vector<std::string_view> known(options.begin(), options.end());
-    for (const std::string& word : left_over) {
-        if (word.starts_with('-') && word != "--") return unknown_option(word, known);
-        if (chosen.empty()) return unknown_command(word, kCommands);
-    }
-    if (chosen.empty()) return fmt::format("expected a command: {}", fmt::join(kCommands, ", "));
-    return error.what();
+/// What is said of a word that is no command of ours.
+std::string about_command(const std::string& word) {
+    return word.empty() ? fmt::format("expected a command: {}", fmt::join(kCommands, ", "))
+                        : unknown_command(word, kCommands);
 }
 
 /// Whether somebody could see a window.
@@ -446,21 +422,11 @@ int run_command_line(int argc, const char* const* argv) {
     const AccuracyCommand accuracy(app);
     const CLI::App* const declared_check = declare_check(app, check);
     AuthorCommands author(app);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& asked_for_text) {
-        std::ostringstream text;
-        const int exit_code = app.exit(asked_for_text, text);
-        print_text(stdout, text.str());
-        return exit_code;
-    } catch (const CLI::ParseError& error) {
-        return refuse_usage({"", fmt::format("{}; see `{} --help`", fault_text(app, error), command_at_fault(app))});
-    }
+    if (const auto status = read_arguments(app, argc, argv, about_command)) return *status;
     if (app.get_subcommands().empty() && !has_display())
         return refuse_usage(
-            {"", fmt::format("expected a command: {}; see `enfilade --help`. With a display, `enfilade` "
-                             "alone opens the title screen",
-                             fmt::join(kCommands, ", "))});
+            {"",
+             about_command("") + "; see `enfilade --help`. With a display, `enfilade` alone opens the title screen"});
     remove_temporary_files_on({SIGHUP});
     if (app.get_subcommands().empty()) return run_title();
     if (declared_play->parsed()) return run_play(play);  // its window turns the other signals into leaving the game

@@ -100,7 +100,7 @@ std::optional<std::string> about_others(const std::string& path, const Bytes& by
 }
 
 template <class About>
-Status refuse(const std::string& path, bool wants_script, const About& about_text) {
+Result<void> refuse(const std::string& path, bool wants_script, const About& about_text) {
     const char* const wanted = wants_script ? "a flythrough script (.toml)" : "a map (.toml)";
     if (is_folder(path)) return Error{path, fmt::format("expected {}, {}", wanted, about_folder(path, wants_script))};
     if (!is_there(path)) return Error{path, "no such file" + nearest_file(path)};
@@ -108,7 +108,8 @@ Status refuse(const std::string& path, bool wants_script, const About& about_tex
     if (!bytes.ok()) return bytes.error();
     std::optional<std::string> found = about_others(path, bytes.value());
     if (!found) found = about_text(as_text(bytes.value()));
-    return found ? Status(Error{path, fmt::format("expected {}, {}", wanted, *found)}) : Status();
+    if (found) return Error{path, fmt::format("expected {}, {}", wanted, *found)};
+    return {};
 }
 
 }  // namespace
@@ -125,14 +126,14 @@ bool is_file(const std::string& path) {
     return fs::is_regular_file(path, unknown);
 }
 
-Status refuse_as_map(const std::string& path) {
+Result<void> refuse_as_map(const std::string& path) {
     return refuse(path, false, [&](std::string_view text) -> std::optional<std::string> {
         if (is_script(text)) return about_script(path);
         return {};
     });
 }
 
-Status refuse_as_script(const std::string& path) {
+Result<void> refuse_as_script(const std::string& path) {
     return refuse(path, true, [&](std::string_view text) -> std::optional<std::string> {
         if (is_map(text)) return about_map(path);
         return {};

@@ -17,10 +17,10 @@ bool is_wad_file(const std::string& path);
 /// a tape or saved game, a WAD, or nothing at all. It says what it is and which command takes it; of what is not there,
 /// which file is called nearly so. None for everything else, whose own findings say more.
 /// Cost: reads the file, so ask only where it was refused as a map.
-Status refuse_as_map(const std::string& path);
+Result<void> refuse_as_map(const std::string& path);
 
 /// The same where a script was wanted: a map is one of the others there.
-Status refuse_as_script(const std::string& path);
+Result<void> refuse_as_script(const std::string& path);
 
 /// "found a map; …": what a file is and which command takes it, for where neither was wanted.
 std::string about_file(const std::string& path);

@@ -29,7 +29,7 @@ struct FlyChoices {
 
 /// Puts the parsed argument into `choice` where it was given.
 template <class T, class Parse>
-Status choose(const std::string& text, Parse parse, std::optional<T>& choice) {
+Result<void> choose(const std::string& text, Parse parse, std::optional<T>& choice) {
     if (text.empty()) return {};
     auto parsed = parse(text);
     if (!parsed.ok()) return parsed.error();
@@ -37,7 +37,7 @@ Status choose(const std::string& text, Parse parse, std::optional<T>& choice) {
     return {};
 }
 
-Status check_out(const FlyRequest& request) {
+Result<void> check_out(const FlyRequest& request) {
     const std::string expected =
         request.check ? "a folder for the report" : "a folder for many pictures, or a .mp4 or .y4m film";
     if (request.check && names_film(request.out)) return not_a("--out", expected, request.out);
@@ -46,7 +46,7 @@ Status check_out(const FlyRequest& request) {
 }
 
 /// Recorded frames show all that the script's map has, so with a part left out they can only differ.
-Status check_left_out(const FlyRequest& request) {
+Result<void> check_left_out(const FlyRequest& request) {
     if (!request.left_out.things && !request.left_out.light_effects) return {};
     const char* const option = request.left_out.things ? "--no-things" : "--still-light";
     if (request.record)
@@ -61,7 +61,7 @@ Status check_left_out(const FlyRequest& request) {
 }
 
 /// Recorded frames are drawn as the script says.
-Status refuse_other_dials(const FlyRequest& request) {
+Result<void> refuse_other_dials(const FlyRequest& request) {
     const bool is_recorded = request.record || (request.check && request.against.empty());
     if (!request.dials.is_given() || !is_recorded) return {};
     if (request.dials.samples)
@@ -74,40 +74,43 @@ Status refuse_other_dials(const FlyRequest& request) {
 }
 
 /// What is said to machines is said about a check; the rest of a command has nothing to tell.
-Status check_format(const FlyRequest& request) {
+Result<void> check_format(const FlyRequest& request) {
     if (request.format == kText || request.check) return {};
     return Error{"--format", "needs --check, whose result it is about"};
 }
 
-Status check_combination(const FlyRequest& request) {
+Result<void> check_combination(const FlyRequest& request) {
     if (!request.check && !request.record && !request.merge && request.out.empty())
         return Error{"", "expected --out DIR, --out FILE.mp4 or FILE.y4m, --check, --record or --merge"};
-    if (Status wrong = check_format(request)) return wrong;
+    if (const Result<void> valid = check_format(request); !valid.ok()) return valid.error();
     if (request.record && !request.out.empty())
         return Error{"--out",
                      fmt::format("--record writes {} and draws no pictures for --out; leave out one of the two, "
                                  "or keep every N-th picture with --keep N",
                                  hashes_path(request.script))};
-    if (Status wrong = check_out(request)) return wrong;
+    if (const Result<void> valid = check_out(request); !valid.ok()) return valid.error();
     if (request.tolerance_percent && request.against.empty())
         return Error{"--tolerance",
                      "needs --against: recorded frames are compared by their hashes, which are equal or not"};
     if (!request.against.empty() && !request.check) return Error{"--against", "needs --check"};
     if (request.keep_every > 0 && !request.record) return Error{"--keep", "needs --record"};
-    if (Status wrong = check_left_out(request)) return wrong;
-    if (Status wrong = refuse_other_dials(request)) return wrong;
+    if (const Result<void> valid = check_left_out(request); !valid.ok()) return valid.error();
+    if (const Result<void> valid = refuse_other_dials(request); !valid.ok()) return valid.error();
     if (request.no_pictures && !request.record) return Error{"--no-pictures", "needs --record"};
     return {};
 }
 
 Result<FlyChoices> choices_of(const FlyRequest& request) {
     FlyChoices choices;
-    if (Status wrong = check_combination(request)) return *wrong;
-    if (Status wrong = choose(request.size, parse_size, choices.size)) return *wrong;
-    if (Status wrong = choose(request.frames, parse_frames, choices.frames)) return *wrong;
-    if (Status wrong = choose(request.part, parse_part, choices.part)) return *wrong;
-    if (Status wrong = choose(request.renderer, parse_renderer, choices.renderer)) return *wrong;
-    if (Status wrong = choose(request.against, parse_renderer, choices.against)) return *wrong;
+    if (const Result<void> valid = check_combination(request); !valid.ok()) return valid.error();
+    if (const Result<void> valid = choose(request.size, parse_size, choices.size); !valid.ok()) return valid.error();
+    if (const Result<void> valid = choose(request.frames, parse_frames, choices.frames); !valid.ok())
+        return valid.error();
+    if (const Result<void> valid = choose(request.part, parse_part, choices.part); !valid.ok()) return valid.error();
+    if (const Result<void> valid = choose(request.renderer, parse_renderer, choices.renderer); !valid.ok())
+        return valid.error();
+    if (const Result<void> valid = choose(request.against, parse_renderer, choices.against); !valid.ok())
+        return valid.error();
     return choices;
 }
 
@@ -131,29 +134,30 @@ Result<DrawPlan> plan_of(const FlyRequest& request, const FlyChoices& choices, c
     return DrawPlan{renderer, dials.value(), size.width, size.height, first, last, 1, open_gl_for_pictures};
 }
 
-Status draw_pictures_into(const std::string& folder, const FlightScene& scene, const DrawPlan& plan, Talk talk) {
-    if (Status failed = make_folder(folder)) return failed;
+Result<void> draw_pictures_into(const std::string& folder, const FlightScene& scene, const DrawPlan& plan, Talk talk) {
+    if (const Result<void> done = make_folder(folder); !done.ok()) return done.error();
     CutShortNote note(folder, talk);
     Progress progress(frames_of(plan), "frames", talk);
-    const Status failed = draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
-        progress.step(worker);
-        note.look_at(frame);
-        return write_numbered_picture(folder, std::size_t(number), image_of(frame));
-    });
-    return failed ? failed : flush_folder(folder);
+    const Result<void> drawn =
+        draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Result<void> {
+            progress.step(worker);
+            note.look_at(frame);
+            return write_numbered_picture(folder, std::size_t(number), image_of(frame));
+        });
+    return drawn.ok() ? flush_folder(folder) : drawn;
 }
 
-Status draw_film(const std::string& path, const FlightScene& scene, const DrawPlan& plan, int rate, Talk talk) {
+Result<void> draw_film(const std::string& path, const FlightScene& scene, const DrawPlan& plan, int rate, Talk talk) {
     auto film = start_film(path, {plan.width, plan.height, rate});
     if (!film.ok()) return film.error();
     CutShortNote note(path, talk);
     Progress progress(frames_of(plan), "frames", talk);
-    const Status failed = draw_frames_in_order(scene, plan, [&](int, const Frame& frame, std::size_t worker) {
+    const Result<void> drawn = draw_frames_in_order(scene, plan, [&](int, const Frame& frame, std::size_t worker) {
         progress.step(worker);
         note.look_at(frame);
         return film.value()->add(frame);
     });
-    return failed ? failed : film.value()->finish();
+    return drawn.ok() ? film.value()->finish() : drawn;
 }
 
 /// Where the pictures of a failed check go if nobody said: beside nobody's files, in the current folder.
@@ -174,7 +178,8 @@ void print_verdict(const FlyRequest& request, const CheckedFlight& checked) {
 }
 
 /// Compares, and says on stdout what that came to; an error where frames differ.
-Status check(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan, const FlyChoices& choices) {
+Result<void> check(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan,
+                   const FlyChoices& choices) {
     const std::string folder = report_folder(request);
     const auto verdict = choices.against
                              ? compare_renderers(scene, plan, *choices.against,
@@ -191,20 +196,21 @@ Status check(const FlyRequest& request, const FlightScene& scene, const DrawPlan
     return {};
 }
 
-Status record(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan) {
+Result<void> record(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan) {
     const PictureKeeping keeping{request.no_pictures, request.keep_every};
-    if (Status failed = record_flight(scene, plan, request.script, keeping, request.talk)) return failed;
+    if (const Result<void> done = record_flight(scene, plan, request.script, keeping, request.talk); !done.ok())
+        return done.error();
     confirm(request, frames_of(plan), "recorded");
     return {};
 }
 
-Status merge(const FlyRequest& request, int frames) {
-    if (Status failed = merge_parts(request.script, frames)) return failed;
+Result<void> merge(const FlyRequest& request, int frames) {
+    if (const Result<void> done = merge_parts(request.script, frames); !done.ok()) return done.error();
     confirm(request, std::size_t(frames), "merged");
     return {};
 }
 
-Status work(const FlyRequest& request, const OpenFlight& open, const DrawPlan& plan, const FlyChoices& choices) {
+Result<void> work(const FlyRequest& request, const OpenFlight& open, const DrawPlan& plan, const FlyChoices& choices) {
     const FlightScene scene{open.flight, open.map.map, open.map.textures};
     if (request.merge) return merge(request, open.flight.frames());
     if (request.record) return record(request, scene, plan);
@@ -224,7 +230,8 @@ int run_fly(const FlyRequest& request) {
     auto plan = plan_of(request, choices.value(), *open);
     if (!plan.ok()) return refuse_usage(plan.error());
     plan.value().workers = request.threads;
-    if (Status failed = work(request, *open, plan.value(), choices.value())) return fail(*failed);
+    if (const Result<void> done = work(request, *open, plan.value(), choices.value()); !done.ok())
+        return fail(done.error());
     return kDone;
 }
 

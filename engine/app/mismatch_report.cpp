@@ -92,7 +92,7 @@ PictureKeeper::PictureKeeper(const std::string& script_path, const DrawPlan& pla
       full_size_(choose_full_size(before_, plan, keeping)),
       contact_sheet_(flight_frames, plan.width, plan.height) {}
 
-Status PictureKeeper::start() const {
+Result<void> PictureKeeper::start() const {
     std::error_code unremovable;
     for (const int number : before_)
         if (!std::ranges::binary_search(full_size_, number))
@@ -102,7 +102,7 @@ Status PictureKeeper::start() const {
     return make_folder(folder_);
 }
 
-Status PictureKeeper::take(int number, const Frame& frame) {
+Result<void> PictureKeeper::take(int number, const Frame& frame) {
     if (!keeping_.no_pictures) contact_sheet_.put(number, frame);
     if (!std::ranges::binary_search(full_size_, number)) return {};
     return write_picture(numbered_picture(folder_, std::size_t(number)), image_of(frame));
@@ -116,7 +116,8 @@ Result<std::optional<std::uint64_t>> PictureKeeper::finish() const {
         return std::optional<std::uint64_t>();
     }
     const Image image = image_of(contact_sheet_.image());
-    if (Status failed = write_file(sheet_, write_png(image, PngEffort::smallest))) return *failed;
+    if (const Result<void> done = write_file(sheet_, write_png(image, PngEffort::smallest)); !done.ok())
+        return done.error();
     return std::optional(hash_of(contact_sheet_.image()));
 }
 
@@ -145,12 +146,13 @@ namespace {
 /// Writes one picture into the folder; gives its name there.
 Result<std::string> add_picture(const std::string& folder, int frame, const char* what, const Frame& picture) {
     const std::string name = fmt::format("{:06}-{}.png", frame, what);
-    if (Status failed = write_picture((std::filesystem::path(folder) / name).string(), image_of(picture)))
-        return *failed;
+    if (const Result<void> done = write_picture((std::filesystem::path(folder) / name).string(), image_of(picture));
+        !done.ok())
+        return done.error();
     return name;
 }
 
-Status add_difference(const std::string& folder, const BadFrame& bad, MismatchRow& row) {
+Result<void> add_difference(const std::string& folder, const BadFrame& bad, MismatchRow& row) {
     auto expected = add_picture(folder, bad.mismatch.frame, "expected", *bad.expected);
     if (!expected.ok()) return expected.error();
     row.expected_picture = expected.value();
@@ -173,7 +175,7 @@ Result<MismatchRow> add_row(const std::string& folder, const BadFrame& bad) {
     if (!actual.ok()) return actual.error();
     row.actual_picture = actual.value();
     if (bad.expected)
-        if (Status failed = add_difference(folder, bad, row)) return *failed;
+        if (const Result<void> done = add_difference(folder, bad, row); !done.ok()) return done.error();
     return row;
 }
 
@@ -193,9 +195,9 @@ void remove_report(const std::string& folder) {
     std::filesystem::remove(folder, unremovable);  // where it is empty
 }
 
-Status write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames) {
+Result<void> write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames) {
     remove_report(folder);
-    if (Status failed = make_folder(folder)) return failed;
+    if (const Result<void> done = make_folder(folder); !done.ok()) return done.error();
     std::vector<MismatchRow> rows;
     for (const BadFrame& bad : frames) {
         auto row = add_row(folder, bad);

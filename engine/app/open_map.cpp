@@ -91,7 +91,7 @@ MapStore cache_of(const std::string& map_path) {
         std::error_code failed;
         fs::create_directories(folder, failed);
         if (failed || bytes.size() > kMaxFileBytes) return;
-        if (Status unwritten = write_file(file.string(), bytes)) return;
+        if (const Result<void> done = write_file(file.string(), bytes); !done.ok()) return;
         prune(folder, file);
     };
     return {edition, find, keep};
@@ -155,8 +155,8 @@ std::optional<OpenMap> open_map(const std::string& path, const std::vector<std::
     const MapStore cache = cache_of(path);
     LoadedMap loaded = load_map(path, texture_folders, read_file, skill, list_folder, &cache);
     if (!loaded.map) {
-        if (Status other = refuse_as_map(path))
-            fail(*other);
+        if (const Result<void> valid = refuse_as_map(path); !valid.ok())
+            fail(valid.error());
         else
             print_findings(path, loaded.findings, Talk::errors_only);
         return {};
@@ -170,13 +170,13 @@ namespace {
 std::optional<ScriptFile> open_script(const std::string& path, Talk talk) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) {
-        fail(refuse_as_script(path).value_or(bytes.error()));
+        fail(refuse_as_script(path).error_or(bytes.error()));
         return {};
     }
     ScriptReading reading = read_script(as_text(bytes.value()));
-    const Status other = has_errors(reading.findings) ? refuse_as_script(path) : Status();
-    if (other) fail(*other);
-    if (other || print_findings(path, reading.findings, talk)) return {};
+    const Result<void> valid = has_errors(reading.findings) ? refuse_as_script(path) : Result<void>();
+    if (!valid.ok()) fail(valid.error());
+    if (!valid.ok() || print_findings(path, reading.findings, talk)) return {};
     return std::move(reading.script);
 }
 

@@ -28,7 +28,7 @@ std::optional<int> whole_number_in(std::string_view text) {
 bool is_side(const std::optional<int>& pixels) { return pixels && *pixels >= 1 && *pixels <= kMaxPictureSide; }
 
 /// An error where a picture would be drawn too large to take means of samples x samples of its pixels.
-Status check_samples(int samples, PictureSize size) {
+Result<void> check_samples(int samples, PictureSize size) {
     const int most = kMaxPictureSide / std::max(size.width, size.height);
     if (samples <= most) return {};
     return Error{"--samples", fmt::format("expected at most {} for a picture of {}x{}, which is drawn that many times "
@@ -51,12 +51,13 @@ Result<PictureSize> parse_size(const std::string& text) {
 
 Result<Dials> dials_from(const DialRequest& request, Dials from, RendererKind renderer, PictureSize size) {
     if (!request.accuracy.empty())
-        if (Status wrong = set_accuracy(from, request.accuracy)) return Error{"--accuracy", wrong->what};
+        if (const Result<void> valid = set_accuracy(from, request.accuracy); !valid.ok())
+            return Error{"--accuracy", valid.error().what};
     for (const std::string& dial : request.dials)
-        if (Status wrong = set_dial(from, dial)) return Error{"--dial", wrong->what};
+        if (const Result<void> valid = set_dial(from, dial); !valid.ok()) return Error{"--dial", valid.error().what};
     if (request.samples) from.samples = *request.samples;
-    if (Status wrong = check_dials(renderer, from)) return Error{"--dial", wrong->what};
-    if (Status wrong = check_samples(from.samples, size)) return *wrong;
+    if (const Result<void> valid = check_dials(renderer, from); !valid.ok()) return Error{"--dial", valid.error().what};
+    if (const Result<void> valid = check_samples(from.samples, size); !valid.ok()) return valid.error();
     return from;
 }
 
@@ -103,11 +104,6 @@ std::string unknown_command(const std::string& word, std::span<const std::string
     return "expected a command, found " + in_quotes(word) + suggestion(word, commands);
 }
 
-std::string unknown_option(const std::string& word, std::span<const std::string_view> options) {
-    const std::string name = word.substr(0, word.find('='));
-    return "there is no option " + in_quotes(name) + " here" + nearest_suggestion(name, options);
-}
-
 std::optional<std::vector<ViewRow>> open_views(const std::string& path) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) {
@@ -123,7 +119,7 @@ std::optional<std::vector<ViewRow>> open_views(const std::string& path) {
     return std::move(reading.views);
 }
 
-Status refuse_true_pitch(RendererKind renderer, bool wanted) {
+Result<void> refuse_true_pitch(RendererKind renderer, bool wanted) {
     if (!wanted || renderer != RendererKind::column) return {};
     return Error{"--true-pitch",
                  "the column renderer draws upright columns and can only shift the horizon; add --renderer stencil or "

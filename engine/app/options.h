@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/result.h"
-#include "flight/renderer.h"
 #include "formats/views_csv.h"
 #include "map/map.h"
+#include "render/choice/renderer.h"
 #include "render/view_from.h"
 #include "world/snapshot.h"
 
@@ -71,18 +71,13 @@ Result<FramePart> parse_part(const std::string& text);
 /// The frames of a part of a flight of so many; an error where that has none.
 Result<FrameRange> frames_of(const FramePart& part, int frames);
 
-// What is said about words of a command line that nobody knows.
-
 /// "expected a command, found 'chekc'; did you mean 'check'?", or which command takes the file of that name.
 std::string unknown_command(const std::string& word, std::span<const std::string_view> commands);
-
-/// "there is no option '--siez' here; did you mean '--size'?" word : starts with '-'
-std::string unknown_option(const std::string& word, std::span<const std::string_view> options);
 
 /// The views of a list; none where it is refused, its findings then are on stderr.
 std::optional<std::vector<ViewRow>> open_views(const std::string& path);
 
 /// An error where true pitch is wanted of the column renderer, whose columns stay upright.
-Status refuse_true_pitch(RendererKind renderer, bool wanted);
+Result<void> refuse_true_pitch(RendererKind renderer, bool wanted);
 
 }  // namespace enfilade

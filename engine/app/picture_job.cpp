@@ -27,7 +27,7 @@ struct PictureTools {
     FrameFacts facts;
     std::unique_ptr<OutsideRenderer> outside;
     Frame outside_frame;
-    Status failed;
+    Result<void> done;
 };
 
 /// Where a job puts pictures, by argument; those that are not wanted are empty.
@@ -46,32 +46,31 @@ public:
         threads_each_ = side_by_side ? 1 : job.threads;
     }
 
-    Status run() {
-        if (Status failed = make_tools()) return failed;
+    Result<void> run() {
+        if (const Result<void> done = make_tools(); !done.ok()) return done.error();
         if (!job_.timing.empty())  // grows the renderer's memory, so that no view pays for it
-            if (Status failed = draw(tools_[0], 0)) return failed;
+            if (const Result<void> done = draw(tools_[0], 0); !done.ok()) return done.error();
         CutShortNote note(job_.out, job_.talk);
         Progress progress(job_.views.size(), "pictures", job_.talk);
         parallel_for(job_.views.size(), tools_.size(), [&](std::size_t i, std::size_t worker) {
             if (stop_) return;
             PictureTools& own = tools_[worker];
-            own.failed = draw(own, i);
-            if (!own.failed) own.failed = write(own, i);
-            if (!own.failed) own.failed = draw_outside(own, i, OutsideFrom::above, job_.from_above);
-            if (!own.failed) own.failed = draw_outside(own, i, OutsideFrom::behind, job_.from_behind);
-            if (own.failed) stop_ = true;
+            own.done = draw(own, i);
+            if (own.done.ok()) own.done = write(own, i);
+            if (own.done.ok()) own.done = draw_outside(own, i, OutsideFrom::above, job_.from_above);
+            if (own.done.ok()) own.done = draw_outside(own, i, OutsideFrom::behind, job_.from_behind);
+            if (!own.done.ok()) stop_ = true;
             note.look_at(own.frame);
             progress.step(worker);
         });
-        const auto failed =
-            std::ranges::find_if(tools_, [](const PictureTools& own) { return own.failed.has_value(); });
-        if (failed != tools_.end()) return failed->failed;
-        if (Status unsure = flush_folders()) return unsure;
+        for (const PictureTools& own : tools_)
+            if (!own.done.ok()) return own.done;
+        if (const Result<void> done = flush_folders(); !done.ok()) return done.error();
         return write_timing();
     }
 
 private:
-    Status make_tools() {
+    Result<void> make_tools() {
         for (PictureTools& own : tools_) {
             auto renderer = make_renderer({job_.renderer, job_.dials, threads_each_, open_gl_for_pictures}, map_.map,
                                           map_.textures);
@@ -83,22 +82,23 @@ private:
         return {};
     }
 
-    Status draw(PictureTools& own, std::size_t i) {
+    Result<void> draw(PictureTools& own, std::size_t i) {
         const bool want_facts = !job_.ids.empty();
         if (want_facts) reset(own.facts, job_.size.width, job_.size.height);
         const std::int64_t before = now_ns();
-        Status failed = own.renderer->render(own.frame, want_facts ? &own.facts : nullptr, snapshot_, job_.views[i]);
+        Result<void> drawn =
+            own.renderer->render(own.frame, want_facts ? &own.facts : nullptr, snapshot_, job_.views[i]);
         times_ns_[i] = now_ns() - before;
-        return failed;
+        return drawn;
     }
 
-    Status write(const PictureTools& own, std::size_t i) const {
-        if (Status failed = write(job_.out, i, image_of(own.frame))) return failed;
+    Result<void> write(const PictureTools& own, std::size_t i) const {
+        if (const Result<void> done = write(job_.out, i, image_of(own.frame)); !done.ok()) return done.error();
         if (job_.ids.empty()) return {};
         return write(job_.ids, i, ids_image(own.facts, own.frame.width, own.frame.height));
     }
 
-    Status draw_outside(PictureTools& own, std::size_t i, OutsideFrom from, const std::string& out) const {
+    Result<void> draw_outside(PictureTools& own, std::size_t i, OutsideFrom from, const std::string& out) const {
         if (out.empty()) return {};
         const auto [width, height] = job_.size;
         own.outside_frame.resize(width, height);
@@ -107,18 +107,18 @@ private:
         return write(out, i, image_of(own.outside_frame));
     }
 
-    static Status write(const std::string& out, std::size_t i, const Image& image) {
+    static Result<void> write(const std::string& out, std::size_t i, const Image& image) {
         return names_picture(out) ? write_picture(out, image) : write_numbered_picture(out, i, image);
     }
 
-    Status flush_folders() const {
+    Result<void> flush_folders() const {
         for (const auto& [argument, out] : picture_outputs(job_))
             if (!out.empty() && !names_picture(out))
-                if (Status failed = flush_folder(out)) return failed;
+                if (const Result<void> done = flush_folder(out); !done.ok()) return done.error();
         return {};
     }
 
-    Status write_timing() const {
+    Result<void> write_timing() const {
         if (job_.timing.empty()) return {};
         std::string csv = "view,ns\n";
         for (std::size_t i = 0; i < times_ns_.size(); ++i) csv += fmt::format("{},{}\n", i, times_ns_[i]);
@@ -136,7 +136,7 @@ private:
 
 }  // namespace
 
-Status check_outputs(const PictureJob& job) {
+Result<void> check_outputs(const PictureJob& job) {
     const auto outputs = picture_outputs(job);
     const auto is_standard_output = [](const auto& output) { return output.second == "-"; };
     if (std::ranges::count_if(outputs, is_standard_output) + (job.timing == "-") + !job.at.empty() > 1)
@@ -155,16 +155,16 @@ Status check_outputs(const PictureJob& job) {
         const std::size_t count = job.views.size();
         const std::string expected = count == 1 ? "a .png picture, or a folder for 000000.png"
                                                 : fmt::format("a folder for {}", counted(count, "picture"));
-        if (Status wrong = refuse_other_kinds(argument, expected, path)) return wrong;
+        if (const Result<void> valid = refuse_other_kinds(argument, expected, path); !valid.ok()) return valid.error();
         if (count != 1 && names_picture(path)) return not_a(argument, expected, path);
     }
     return {};
 }
 
-Status draw_pictures(const OpenMap& map, const PictureJob& job) {
+Result<void> draw_pictures(const OpenMap& map, const PictureJob& job) {
     for (const auto& [argument, path] : picture_outputs(job))
         if (!path.empty() && !names_picture(path))
-            if (Status failed = make_folder(path)) return failed;
+            if (const Result<void> done = make_folder(path); !done.ok()) return done.error();
     return Drawing(map, job).run();
 }
 

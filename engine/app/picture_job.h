@@ -7,7 +7,7 @@
 #include "app/open_map.h"
 #include "app/options.h"
 #include "base/result.h"
-#include "flight/renderer.h"
+#include "render/choice/renderer.h"
 #include "render/outside/outside_camera.h"
 #include "render/view.h"
 #include "world/snapshot.h"
@@ -34,10 +34,10 @@ struct PictureJob {
 };
 
 /// An error where a path names one picture file but there are several views.
-Status check_outputs(const PictureJob& job);
+Result<void> check_outputs(const PictureJob& job);
 
 /// Draws and writes everything. With timing, views are drawn one after another, each by all threads, so that nothing
 /// disturbs the clock; else several views are drawn at a time.
-Status draw_pictures(const OpenMap& map, const PictureJob& job);
+Result<void> draw_pictures(const OpenMap& map, const PictureJob& job);
 
 }  // namespace enfilade

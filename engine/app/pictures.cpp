@@ -35,13 +35,13 @@ public:
     Y4mFilm(OutputFile file, const FilmFormat& format)
         : file_(std::move(file)), header_(y4m_header(format.width, format.height, format.rate)) {}
 
-    Status add(const Frame& frame) override {
+    Result<void> add(const Frame& frame) override {
         const std::string header = std::exchange(header_, {});
-        if (Status failed = file_.write(std::as_bytes(std::span(header)))) return failed;
+        if (const Result<void> done = file_.write(std::as_bytes(std::span(header))); !done.ok()) return done.error();
         return file_.write(y4m_frame(frame));
     }
 
-    Status finish() override { return file_.commit(); }
+    Result<void> finish() override { return file_.commit(); }
 
 private:
     OutputFile file_;
@@ -59,13 +59,13 @@ public:
         if (ffmpeg_) pclose(ffmpeg_);
     }
 
-    Status add(const Frame& frame) override {
+    Result<void> add(const Frame& frame) override {
         const std::size_t bytes = frame.pixels.size() * 4;
         if (std::fwrite(frame.pixels.data(), 1, bytes, ffmpeg_) != bytes) return write_error(path_);
         return {};
     }
 
-    Status finish() override {
+    Result<void> finish() override {
         if (pclose(std::exchange(ffmpeg_, nullptr)) != 0)
             return Error{path_, "the film could not be finished: ffmpeg failed"};
         return file_.commit();
@@ -123,7 +123,7 @@ Error not_a(const std::string& argument, const std::string& expected, const std:
     return {argument, fmt::format("expected {}; found {}", expected, in_quotes(path))};
 }
 
-Status refuse_other_kinds(const std::string& argument, const std::string& expected, const std::string& path) {
+Result<void> refuse_other_kinds(const std::string& argument, const std::string& expected, const std::string& path) {
     if (std::ranges::find(kOtherKinds, ending_of(path)) == std::end(kOtherKinds)) return {};
     return not_a(argument, expected, path);
 }
@@ -132,16 +132,16 @@ std::string numbered_picture(const std::string& folder, std::size_t number) {
     return (std::filesystem::path(folder) / fmt::format("{:06}.png", number)).string();
 }
 
-Status make_folder(const std::string& path) {
+Result<void> make_folder(const std::string& path) {
     std::error_code failed;
     std::filesystem::create_directories(path, failed);
     if (std::filesystem::is_directory(path)) return {};
     return Error{path, failed ? "cannot make the folder: " + failed.message() : "expected a folder, found a file"};
 }
 
-Status write_picture(const std::string& path, const Image& image) { return write_file(path, write_png(image)); }
+Result<void> write_picture(const std::string& path, const Image& image) { return write_file(path, write_png(image)); }
 
-Status write_numbered_picture(const std::string& folder, std::size_t number, const Image& image) {
+Result<void> write_numbered_picture(const std::string& folder, std::size_t number, const Image& image) {
     return write_one_of_many(numbered_picture(folder, number), write_png(image));
 }
 

@@ -25,18 +25,18 @@ Error not_a(const std::string& argument, const std::string& expected, const std:
 
 /// not_a where a path ends like a picture or film of a kind that is not written here (".jpg", ".webm"): whoever names
 /// it does not mean a folder.
-Status refuse_other_kinds(const std::string& argument, const std::string& expected, const std::string& path);
+Result<void> refuse_other_kinds(const std::string& argument, const std::string& expected, const std::string& path);
 
 /// "FOLDER/000012.png".
 std::string numbered_picture(const std::string& folder, std::size_t number);
 
 /// Makes the folder, and those above it, where they are missing.
-Status make_folder(const std::string& path);
+Result<void> make_folder(const std::string& path);
 
 /// As write_file does (base/files.h).
-Status write_picture(const std::string& path, const Image& image);
+Result<void> write_picture(const std::string& path, const Image& image);
 /// numbered_picture(), written as one of many.
-Status write_numbered_picture(const std::string& folder, std::size_t number, const Image& image);
+Result<void> write_numbered_picture(const std::string& folder, std::size_t number, const Image& image);
 
 // Films: frames one after the other into a .y4m or .mp4 file.
 
@@ -49,9 +49,9 @@ struct FilmFormat {
 class Film {
 public:
     virtual ~Film() = default;
-    virtual Status add(const Frame& frame) = 0;
+    virtual Result<void> add(const Frame& frame) = 0;
     /// No frame comes any more: the film takes its place.
-    virtual Status finish() = 0;
+    virtual Result<void> finish() = 0;
 };
 
 /// Whether the path ends like a film that can be written, or names a stream (base/output_file.h).

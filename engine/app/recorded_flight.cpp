@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 
 /// Tells the terminal how far hash_frames() is, and hands each frame on.
 FrameTaker stepping(Progress& progress, const FrameTaker& take = {}) {
-    return [&progress, take](int number, const Frame& frame, std::size_t worker) -> Status {
+    return [&progress, take](int number, const Frame& frame, std::size_t worker) -> Result<void> {
         progress.step(worker);
-        return take ? take(number, frame, worker) : Status{};
+        return take ? take(number, frame, worker) : Result<void>{};
     };
 }
 
@@ -31,7 +31,7 @@ Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPl
     if (!renderer.ok()) return renderer.error();
     Frame frame;
     frame.resize(plan.width, plan.height);
-    if (Status failed = draw_frame(scene, number, *renderer.value(), frame)) return *failed;
+    if (const Result<void> done = draw_frame(scene, number, *renderer.value(), frame); !done.ok()) return done.error();
     return frame;
 }
 
@@ -73,9 +73,9 @@ std::string advice_on(const KeptPictures& kept, const std::string& script_path) 
     return advice;
 }
 
-Status report_mismatches(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
-                         const FrameRecording& recording, const std::vector<Mismatch>& found, const std::string& folder,
-                         Talk talk) {
+Result<void> report_mismatches(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
+                               const FrameRecording& recording, const std::vector<Mismatch>& found,
+                               const std::string& folder, Talk talk) {
     const KeptPictures kept(script_path, recording, plan);
     std::vector<BadFrame> shown;
     for (const Mismatch& mismatch : choose_shown(found, kept)) {
@@ -107,15 +107,17 @@ Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan&
     }
     std::vector<char> differs(frames_of(plan), 0);
     Progress progress(differs.size(), "frames", talk);
-    const Status failed = draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
-        CheckTools& own = tools[worker];
-        own.frame.resize(plan.width, plan.height);
-        if (Status other_failed = draw_frame(scene, number, *own.renderer, own.frame)) return other_failed;
-        differs[std::size_t(number - plan.first)] = double(difference_of(own.frame, frame).pixels) > allowed;
-        progress.step(worker);
-        return {};
-    });
-    if (failed) return *failed;
+    const Result<void> drawn =
+        draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Result<void> {
+            CheckTools& own = tools[worker];
+            own.frame.resize(plan.width, plan.height);
+            if (const Result<void> done = draw_frame(scene, number, *own.renderer, own.frame); !done.ok())
+                return done.error();
+            differs[std::size_t(number - plan.first)] = double(difference_of(own.frame, frame).pixels) > allowed;
+            progress.step(worker);
+            return {};
+        });
+    if (!drawn.ok()) return drawn.error();
     std::vector<int> numbers;
     for (std::size_t i = 0; i < differs.size(); ++i)
         if (differs[i]) numbers.push_back(plan.first + int(i));
@@ -124,10 +126,10 @@ Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan&
 
 }  // namespace
 
-Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
-                     const PictureKeeping& keeping, Talk talk) {
+Result<void> record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
+                           const PictureKeeping& keeping, Talk talk) {
     PictureKeeper keeper(script_path, plan, scene.flight.frames(), keeping);
-    if (Status failed = keeper.start()) return failed;
+    if (const Result<void> done = keeper.start(); !done.ok()) return done.error();
     Progress progress(frames_of(plan), "frames", talk);
     const auto hashes = hash_frames(scene, plan, stepping(progress, [&](int number, const Frame& frame, std::size_t) {
                                         return keeper.take(number, frame);
@@ -151,7 +153,9 @@ Result<FlightVerdict> check_flight(const FlightScene& scene, const DrawPlan& pla
                                    const std::string& report_folder, Talk talk) {
     const auto recorded = read_recording(script_path, read_file);
     if (!recorded.ok()) return recorded.error();
-    if (Status others = refuse_recording(recorded.value(), plan, scene.flight.frames(), script_path)) return *others;
+    if (const Result<void> valid = refuse_recording(recorded.value(), plan, scene.flight.frames(), script_path);
+        !valid.ok())
+        return valid.error();
     Progress progress(frames_of(plan), "frames", talk);
     const auto hashes = hash_frames(scene, plan, stepping(progress));
     if (!hashes.ok()) return hashes.error();
@@ -160,8 +164,10 @@ Result<FlightVerdict> check_flight(const FlightScene& scene, const DrawPlan& pla
         remove_report(report_folder);
         return FlightVerdict{};
     }
-    if (Status failed = report_mismatches(scene, plan, script_path, recorded.value(), found, report_folder, talk))
-        return *failed;
+    if (const Result<void> done =
+            report_mismatches(scene, plan, script_path, recorded.value(), found, report_folder, talk);
+        !done.ok())
+        return done.error();
     FlightVerdict verdict{{}, page_in(report_folder)};
     std::ranges::transform(found, std::back_inserter(verdict.differing), &Mismatch::frame);
     return verdict;
@@ -186,7 +192,7 @@ Result<FlightVerdict> compare_renderers(const FlightScene& scene, const DrawPlan
             {mismatch, std::move(expected).value(), std::move(actual).value(), "drawn by the other renderer", 1});
     }
     const ReportText text{"Two renderers", "What is expected was drawn by the other renderer.", found.size()};
-    if (Status failed = write_report(report_folder, text, shown)) return *failed;
+    if (const Result<void> done = write_report(report_folder, text, shown); !done.ok()) return done.error();
     return FlightVerdict{found, page_in(report_folder)};
 }
 

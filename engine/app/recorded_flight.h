@@ -41,9 +41,9 @@ public:
                   const PictureKeeping& keeping);
 
     /// Makes room; removes full-size pictures that are not kept any more.
-    Status start() const;
+    Result<void> start() const;
     /// A FrameTaker: of any thread, each frame once.
-    Status take(int number, const Frame& frame);
+    Result<void> take(int number, const Frame& frame);
     /// Writes the sheet, or removes it where no pictures are wanted. The hash by which the recording knows its sheet.
     Result<std::optional<std::uint64_t>> finish() const;
 
@@ -94,16 +94,16 @@ inline constexpr std::size_t kMostShown = 12;
 void remove_report(const std::string& folder);
 
 /// Writes the pictures and index.html into the folder, which is made where it is missing, instead of an earlier report.
-Status write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames);
+Result<void> write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames);
 
 /// Draws the frames of the plan and writes their hashes, and beside them the pictures that shall be kept. Where the
 /// plan has not all frames of the flight, into the files of a part, for merge_parts().
-Status record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
-                     const PictureKeeping& keeping, Talk talk);
+Result<void> record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
+                           const PictureKeeping& keeping, Talk talk);
 
 /// Makes the recording of all frames of the flight from its parts, which may have been drawn on several machines: the
 /// same bytes as if it had been recorded at once. Then removes the parts. An error where frames are missing.
-Status merge_parts(const std::string& script_path, int frames);
+Result<void> merge_parts(const std::string& script_path, int frames);
 
 /// What comparing frames came to.
 struct FlightVerdict {

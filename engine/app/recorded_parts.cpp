@@ -69,7 +69,7 @@ Result<std::vector<FrameHash>> frames_in(const std::vector<RecordedPart>& parts,
 }
 
 /// An error where the parts are not of one recording.
-Status check_alike(const std::vector<RecordedPart>& parts) {
+Result<void> check_alike(const std::vector<RecordedPart>& parts) {
     for (const RecordedPart& part : parts) {
         if (part.recording.pictures != parts.front().recording.pictures)
             return Error{part.hashes, "its pictures have another size or are by another renderer than those of " +
@@ -95,7 +95,7 @@ Result<ContactSheet> sheet_of(const std::vector<RecordedPart>& parts, const Cont
 }
 
 /// Writes the sheet, or removes one that is there where the parts have none.
-Status write_sheet(const std::vector<RecordedPart>& parts, const std::string& path, FrameRecording& whole) {
+Result<void> write_sheet(const std::vector<RecordedPart>& parts, const std::string& path, FrameRecording& whole) {
     std::error_code unremovable;
     if (!parts.front().recording.sheet) {
         fs::remove(path, unremovable);
@@ -110,15 +110,17 @@ Status write_sheet(const std::vector<RecordedPart>& parts, const std::string& pa
 
 }  // namespace
 
-Status merge_parts(const std::string& script_path, int frames) {
+Result<void> merge_parts(const std::string& script_path, int frames) {
     const auto parts = read_parts(script_path);
     if (!parts.ok()) return parts.error();
     auto all = frames_in(parts.value(), frames, script_path);
     if (!all.ok()) return all.error();
-    if (Status unlike = check_alike(parts.value())) return unlike;
+    if (const Result<void> valid = check_alike(parts.value()); !valid.ok()) return valid.error();
     FrameRecording whole{parts.value().front().recording.pictures, {}, std::move(all).value()};
-    if (Status failed = write_sheet(parts.value(), sheet_path(script_path), whole)) return failed;
-    if (Status failed = write_file(hashes_path(script_path), write_frame_hashes(whole))) return failed;
+    if (const Result<void> done = write_sheet(parts.value(), sheet_path(script_path), whole); !done.ok())
+        return done.error();
+    if (const Result<void> done = write_file(hashes_path(script_path), write_frame_hashes(whole)); !done.ok())
+        return done.error();
     std::error_code unremovable;
     for (const RecordedPart& part : parts.value()) {
         fs::remove(part.hashes, unremovable);

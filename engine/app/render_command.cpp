@@ -22,7 +22,8 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     if (!size.ok()) return size.error();
     const auto renderer = parse_renderer(request.renderer);
     if (!renderer.ok()) return renderer.error();
-    if (Status refused = refuse_true_pitch(renderer.value(), request.true_pitch)) return *refused;
+    if (const Result<void> valid = refuse_true_pitch(renderer.value(), request.true_pitch); !valid.ok())
+        return valid.error();
     const auto dials = dials_from(request.dials, {}, renderer.value(), size.value());
     if (!dials.ok()) return dials.error();
     PictureJob job;
@@ -125,9 +126,9 @@ int run_render(const RenderRequest& request) {
     auto views = from_start ? view_of_player(map->map, request) : views_in(map->map, places, request);
     if (!views.ok()) return fail(views.error());
     job.value().views = std::move(views).value();
-    if (Status wrong = check_outputs(job.value())) return refuse_usage(*wrong);
+    if (const Result<void> valid = check_outputs(job.value()); !valid.ok()) return refuse_usage(valid.error());
     if (request.talk == Talk::usual) mention_hidden_eyes(map->map, request, places, job.value().views);
-    if (Status failed = draw_pictures(*map, job.value())) return fail(*failed);
+    if (const Result<void> done = draw_pictures(*map, job.value()); !done.ok()) return fail(done.error());
     tell_pixels(*map, job.value(), request);
     return kDone;
 }

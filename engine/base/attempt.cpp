@@ -89,7 +89,7 @@ void contract_broken(const char* file, int line, const char* text) {
     std::abort();
 }
 
-Status attempt(const std::function<void()>& work) {
+Result<void> attempt(const std::function<void()>& work) {
     try {
         const Attempting here(true);
         work();

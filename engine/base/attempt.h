@@ -13,7 +13,7 @@ namespace enfilade {
 ///
 /// Unwinds the stack, with parallel_for's threads, up to here. Nothing else may throw or catch: errors are Results.
 /// Where the engine is built without exceptions, a broken contract stops the program as it does outside of attempts.
-Status attempt(const std::function<void()>& work);
+Result<void> attempt(const std::function<void()>& work);
 
 /// Ends what is being done as `new` does where it gets no memory: for libraries that get none and say so otherwise.
 [[noreturn]] void out_of_memory();

@@ -25,14 +25,14 @@ struct Descriptor {
     const int number;
 };
 
-Status check_is_file(const std::string& path, const struct stat& found) {
+Result<void> check_is_file(const std::string& path, const struct stat& found) {
     if (S_ISREG(found.st_mode)) return {};
     return Error{
         path, S_ISDIR(found.st_mode) ? "expected a file, found a folder" : "expected a file, found a device or a pipe"};
 }
 
 /// Why the path cannot be read as a file, without opening it: to open a device may already change it.
-Status look_at(const std::string& path) {
+Result<void> look_at(const std::string& path) {
     struct stat found;
     if (::stat(path.c_str(), &found) == 0) return check_is_file(path, found);
     if (errno == ENOENT || errno == ENOTDIR) return Error{path, "no such file"};
@@ -55,10 +55,10 @@ Result<Bytes> read_bytes(const std::string& path, int file, std::size_t size) {
     return bytes;
 }
 
-Status write_and_flush(const std::string& path, std::span<const std::byte> bytes, OutputFile::Flush flush) {
+Result<void> write_and_flush(const std::string& path, std::span<const std::byte> bytes, OutputFile::Flush flush) {
     Result<OutputFile> file = OutputFile::open(path);
     if (!file) return file.error();
-    if (Status failed = file.value().write(bytes)) return failed;
+    if (const Result<void> done = file.value().write(bytes); !done.ok()) return done.error();
     return file.value().commit(flush);
 }
 
@@ -66,12 +66,12 @@ Status write_and_flush(const std::string& path, std::span<const std::byte> bytes
 
 // Whoever writes may put another file in the path's place at any time, so all but the first look is at what was opened.
 Result<Bytes> read_file(const std::string& path) {
-    if (auto wrong = look_at(path)) return *wrong;
+    if (const Result<void> valid = look_at(path); !valid.ok()) return valid.error();
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
     if (file.number < 0) return system_error(path, "open the file");
     struct stat found;
     if (::fstat(file.number, &found) != 0) return system_error(path, "tell the file's size");
-    if (auto wrong = check_is_file(path, found)) return *wrong;
+    if (const Result<void> valid = check_is_file(path, found); !valid.ok()) return valid.error();
     const auto size = static_cast<std::size_t>(found.st_size);
     if (size > kMaxFileBytes)
         return Error{path, "the file has " + std::to_string(size) + " bytes; at most " + std::to_string(kMaxFileBytes) +
@@ -88,15 +88,15 @@ std::vector<std::string> list_folder(const std::string& path) {
     return names;
 }
 
-Status write_file(const std::string& path, std::span<const std::byte> bytes) {
+Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) {
     return write_and_flush(path, bytes, OutputFile::Flush::file_and_folder);
 }
 
-Status write_one_of_many(const std::string& path, std::span<const std::byte> bytes) {
+Result<void> write_one_of_many(const std::string& path, std::span<const std::byte> bytes) {
     return write_and_flush(path, bytes, OutputFile::Flush::file);
 }
 
-Status write_file(const std::string& path, std::string_view text) {
+Result<void> write_file(const std::string& path, std::string_view text) {
     return write_file(path, std::as_bytes(std::span(text.data(), text.size())));
 }
 

@@ -31,11 +31,11 @@ std::vector<std::string> list_folder(const std::string& path);
 
 /// Writes an OutputFile (base/output_file.h): a reader finds the old file or the new one, never half of one, and what
 /// was written is on disk.
-Status write_file(const std::string& path, std::span<const std::byte> bytes);
-Status write_file(const std::string& path, std::string_view text);
+Result<void> write_file(const std::string& path, std::span<const std::byte> bytes);
+Result<void> write_file(const std::string& path, std::string_view text);
 
 /// The same for one of many files in a folder: after the last of them, flush_folder() (base/output_file.h).
-Status write_one_of_many(const std::string& path, std::span<const std::byte> bytes);
+Result<void> write_one_of_many(const std::string& path, std::span<const std::byte> bytes);
 
 /// The bytes seen as text, without a copy. Valid as long as the bytes are.
 inline std::string_view as_text(std::span<const std::byte> bytes) {

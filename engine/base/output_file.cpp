@@ -145,12 +145,12 @@ Result<OutputFile> OutputFile::open(const std::string& path) {
     Result<std::string> file = behind_links(path);
     if (!file) return file.error();
     OutputFile output(std::move(file).value(), -1, -1);
-    if (Status failed = output.create_beside()) return *failed;
+    if (const Result<void> done = output.create_beside(); !done.ok()) return done.error();
     return output;
 }
 
 /// What could run out of memory comes before the file is there.
-Status OutputFile::create_beside() {
+Result<void> OutputFile::create_beside() {
     do {
         const Result<std::string> letters = unforeseen_letters();
         if (!letters) return letters.error();
@@ -169,9 +169,9 @@ Status OutputFile::create_beside() {
     return {};
 }
 
-Status OutputFile::failed_to(const char* doing) const { return system_error(path_, doing); }
+Result<void> OutputFile::failed_to(const char* doing) const { return system_error(path_, doing); }
 
-Status OutputFile::write(std::span<const std::byte> bytes) {
+Result<void> OutputFile::write(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
@@ -181,14 +181,14 @@ Status OutputFile::write(std::span<const std::byte> bytes) {
     return {};
 }
 
-Status OutputFile::cut_to(std::size_t size) {
+Result<void> OutputFile::cut_to(std::size_t size) {
     const auto offset = static_cast<off_t>(size);
     if (ftruncate(descriptor_, offset) != 0 || lseek(descriptor_, offset, SEEK_SET) != offset)
         return failed_to("write the file");
     return {};
 }
 
-Status flush_folder(const std::string& path) {
+Result<void> flush_folder(const std::string& path) {
     const int descriptor = ::open(path.empty() ? "." : path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0 && errno == EACCES) return {};  // it may be written to and not read
     if (descriptor >= 0 && (fsync(descriptor) == 0 || errno == EINVAL)) {
@@ -200,30 +200,30 @@ Status flush_folder(const std::string& path) {
     return error;
 }
 
-Status OutputFile::put_in_place(Flush flush) {
+Result<void> OutputFile::put_in_place(Flush flush) {
     if (slot_ < 0) return {};
     // Some file systems cannot flush, and say so.
     if (fsync(descriptor_) != 0 && errno != EINVAL) return failed_to("write the file");
     const int slot = std::exchange(slot_, -1);
     if (!take_back(slot)) return Error{path_, "the file was given up: the program is being ended"};
-    Status failed;
+    Result<void> renamed;
     if (std::rename(slots[slot].name, path_.c_str()) != 0) {
-        failed = failed_to("put the finished file in its place");
+        renamed = failed_to("put the finished file in its place");
         unlink(slots[slot].name);
     }
     give_slot_back(slot);
-    if (failed || flush == Flush::file) return failed;
+    if (!renamed.ok() || flush == Flush::file) return renamed;
     return flush_folder(fs::path(path_).parent_path().string());
 }
 
-Status OutputFile::commit(Flush flush) {
+Result<void> OutputFile::commit(Flush flush) {
     const bool was_in_place = slot_ < 0;
-    Status failed = put_in_place(flush);
-    if (!failed && was_in_place && fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP)
-        failed = failed_to("write the file");
-    if (::close(std::exchange(descriptor_, -1)) != 0 && !failed) failed = failed_to("write the file");
+    Result<void> written = put_in_place(flush);
+    if (written.ok() && was_in_place && fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP)
+        written = failed_to("write the file");
+    if (::close(std::exchange(descriptor_, -1)) != 0 && written.ok()) written = failed_to("write the file");
     close();
-    return failed;
+    return written;
 }
 
 void OutputFile::close() {

@@ -31,13 +31,13 @@ public:
     OutputFile& operator=(OutputFile&& other) noexcept;
     ~OutputFile();
 
-    Status write(std::span<const std::byte> bytes);
+    Result<void> write(std::span<const std::byte> bytes);
     /// Forgets what was written from the byte `size` on, and goes on there. Not for devices and pipes.
-    Status cut_to(std::size_t size);
+    Result<void> cut_to(std::size_t size);
     /// What was written takes the place of `path`, and what is written from now on is seen there at once.
-    Status put_in_place(Flush flush = Flush::file_and_folder);
+    Result<void> put_in_place(Flush flush = Flush::file_and_folder);
     /// Ends the file: on disk, in its place, closed. Nothing may be written after it, failed or not.
-    Status commit(Flush flush = Flush::file_and_folder);
+    Result<void> commit(Flush flush = Flush::file_and_folder);
 
     /// "/dev/fd/N": how a program that this one starts can write into the file, if `is_shared`.
     std::string name_for_children() const;
@@ -46,8 +46,8 @@ public:
 
 private:
     OutputFile(std::string path, int descriptor, int slot);
-    Status create_beside();
-    Status failed_to(const char* doing) const;
+    Result<void> create_beside();
+    Result<void> failed_to(const char* doing) const;
     void close();
 
     std::string path_;     ///< the file itself, not a link to it
@@ -56,7 +56,7 @@ private:
 };
 
 /// The names of the files that were put into the folder are on disk; an error where they may not be.
-Status flush_folder(const std::string& path);
+Result<void> flush_folder(const std::string& path);
 
 /// Whether what is written to `path` goes into a stream instead of a file: "-" and whatever else is standard output, a
 /// device, a pipe.

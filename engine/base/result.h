@@ -67,7 +67,25 @@ private:
     std::variant<T, Error> state_;
 };
 
-/// For what has nothing to return: empty when it went well.
-using Status = std::optional<Error>;
+/// For what has nothing to return: nothing, or why it failed.
+template <>
+class [[nodiscard]] Result<void> {
+public:
+    Result() = default;
+    Result(Error error) : error_(std::move(error)) {}
+
+    bool ok() const { return !error_; }
+
+    const Error& error() const {
+        ENFILADE_CHECK(error_.has_value());
+        return *error_;
+    }
+
+    /// The error, or the other one where there is none.
+    Error error_or(const Error& other) const { return error_.value_or(other); }
+
+private:
+    std::optional<Error> error_;
+};
 
 }  // namespace enfilade

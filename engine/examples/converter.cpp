@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
                 map.player = PlayerRecord{
                     name_of_room(x, y), {kSide * (double(x) + 0.5), kSide * (double(y) + 0.5)}, 1.55, 0, {}, {}};
         }
-    const Status failed = write_file(argv[2], write_map(map));
-    if (failed) std::puts(failed->text().c_str());
-    return failed ? 1 : 0;
+    const Result<void> written = write_file(argv[2], write_map(map));
+    if (!written.ok()) std::puts(written.error().text().c_str());
+    return written.ok() ? 0 : 1;
 }

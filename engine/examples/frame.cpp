@@ -15,6 +15,6 @@ int main(int argc, char** argv) {
     if (!renderer.ok() || !view.ok()) return 1;
     Frame frame;
     frame.resize(640, 400);
-    if (renderer.value()->render(frame, nullptr, snapshot_at(*loaded.map, 0), view.value())) return 1;
-    return write_file(argv[2], write_png(image_of(frame))) ? 1 : 0;  // frame.pixels is the buffer
+    if (!renderer.value()->render(frame, nullptr, snapshot_at(*loaded.map, 0), view.value()).ok()) return 1;
+    return write_file(argv[2], write_png(image_of(frame))).ok() ? 0 : 1;  // frame.pixels is the buffer
 }

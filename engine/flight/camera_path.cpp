@@ -195,7 +195,7 @@ CameraPose CameraPath::pose_at(const Map& map, FrameTime time) const {
 
 namespace {
 
-Status refuse(const Tape& tape) {
+Result<void> refuse(const Tape& tape) {
     if (tape.rate != kTickRate)
         return Error{"", "expected a tape of " + std::to_string(kTickRate) + " ticks a second; found " +
                              std::to_string(tape.rate)};
@@ -206,7 +206,7 @@ Status refuse(const Tape& tape) {
 }  // namespace
 
 Result<TapePath> TapePath::plan(const Map& map, Tape tape) {
-    if (Status refused = refuse(tape)) return *refused;
+    if (const Result<void> valid = refuse(tape); !valid.ok()) return valid.error();
     auto world = start_of(map);
     if (!world) return Error{"", "the map has no player to walk"};
     Timeline timeline(std::move(*world));

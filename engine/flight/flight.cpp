@@ -116,16 +116,16 @@ std::optional<Finding> Flight::misplaced_eye(const CameraPath& path, const Scrip
     return {};
 }
 
-Status draw_frame(const FlightScene& scene, int number, Renderer& renderer, Frame& frame) {
+Result<void> draw_frame(const FlightScene& scene, int number, Renderer& renderer, Frame& frame) {
     const FlightFrame shown = scene.flight.at(scene.map, number);
     return renderer.render(frame, nullptr, shown.snapshot, shown.view);
 }
 
-Status draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& take) {
+Result<void> draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& take) {
     struct DrawTools {
         std::unique_ptr<Renderer> renderer;
         Frame frame;
-        Status failed;
+        Result<void> done;
     };
     std::vector<DrawTools> tools(plan.workers);
     for (DrawTools& own : tools) {
@@ -140,29 +140,31 @@ Status draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTa
         if (stop) return;
         DrawTools& own = tools[worker];
         const int number = plan.first + static_cast<int>(i);
-        own.failed = draw_frame(scene, number, *own.renderer, own.frame);
-        if (!own.failed) own.failed = take(number, own.frame, worker);
-        if (own.failed) stop = true;
+        own.done = draw_frame(scene, number, *own.renderer, own.frame);
+        if (own.done.ok()) own.done = take(number, own.frame, worker);
+        if (!own.done.ok()) stop = true;
     });
     for (DrawTools& own : tools)
-        if (own.failed) return own.failed;
+        if (!own.done.ok()) return own.done;
     return {};
 }
 
-Status draw_frames_in_order(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& take) {
+Result<void> draw_frames_in_order(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& take) {
     const int batch = static_cast<int>(plan.workers * kWaitingPerWorker);
     std::vector<Frame> waiting(static_cast<std::size_t>(batch));
     for (int first = plan.first; first <= plan.last; first += batch) {
         DrawPlan part = plan;
         part.first = first;
         part.last = std::min(plan.last, first + batch - 1);
-        const auto keep = [&](int number, const Frame& frame, std::size_t) -> Status {
+        const auto keep = [&](int number, const Frame& frame, std::size_t) -> Result<void> {
             waiting[static_cast<std::size_t>(number - first)] = frame;
             return {};
         };
-        if (Status failed = draw_frames(scene, part, keep)) return failed;
+        if (const Result<void> done = draw_frames(scene, part, keep); !done.ok()) return done.error();
         for (int number = part.first; number <= part.last; ++number)
-            if (Status failed = take(number, waiting[static_cast<std::size_t>(number - first)], 0)) return failed;
+            if (const Result<void> done = take(number, waiting[static_cast<std::size_t>(number - first)], 0);
+                !done.ok())
+                return done.error();
     }
     return {};
 }

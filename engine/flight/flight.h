@@ -9,9 +9,9 @@
 #include "base/finding.h"
 #include "base/result.h"
 #include "flight/camera_path.h"
-#include "flight/renderer.h"
 #include "formats/script.h"
 #include "map/map.h"
+#include "render/choice/renderer.h"
 #include "render/view.h"
 #include "world/snapshot.h"
 #include "world/world.h"
@@ -94,16 +94,16 @@ struct DrawPlan {
 };
 
 /// Takes a finished frame; an error ends the drawing. The frame is valid during the call.
-using FrameTaker = std::function<Status(int number, const Frame& frame, std::size_t worker)>;
+using FrameTaker = std::function<Result<void>(int number, const Frame& frame, std::size_t worker)>;
 
 /// Draws one frame. renderer: of the scene's map.
-Status draw_frame(const FlightScene& scene, int number, Renderer& renderer, Frame& frame);
+Result<void> draw_frame(const FlightScene& scene, int number, Renderer& renderer, Frame& frame);
 
 /// Draws each frame once and hands it to `take`, in any order, from several threads, but never two at a time with the
 /// same worker. The first error in order of workers is returned.
-Status draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& take);
+Result<void> draw_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& take);
 
 /// The same, but hands the frames over in order and on the calling thread, for films. Keeps a few frames per worker.
-Status draw_frames_in_order(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& take);
+Result<void> draw_frames_in_order(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& take);
 
 }  // namespace enfilade

@@ -12,7 +12,7 @@ std::string size_text(std::uint32_t width, std::uint32_t height) {
 }
 
 /// Where the recording is of pictures that these can never be equal to.
-Status other_pictures(const FrameRecording& recording, const DrawPlan& plan, const std::string& script_path) {
+Result<void> other_pictures(const FrameRecording& recording, const DrawPlan& plan, const std::string& script_path) {
     if (!recording.pictures) return {};
     const RecordedPictures& pictures = *recording.pictures;
     const std::string recorded = size_text(pictures.width, pictures.height),
@@ -28,7 +28,7 @@ Status other_pictures(const FrameRecording& recording, const DrawPlan& plan, con
 }
 
 /// Where the recording does not cover exactly the frames of the flight.
-Status other_frames(const std::vector<FrameHash>& recorded, int frames, const std::string& script_path) {
+Result<void> other_frames(const std::vector<FrameHash>& recorded, int frames, const std::string& script_path) {
     bool same = recorded.size() == std::size_t(frames);
     for (std::size_t i = 0; same && i < recorded.size(); ++i) same = recorded[i].frame == i;
     if (same) return {};
@@ -52,19 +52,20 @@ Result<FrameRecording> read_recording(const std::string& script_path, const File
     return recording;
 }
 
-Status refuse_recording(const FrameRecording& recording, const DrawPlan& plan, int flight_frames,
-                        const std::string& script_path) {
-    if (Status others = other_pictures(recording, plan, script_path)) return others;
+Result<void> refuse_recording(const FrameRecording& recording, const DrawPlan& plan, int flight_frames,
+                              const std::string& script_path) {
+    if (const Result<void> valid = other_pictures(recording, plan, script_path); !valid.ok()) return valid.error();
     return other_frames(recording.frames, flight_frames, script_path);
 }
 
 Result<std::vector<std::uint64_t>> hash_frames(const FlightScene& scene, const DrawPlan& plan, const FrameTaker& also) {
     std::vector<std::uint64_t> hashes(frames_of(plan));
-    const Status failed = draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Status {
-        hashes[std::size_t(number - plan.first)] = hash_of(frame);
-        return also ? also(number, frame, worker) : Status{};
-    });
-    if (failed) return *failed;
+    const Result<void> drawn =
+        draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Result<void> {
+            hashes[std::size_t(number - plan.first)] = hash_of(frame);
+            return also ? also(number, frame, worker) : Result<void>{};
+        });
+    if (!drawn.ok()) return drawn.error();
     return hashes;
 }
 

@@ -19,8 +19,8 @@ Result<FrameRecording> read_recording(const std::string& script_path, const File
 
 /// An error where the recording can never be equal to what the plan draws: it is of pictures of another size or
 /// renderer, or of another number of frames than the flight has.
-Status refuse_recording(const FrameRecording& recording, const DrawPlan& plan, int flight_frames,
-                        const std::string& script_path);
+Result<void> refuse_recording(const FrameRecording& recording, const DrawPlan& plan, int flight_frames,
+                              const std::string& script_path);
 
 /// How many frames a plan draws.
 inline std::size_t frames_of(const DrawPlan& plan) { return std::size_t(plan.last - plan.first + 1); }

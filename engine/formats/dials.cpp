@@ -68,7 +68,7 @@ std::array<DialKind, 7> all_dials() {
 
 }  // namespace
 
-Status set_accuracy(Dials& dials, std::string_view text) {
+Result<void> set_accuracy(Dials& dials, std::string_view text) {
     std::optional<double> promised = parse_number(text);
     for (const NamedPromise& promise : kPromises)
         if (promise.name == text) promised = promise.texel_error;
@@ -82,7 +82,7 @@ Status set_accuracy(Dials& dials, std::string_view text) {
     return {};
 }
 
-Status set_dial(Dials& dials, std::string_view text) {
+Result<void> set_dial(Dials& dials, std::string_view text) {
     const std::size_t equals = text.find('=');
     const std::string_view name = text.substr(0, equals);
     const std::string_view value = equals == text.npos ? std::string_view() : text.substr(equals + 1);

@@ -94,11 +94,11 @@ inline constexpr double kMostTexelError = 64;
 /// Sets a promise by name or number: "exact" is 0, "fine" is 0.25 and "fast" 1; else a number from 0 to
 /// kMostTexelError. "vanilla", which promises nothing, sets that kind of numbers. An error without a place says what
 /// was expected; dials then stay as they were.
-Status set_accuracy(Dials& dials, std::string_view text);
+Result<void> set_accuracy(Dials& dials, std::string_view text);
 
 /// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light, light_grid or links. An error, without a
 /// place, where there is no such dial, or it has no such value; dials then stay as they were.
-Status set_dial(Dials& dials, std::string_view text);
+Result<void> set_dial(Dials& dials, std::string_view text);
 
 /// What set_dial() would be given to get from the default to these, with blanks between: "span=8 number=float"; and
 /// before them "accuracy=0.25" where something is promised. "exact" for the default.

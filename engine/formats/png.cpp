@@ -37,7 +37,7 @@ Error not_an_image(const png_image& image) {
 constexpr std::uint64_t kMostFromOneByte = 1032;
 
 /// Why the header's size cannot be true, or is more than we want to know.
-Status refuse_size(const png_image& image, std::size_t file_bytes) {
+Result<void> refuse_size(const png_image& image, std::size_t file_bytes) {
     const std::string size = std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels";
     const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
     if (image.width > kMaxImageSide || image.height > kMaxImageSide)
@@ -61,7 +61,7 @@ Bytes encode(PngHolder& png, const void* pixels, const void* palette) {
     return bytes;
 }
 
-Status finish(PngHolder& png, void* pixels, void* palette) {
+Result<void> finish(PngHolder& png, void* pixels, void* palette) {
     if (!png_image_finish_read(&png.image, nullptr, pixels, 0, palette)) return not_an_image(png.image);
     if (PNG_IMAGE_FAILED(png.image) || png.image.warning_or_error != 0) return not_an_image(png.image);
     return {};
@@ -74,7 +74,7 @@ Result<Image> read_indexed(PngHolder& png) {
     const std::size_t count = std::size_t{image.width} * image.height;
     std::array<std::uint32_t, 256> palette{};
     std::vector<std::uint8_t> numbers(count);
-    if (Status failed = finish(png, numbers.data(), palette.data())) return *failed;
+    if (const Result<void> done = finish(png, numbers.data(), palette.data()); !done.ok()) return done.error();
     image.pixels.resize(count);
     for (std::size_t i = 0; i < count; ++i) image.pixels[i] = palette[numbers[i]];
     return image;
@@ -106,7 +106,7 @@ bool begins_with_header(std::span<const std::byte> bytes) {
 
 /// libpng takes as much memory as a chunk says it is long, up to 2 GiB, before it sees that there are no such bytes.
 /// Not so of the image's own data, which come last.
-Status refuse_long_chunks(std::span<const std::byte> bytes) {
+Result<void> refuse_long_chunks(std::span<const std::byte> bytes) {
     for (std::size_t at = kSignature; bytes.size() >= at + kBeforeData;) {
         const std::uint32_t length = big_endian(bytes, at), type = big_endian(bytes, at + 4);
         constexpr std::uint32_t kImageData = 0x49444154;  // "IDAT"
@@ -132,15 +132,15 @@ Result<Image> read_png(std::span<const std::byte> bytes) {
     if (has_signature(bytes) && !begins_with_header(bytes))
         return Error{"", "not a PNG image: expected the header (IHDR) as the first chunk"};
     if (has_signature(bytes))
-        if (Status refused = refuse_long_chunks(bytes)) return *refused;
+        if (const Result<void> valid = refuse_long_chunks(bytes); !valid.ok()) return valid.error();
     PngHolder png;
     if (!png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size())) return not_an_image(png.image);
-    if (Status refused = refuse_size(png.image, bytes.size())) return *refused;
+    if (const Result<void> valid = refuse_size(png.image, bytes.size()); !valid.ok()) return valid.error();
     if (png.image.format & PNG_FORMAT_FLAG_COLORMAP) return read_indexed(png);
     png.image.format = PNG_FORMAT_RGBA;
     Image image{png.image.width, png.image.height, {}};
     image.pixels.resize(std::size_t{image.width} * image.height);
-    if (Status failed = finish(png, image.pixels.data(), nullptr)) return *failed;
+    if (const Result<void> done = finish(png, image.pixels.data(), nullptr); !done.ok()) return done.error();
     return image;
 }
 

@@ -83,8 +83,8 @@ void read_samples(Reading& reading, const NamedValue& value, Range range, Script
 /// A number, or a word for one.
 void read_accuracy(Reading& reading, const NamedValue& value, Range range, ScriptFile& script) {
     if (value.node.kind() != TomlKind::string) return read_value(reading, value, range, script.dials.texel_error);
-    if (Status wrong = set_accuracy(script.dials, value.node.text()))
-        reading.error(value.node.place(), "unknown-word", "'accuracy': " + wrong->what);
+    if (const Result<void> valid = set_accuracy(script.dials, value.node.text()); !valid.ok())
+        reading.error(value.node.place(), "unknown-word", "'accuracy': " + valid.error().what);
 }
 
 /// A file's path, whose place is kept so that a message can point at it.

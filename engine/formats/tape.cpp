@@ -75,7 +75,7 @@ InputRecord read_tick(ByteReader& reader) {
     return tick;
 }
 
-Status wrong_tick(const ByteReader& reader, const InputRecord& tick) {
+Result<void> wrong_tick(const ByteReader& reader, const InputRecord& tick) {
     if (tick.forward == -128 || tick.strafe == -128)
         return bad_tape(reader, "the tick before this byte moves by -128; at most 127 is the full pace");
     if ((tick.buttons & ~kAllButtons) != 0)
@@ -83,16 +83,16 @@ Status wrong_tick(const ByteReader& reader, const InputRecord& tick) {
     return {};
 }
 
-Status read_ticks(ByteReader& reader, std::size_t count, Tape& tape) {
+Result<void> read_ticks(ByteReader& reader, std::size_t count, Tape& tape) {
     tape.ticks.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         tape.ticks.push_back(read_tick(reader));
-        if (Status wrong = wrong_tick(reader, tape.ticks.back())) return wrong;
+        if (const Result<void> valid = wrong_tick(reader, tape.ticks.back()); !valid.ok()) return valid.error();
     }
     return {};
 }
 
-Status read_counted_ticks(ByteReader& reader, Tape& tape) {
+Result<void> read_counted_ticks(ByteReader& reader, Tape& tape) {
     const std::uint32_t count = reader.u32();
     if (reader.failed() || count > reader.remaining() / kTapeTickBytes) return ends_early(reader);
     return read_ticks(reader, count, tape);
@@ -109,7 +109,7 @@ std::size_t count_ticks(std::span<const std::byte> bytes) {
 Result<bool> read_ticks_to_the_end(ByteReader& reader, std::span<const std::byte> bytes, Tape& tape) {
     const auto rest = bytes.subspan(reader.position());
     const std::size_t count = count_ticks(rest);
-    if (Status wrong = read_ticks(reader, count, tape)) return *wrong;
+    if (const Result<void> valid = read_ticks(reader, count, tape); !valid.ok()) return valid.error();
     if (reader.remaining() < kEndBytes || rest[count * kTapeTickBytes] != kEndMark) return false;
     reader.u8();
     return true;
@@ -123,7 +123,7 @@ Result<Tape> read_tape(std::span<const std::byte> bytes) {
     const Result<std::uint8_t> version = read_header(reader, tape);
     if (!version) return version.error();
     if (version.value() == kVersionWithCount) {
-        if (Status failed = read_counted_ticks(reader, tape)) return *failed;
+        if (const Result<void> done = read_counted_ticks(reader, tape); !done.ok()) return done.error();
     } else {
         const Result<bool> ended = read_ticks_to_the_end(reader, bytes, tape);
         if (!ended) return ended.error();

@@ -9,7 +9,7 @@
 namespace enfilade {
 namespace {
 
-Status expected(std::string_view what, std::string_view found, std::string_view reason) {
+Result<void> expected(std::string_view what, std::string_view found, std::string_view reason) {
     return Error{"", "expected " + std::string(what) + ", found " + in_quotes(found) + std::string(reason)};
 }
 
@@ -46,7 +46,7 @@ std::string color_text(std::uint32_t color) {
     return text;
 }
 
-Status refuse_as_file_name(std::string_view text) {
+Result<void> refuse_as_file_name(std::string_view text) {
     constexpr std::string_view kWhat = "a file's name";
     if (!is_printable_line(text)) return expected(kWhat, text, " with characters that are not printed");
     if (text.starts_with('/')) return expected(kWhat, text, "; it must not start with '/', but below its folder");
@@ -59,16 +59,17 @@ Status refuse_as_file_name(std::string_view text) {
     return {};
 }
 
-Status refuse_as_path(std::string_view text) {
+Result<void> refuse_as_path(std::string_view text) {
     if (is_printable_line(text)) return {};
     return expected("a path", text, " with characters that are not printed");
 }
 
 bool expect_file_name(Reading& reading, const NamedValue& value, Files files) {
     const std::string_view name = value.node.text();
-    const Status refused = files == Files::anywhere ? refuse_as_path(name) : refuse_as_file_name(name);
-    if (refused) reading.error(value.node.place(), "bad-file-name", in_quotes(value.name) + ": " + refused->what);
-    return !refused;
+    const Result<void> valid = files == Files::anywhere ? refuse_as_path(name) : refuse_as_file_name(name);
+    if (!valid.ok())
+        reading.error(value.node.place(), "bad-file-name", in_quotes(value.name) + ": " + valid.error().what);
+    return valid.ok();
 }
 
 void read_file_name(Reading& reading, const NamedValue& value, Files files, std::string& field) {

@@ -43,11 +43,11 @@ constexpr auto color_key(std::string_view name, Dialect since) {
 /// Nothing where the text names a file below a folder: parts with a single '/' between them, none of them "." or "..",
 /// and no character that a terminal would obey (base/terminal.h). So a file has one name only, apart from upper and
 /// lower case, and no name leads elsewhere. Otherwise what was expected, without a place.
-Status refuse_as_file_name(std::string_view text);
+Result<void> refuse_as_file_name(std::string_view text);
 
 /// Nothing where the text is a path that may lead anywhere: no character that a terminal would obey. For what people
 /// set up by hand, as the folder of their pictures.
-Status refuse_as_path(std::string_view text);
+Result<void> refuse_as_path(std::string_view text);
 
 /// Whether a string's value may name a file, by the rules above; if not, bad-file-name is noted at it.
 /// files : below_folder or anywhere

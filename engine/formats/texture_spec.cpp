@@ -57,12 +57,12 @@ bool only_blanks(std::string_view text) { return text.find_first_not_of(" \t") =
 
 std::string number_pair(Vec2 pair) { return number_text(pair.x) + "," + number_text(pair.y); }
 
-Status take_tile(std::string_view& text, TextureSpec& spec) {
+Result<void> take_tile(std::string_view& text, TextureSpec& spec) {
     std::string_view rest = text;
     if (take_word(rest) == "-") {
         text = rest;
-        return only_blanks(text) ? Status(bad_spec(std::string(kShape) + ": behind '-' the offset is missing"))
-                                 : Status();
+        if (only_blanks(text)) return bad_spec(std::string(kShape) + ": behind '-' the offset is missing");
+        return {};
     }
     const Result<Vec2> tile = take_pair(text, "SU,SV");
     if (!tile) return tile.error();
@@ -73,7 +73,7 @@ Status take_tile(std::string_view& text, TextureSpec& spec) {
     return {};
 }
 
-Status take_offset(std::string_view& text, TextureSpec& spec) {
+Result<void> take_offset(std::string_view& text, TextureSpec& spec) {
     const Result<Vec2> offset = take_pair(text, "OU,OV");
     if (!offset) return offset.error();
     spec.offset_tx = offset.value();
@@ -87,11 +87,11 @@ Result<TextureSpec> parse_texture_spec(std::string_view text) {
     TextureSpec spec;
     spec.name = take_name(text);
     if (spec.name.empty()) return bad_spec(std::string(kShape) + ", found an empty string");
-    if (Status refused = refuse_as_file_name(spec.name)) return *refused;
+    if (const Result<void> valid = refuse_as_file_name(spec.name); !valid.ok()) return valid.error();
     if (only_blanks(text)) return spec;
-    if (Status wrong = take_tile(text, spec)) return *wrong;
+    if (const Result<void> valid = take_tile(text, spec); !valid.ok()) return valid.error();
     if (only_blanks(text)) return spec;
-    if (Status wrong = take_offset(text, spec)) return *wrong;
+    if (const Result<void> valid = take_offset(text, spec); !valid.ok()) return valid.error();
     if (!only_blanks(text)) return bad_spec(std::string(kShape) + ", found more behind it");
     return spec;
 }

@@ -111,7 +111,7 @@ Result<Wav> load(std::span<const std::byte> file) {
     return wav;
 }
 
-Status check(const Wav& wav) {
+Result<void> check(const Wav& wav) {
     const SDL_AudioSpec& spec = wav.spec;
     if (spec.freq < kLeastRate || spec.freq > kMostRate)
         return Error{"sound", "expected 1000 to 384000 frames a second, found " + std::to_string(spec.freq)};
@@ -156,7 +156,7 @@ Result<std::unique_ptr<Audio>> open_audio(std::vector<Samples> sounds) {
 Result<Samples> read_wav(std::span<const std::byte> bytes) {
     auto wav = load(bytes);
     if (!wav.ok()) return wav.error();
-    if (Status refused = check(wav.value())) return *refused;
+    if (const Result<void> valid = check(wav.value()); !valid.ok()) return valid.error();
     return converted(wav.value());
 }
 

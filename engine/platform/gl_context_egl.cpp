@@ -26,7 +26,7 @@ public:
         eglDestroyContext(display_, context_);
     }
 
-    Status make_current() override {
+    Result<void> make_current() override {
         if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE) return {};
         return egl_error("get at its context again, which was lost");
     }

@@ -29,7 +29,7 @@ struct HiddenWindowCloser {
 
 class Hidden final : public GlContext {
 public:
-    Status open(GlApi api) {
+    Result<void> open(GlApi api) {
         if (!video_.started()) return sdl_error("OpenGL", "reach a display");
         SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK,
                             api == GlApi::desktop ? SDL_GL_CONTEXT_PROFILE_CORE : SDL_GL_CONTEXT_PROFILE_ES);
@@ -50,7 +50,7 @@ public:
         if (context_ != nullptr) SDL_GL_DeleteContext(context_);
     }
 
-    Status make_current() override {
+    Result<void> make_current() override {
         if (SDL_GL_MakeCurrent(window_.get(), context_) == 0) return {};
         return sdl_error("OpenGL", "get at its OpenGL context again, which was lost");
     }
@@ -66,7 +66,7 @@ private:
 
 Result<std::unique_ptr<GlContext>> open_desktop_gl(GlApi api) {
     auto hidden = std::make_unique<Hidden>();
-    if (Status failed = hidden->open(api)) return *failed;
+    if (const Result<void> done = hidden->open(api); !done.ok()) return done.error();
     return std::unique_ptr<GlContext>(std::move(hidden));
 }
 

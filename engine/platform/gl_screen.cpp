@@ -33,7 +33,7 @@ std::string beginning() {
     return epoxy_is_desktop_gl() ? "#version 330 core\n" : "#version 300 es\nprecision highp float;\n";
 }
 
-Status add_shader(GLuint program, GLenum kind, const std::string& text) {
+Result<void> add_shader(GLuint program, GLenum kind, const std::string& text) {
     const GLuint shader = glCreateShader(kind);
     const char* const source = text.c_str();
     glShaderSource(shader, 1, &source, nullptr);
@@ -51,10 +51,12 @@ Status add_shader(GLuint program, GLenum kind, const std::string& text) {
 
 }  // namespace
 
-Status GlScreen::prepare() {
+Result<void> GlScreen::prepare() {
     program_.create();
-    if (Status failed = add_shader(program_.id(), GL_VERTEX_SHADER, beginning() + kCorners)) return failed;
-    if (Status failed = add_shader(program_.id(), GL_FRAGMENT_SHADER, beginning() + kColors)) return failed;
+    if (const Result<void> done = add_shader(program_.id(), GL_VERTEX_SHADER, beginning() + kCorners); !done.ok())
+        return done.error();
+    if (const Result<void> done = add_shader(program_.id(), GL_FRAGMENT_SHADER, beginning() + kColors); !done.ok())
+        return done.error();
     glLinkProgram(program_.id());
     GLint is_linked = GL_FALSE;
     glGetProgramiv(program_.id(), GL_LINK_STATUS, &is_linked);
@@ -87,13 +89,13 @@ void GlScreen::CardTexture::upload(const Frame& frame) {
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, frame.pixels.data());
 }
 
-Status GlScreen::show(const Frame& frame, const PictureArea& area) {
+Result<void> GlScreen::show(const Frame& frame, const PictureArea& area) {
     glActiveTexture(GL_TEXTURE0);
     picture_.upload(frame);
     return draw(false, 1, area);
 }
 
-Status GlScreen::show(const GlPicture& picture, const Frame& over, double brightness, const PictureArea& area) {
+Result<void> GlScreen::show(const GlPicture& picture, const Frame& over, double brightness, const PictureArea& area) {
     glActiveTexture(GL_TEXTURE0);
     picture_.resize(picture.width, picture.height);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer);
@@ -109,7 +111,7 @@ Status GlScreen::show(const GlPicture& picture, const Frame& over, double bright
 }
 
 /// What the picture's renderer left switched on is switched off; it sets all it needs itself.
-Status GlScreen::draw(bool with_over, double brightness, const PictureArea& area) {
+Result<void> GlScreen::draw(bool with_over, double brightness, const PictureArea& area) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     for (const GLenum what : {GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE}) glDisable(what);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

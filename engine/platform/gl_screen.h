@@ -17,13 +17,13 @@ struct PictureArea {
 class GlScreen {
 public:
     /// An error says what the driver said.
-    Status prepare();
+    Result<void> prepare();
 
     /// A picture of the CPU's, scaled with sharp pixels, black bars beside it.
-    Status show(const Frame& frame, const PictureArea& area);
+    Result<void> show(const Frame& frame, const PictureArea& area);
     /// A picture that was drawn in this context, its light to the power of 1 / brightness; over it a frame of the same
     /// size whose colours are multiplied by their alpha.
-    Status show(const GlPicture& picture, const Frame& over, double brightness, const PictureArea& area);
+    Result<void> show(const GlPicture& picture, const Frame& over, double brightness, const PictureArea& area);
 
 private:
     /// A texture of this size, made anew where it has another.
@@ -33,7 +33,7 @@ private:
         void resize(int new_width, int new_height);
         void upload(const Frame& frame);
     };
-    Status draw(bool with_over, double brightness, const PictureArea& area);
+    Result<void> draw(bool with_over, double brightness, const PictureArea& area);
 
     stencil::GlProgram program_;
     stencil::GlVertexArray no_vertices_;

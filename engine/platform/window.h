@@ -39,11 +39,11 @@ public:
     virtual void poll(std::vector<InputEvent>& events) = 0;
 
     /// Shows the frame. A frame of another size than the window is scaled, its proportions kept, pixels staying sharp.
-    virtual Status present(const Frame& frame) = 0;
+    virtual Result<void> present(const Frame& frame) = 0;
 
     /// From now on pictures are shown by OpenGL, or by copying them; the window is made anew. By OpenGL they wait for
     /// the display, if it lets them. Contexts of gl() must be gone before. An error leaves a window that copies.
-    virtual Status show_by_gpu(bool by_gpu);
+    virtual Result<void> show_by_gpu(bool by_gpu);
     virtual bool is_shown_by_gpu() const { return false; }
     /// By OpenGL: wait until the display is ready for the next picture, or do not.
     virtual void wait_for_display(bool) {}
@@ -54,7 +54,7 @@ public:
 
     /// Shows what was drawn by gl(), brightened, and the frame over it, which has the same size; its colours are
     /// multiplied by their alpha. brightness : the exponent of the light is 1 / brightness
-    virtual Status present(const GlPicture& picture, const Frame& over, double brightness);
+    virtual Result<void> present(const GlPicture& picture, const Frame& over, double brightness);
 
     /// Nobody sees the window.
     virtual bool is_hidden() const { return false; }

@@ -70,7 +70,7 @@ public:
     static Result<std::unique_ptr<WindowGl>> open(SDL_Window* window, bool waits) {
         std::unique_ptr<WindowGl> gl(new WindowGl(window));
         if (gl->context_ == nullptr) return sdl_error("window", "make an OpenGL context for the window");
-        if (Status failed = gl->screen_->prepare()) return *failed;
+        if (const Result<void> done = gl->screen_->prepare(); !done.ok()) return done.error();
         gl->wait(waits);
         return gl;
     }
@@ -78,29 +78,29 @@ public:
     WindowGl& operator=(const WindowGl&) = delete;
     ~WindowGl() {
         if (context_ == nullptr) return;
-        make_current();
+        static_cast<void>(make_current());
         screen_.reset();
         SDL_GL_DeleteContext(context_);
     }
 
-    Status make_current() const {
+    Result<void> make_current() const {
         if (SDL_GL_MakeCurrent(window_, context_) == 0) return {};
         return sdl_error("window", "get at its OpenGL context again, which was lost");
     }
     void release() const { SDL_GL_MakeCurrent(window_, nullptr); }
 
     void wait(bool waits) {
-        make_current();
+        static_cast<void>(make_current());
         waits_ = SDL_GL_SetSwapInterval(waits ? 1 : 0) == 0 && waits;
     }
     bool waits() const { return waits_; }
 
     template <class Show>
-    Status show(Show show) {
-        if (Status failed = make_current()) return failed;
-        const Status failed = show(*screen_);
-        if (!failed) SDL_GL_SwapWindow(window_);
-        return failed;
+    Result<void> show(Show show) {
+        if (const Result<void> done = make_current(); !done.ok()) return done.error();
+        const Result<void> shown = show(*screen_);
+        if (shown.ok()) SDL_GL_SwapWindow(window_);
+        return shown;
     }
 
 private:
@@ -116,7 +116,7 @@ private:
 class BorrowedGl final : public GlContext {
 public:
     explicit BorrowedGl(const WindowGl& gl) : gl_(gl) {}
-    Status make_current() override { return gl_.make_current(); }
+    Result<void> make_current() override { return gl_.make_current(); }
     void release() override { gl_.release(); }
 
 private:
@@ -163,18 +163,18 @@ public:
         }
     }
 
-    Status show_by_gpu(bool by_gpu) override {
+    Result<void> show_by_gpu(bool by_gpu) override {
         if (by_gpu == (gl_ != nullptr)) return {};
         gl_.reset();
         if (!by_gpu) return remake(false);
-        Status failed;
+        Result<void> remade;
         for (const GlApi api : {GlApi::desktop, GlApi::es}) {
             ask_for(api);
-            failed = remake(true);
-            if (!failed) return {};
+            remade = remake(true);
+            if (remade.ok()) return {};
         }
         static_cast<void>(remake(false));
-        return failed;
+        return remade;
     }
     bool is_shown_by_gpu() const override { return gl_ != nullptr; }
     void wait_for_display(bool waits) override {
@@ -189,7 +189,7 @@ public:
         };
     }
 
-    Status present(const Frame& frame) override {
+    Result<void> present(const Frame& frame) override {
         if (gl_) {
             const PictureArea area = place(frame.width, frame.height);
             return gl_->show([&](GlScreen& screen) { return screen.show(frame, area); });
@@ -208,7 +208,7 @@ public:
         return {};
     }
 
-    Status present(const GlPicture& picture, const Frame& over, double brightness) override {
+    Result<void> present(const GlPicture& picture, const Frame& over, double brightness) override {
         ENFILADE_CHECK(gl_ != nullptr);
         const PictureArea area = place(picture.width, picture.height);
         return gl_->show([&](GlScreen& screen) { return screen.show(picture, over, brightness, area); });
@@ -248,7 +248,7 @@ public:
 
 private:
     /// The window again, where and as it was. What happened to the old one is no news.
-    Status remake(bool for_gl) {
+    Result<void> remake(bool for_gl) {
         WindowLook look{SDL_GetWindowTitle(window_.get()), 0, 0, {}, fullscreen()};
         SDL_GetWindowPosition(window_.get(), &look.x, &look.y);
         SDL_GetWindowSize(window_.get(), &look.points.width, &look.points.height);
@@ -287,7 +287,7 @@ private:
 };
 
 /// Without a display SDL would choose a driver that draws where nobody looks. Only who asks for it gets that.
-Status refuse_unseen_driver() {
+Result<void> refuse_unseen_driver() {
     const std::string_view driver = SDL_GetCurrentVideoDriver() ? SDL_GetCurrentVideoDriver() : "";
     const bool unseen = driver == "offscreen" || driver == "dummy";
     if (!unseen || std::getenv("SDL_VIDEODRIVER") != nullptr) return {};
@@ -302,7 +302,7 @@ Result<std::unique_ptr<Session>> start_sdl() {
     SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
     if (SDL_Init(SDL_INIT_VIDEO) != 0) return sdl_error("window", "reach a display");
     auto session = std::make_unique<Session>();
-    if (Status refused = refuse_unseen_driver()) return *refused;
+    if (const Result<void> valid = refuse_unseen_driver(); !valid.ok()) return valid.error();
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);  // without gamepads everything else still works
     return session;
 }
@@ -315,9 +315,9 @@ PixelSize no_larger_than_display(int width, int height) {
 
 }  // namespace
 
-Status Window::show_by_gpu(bool) { return Error{"window", "this window knows no OpenGL"}; }
+Result<void> Window::show_by_gpu(bool) { return Error{"window", "this window knows no OpenGL"}; }
 
-Status Window::present(const GlPicture&, const Frame&, double) {
+Result<void> Window::present(const GlPicture&, const Frame&, double) {
     ENFILADE_CHECK(is_shown_by_gpu());
     return {};
 }

@@ -26,7 +26,9 @@ Result<std::vector<Mismatch>> check_frames(const std::string& script_path, const
                                            const DrawPlan& plan) {
     const auto recording = read_recording(script_path, read_file);
     if (!recording.ok()) return recording.error();
-    if (Status others = refuse_recording(recording.value(), plan, scene.flight.frames(), script_path)) return *others;
+    if (const Result<void> valid = refuse_recording(recording.value(), plan, scene.flight.frames(), script_path);
+        !valid.ok())
+        return valid.error();
     const auto hashes = hash_frames(scene, plan);
     if (!hashes.ok()) return hashes.error();
     return mismatches(recording.value().frames, plan.first, hashes.value());

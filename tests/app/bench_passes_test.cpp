@@ -63,12 +63,12 @@ TEST(ComparisonTable, SaysWhichPicturesDiffer) {
 
 TEST(CompareFrames, RefusesOtherFrames) {
     const std::array<std::string, 2> programs{"ours", "theirs"};
-    EXPECT_FALSE(compare_frames(programs, {Passes{pass(1, 1, 1)}, Passes{pass(2, 2, 2)}}));
+    EXPECT_TRUE(compare_frames(programs, {Passes{pass(1, 1, 1)}, Passes{pass(2, 2, 2)}}).ok());
     std::vector<PassFrame> fewer = pass(1, 1, 1);
     fewer.pop_back();
-    const Status refused = compare_frames(programs, {Passes{pass(1, 1, 1)}, Passes{pass(1, 1, 1), fewer}});
-    ASSERT_TRUE(refused);
-    EXPECT_THAT(refused->text(), HasSubstr("theirs: expected the 3 frames"));
+    const Result<void> result = compare_frames(programs, {Passes{pass(1, 1, 1)}, Passes{pass(1, 1, 1), fewer}});
+    ASSERT_FALSE(result.ok());
+    EXPECT_THAT(result.error().text(), HasSubstr("theirs: expected the 3 frames"));
 }
 
 }  // namespace

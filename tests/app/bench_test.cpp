@@ -30,7 +30,7 @@ BenchFrame measured(const std::vector<std::int64_t>& times_ns) {
     std::vector<BenchFrame> frames = frames_in_turn({1});
     std::size_t next = 0;
     const auto draw = [&](std::size_t, int) -> Result<std::int64_t> { return times_ns[next++]; };
-    EXPECT_FALSE(measure(frames, times_ns.size() - 1, draw));
+    EXPECT_TRUE(measure(frames, times_ns.size() - 1, draw).ok());
     return frames[0];
 }
 
@@ -49,7 +49,7 @@ TEST(Measure, EndsWithTheFirstError) {
         if (++drawn == 3) return Error{"card", "gone"};
         return std::int64_t{1};
     };
-    EXPECT_EQ(measure(frames, 2, draw)->text(), "card: gone");
+    EXPECT_EQ(measure(frames, 2, draw).error().text(), "card: gone");
     EXPECT_EQ(drawn, 3);
 }
 

@@ -105,15 +105,16 @@ TEST(MotionReport, SaysWhatTheEngineBreaks) {
     std::vector<DriftRow> drift{{"engine", "20/21/29", 1000, 2e-8, 3e-13, 1, {}},
                                 {"16.16", "20/21/29", 1000, 1, 1, 0, {}}};
     std::vector<CrossingRow> crossing{{"engine", 35, 1000, 10, 0, 0, {}}, {"another", 35, 1000, 10, 7, 1, {}}};
-    EXPECT_FALSE(check_motion(drift, crossing));
+    EXPECT_TRUE(check_motion(drift, crossing).ok());
     drift[0].heading_rad = 1e-11;
-    EXPECT_THAT(check_motion(drift, crossing)->text(), HasSubstr("20/21/29, engine: expected to drift by at most"));
+    EXPECT_THAT(check_motion(drift, crossing).error().text(),
+                HasSubstr("20/21/29, engine: expected to drift by at most"));
     drift[0].heading_rad = 0;
     drift[0].same_again = 0.5;
-    EXPECT_THAT(check_motion(drift, crossing)->text(), HasSubstr("to the bit; found 0.5000 of them"));
+    EXPECT_THAT(check_motion(drift, crossing).error().text(), HasSubstr("to the bit; found 0.5000 of them"));
     drift[0].same_again = 1;
     crossing[0].on_line = 2;
-    EXPECT_THAT(check_motion(drift, crossing)->text(), HasSubstr("of 1000 moves 2 do not"));
+    EXPECT_THAT(check_motion(drift, crossing).error().text(), HasSubstr("of 1000 moves 2 do not"));
 }
 
 }  // namespace

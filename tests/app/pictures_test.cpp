@@ -30,16 +30,16 @@ TEST(NamesPicture, TellsFilesFromFolders) {
 
 TEST(MakeFolder, MakesThoseAboveToo) {
     const test::TempDir dir;
-    EXPECT_FALSE(make_folder(dir.path("a/b/c")));
+    EXPECT_TRUE(make_folder(dir.path("a/b/c")).ok());
     EXPECT_TRUE(std::filesystem::is_directory(dir.path("a/b/c")));
-    EXPECT_FALSE(make_folder(dir.path("a/b/c")));
+    EXPECT_TRUE(make_folder(dir.path("a/b/c")).ok());
 }
 
 TEST(MakeFolder, RefusesAPathThroughAFile) {
     const test::TempDir dir;
-    ASSERT_FALSE(write_file(dir.path("file"), std::string_view("x")));
-    EXPECT_TRUE(make_folder(dir.path("file")));
-    EXPECT_TRUE(make_folder(dir.path("file/below")));
+    ASSERT_TRUE(write_file(dir.path("file"), std::string_view("x")).ok());
+    EXPECT_FALSE(make_folder(dir.path("file")).ok());
+    EXPECT_FALSE(make_folder(dir.path("file/below")).ok());
 }
 
 }  // namespace

@@ -73,12 +73,12 @@ TEST(ViewFrom, TiltsTheViewWhereTruePitchIsWanted) {
 }
 
 TEST(TruePitch, IsRefusedForTheColumnRendererOnly) {
-    const Status refused = refuse_true_pitch(RendererKind::column, true);
-    ASSERT_TRUE(refused);
-    EXPECT_NE(refused->what.find("upright columns"), std::string::npos);
-    EXPECT_FALSE(refuse_true_pitch(RendererKind::stencil, true));
-    EXPECT_FALSE(refuse_true_pitch(RendererKind::reference, true));
-    EXPECT_FALSE(refuse_true_pitch(RendererKind::column, false));
+    const Result<void> result = refuse_true_pitch(RendererKind::column, true);
+    ASSERT_FALSE(result.ok());
+    EXPECT_NE(result.error().what.find("upright columns"), std::string::npos);
+    EXPECT_TRUE(refuse_true_pitch(RendererKind::stencil, true).ok());
+    EXPECT_TRUE(refuse_true_pitch(RendererKind::reference, true).ok());
+    EXPECT_TRUE(refuse_true_pitch(RendererKind::column, false).ok());
 }
 
 }  // namespace

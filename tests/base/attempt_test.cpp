@@ -20,8 +20,8 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 std::string fault_of(const std::function<void()>& work) {
-    const Status failed = attempt(work);
-    return failed ? failed->text() : "none";
+    const Result<void> result = attempt(work);
+    return result.ok() ? "none" : result.error().text();
 }
 
 TEST(Attempt, OfWhatGoesWellHasNoFault) {

@@ -28,7 +28,7 @@ std::size_t entries(const TempDir& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
 }
 
-Status write_text(OutputFile& file, std::string_view text) { return file.write(std::as_bytes(std::span(text))); }
+Result<void> write_text(OutputFile& file, std::string_view text) { return file.write(std::as_bytes(std::span(text))); }
 
 /// The only file in the folder whose name begins with a dot: a temporary one.
 std::string hidden_in(const TempDir& folder) {
@@ -65,19 +65,19 @@ private:
 
 TEST(OutputFile, ReplacesTheOldFileAndLeavesNothingBeside) {
     const TempDir folder;
-    ASSERT_FALSE(write_file(folder.path("f"), "a longer old text"));
-    ASSERT_FALSE(write_file(folder.path("f"), "new"));
+    ASSERT_TRUE(write_file(folder.path("f"), "a longer old text").ok());
+    ASSERT_TRUE(write_file(folder.path("f"), "new").ok());
     EXPECT_EQ(content(folder.path("f")), "new");
     EXPECT_EQ(entries(folder), 1u);
 }
 
 TEST(OutputFile, ThatIsNotCommittedLeavesTheOldFileAndNothingBeside) {
     const TempDir folder;
-    ASSERT_FALSE(write_file(folder.path("f"), "old"));
+    ASSERT_TRUE(write_file(folder.path("f"), "old").ok());
     {
         auto file = OutputFile::open(folder.path("f"));
         ASSERT_TRUE(file.ok());
-        ASSERT_FALSE(write_text(file.value(), "new"));
+        ASSERT_TRUE(write_text(file.value(), "new").ok());
         EXPECT_EQ(content(folder.path("f")), "old");
         EXPECT_EQ(entries(folder), 2u);
     }
@@ -87,12 +87,12 @@ TEST(OutputFile, ThatIsNotCommittedLeavesTheOldFileAndNothingBeside) {
 
 TEST(OutputFile, OnAFullDiskLeavesTheOldFileAndNothingBeside) {
     const TempDir folder;
-    ASSERT_FALSE(write_file(folder.path("f"), "old"));
+    ASSERT_TRUE(write_file(folder.path("f"), "old").ok());
     {
         const DiskLimit limit(1000);
-        const Status failed = write_file(folder.path("f"), std::string(2000, 'x'));
-        ASSERT_TRUE(failed);
-        EXPECT_THAT(failed->text(), StartsWith(folder.path("f") + ": cannot write the file: "));
+        const Result<void> result = write_file(folder.path("f"), std::string(2000, 'x'));
+        ASSERT_FALSE(result.ok());
+        EXPECT_THAT(result.error().text(), StartsWith(folder.path("f") + ": cannot write the file: "));
     }
     EXPECT_EQ(content(folder.path("f")), "old");
     EXPECT_EQ(entries(folder), 1u);
@@ -101,17 +101,17 @@ TEST(OutputFile, OnAFullDiskLeavesTheOldFileAndNothingBeside) {
 TEST(OutputFile, OverAFolderFailsAndLeavesNothingBeside) {
     const TempDir folder;
     fs::create_directory(folder.path("f"));
-    const Status failed = write_file(folder.path("f"), "new");
-    ASSERT_TRUE(failed);
-    EXPECT_EQ(failed->what, "expected a file, found a folder");
+    const Result<void> result = write_file(folder.path("f"), "new");
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().what, "expected a file, found a folder");
     EXPECT_EQ(entries(folder), 1u);
 }
 
 TEST(OutputFile, InAFolderThatIsNotThereSaysSo) {
     const TempDir folder;
-    const Status failed = write_file(folder.path("none/f"), "new");
-    ASSERT_TRUE(failed);
-    EXPECT_EQ(failed->text(), folder.path("none/f") + ": cannot create the file: No such file or directory");
+    const Result<void> result = write_file(folder.path("none/f"), "new");
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().text(), folder.path("none/f") + ": cannot create the file: No such file or directory");
 }
 
 TEST(OutputFile, HasATemporaryNameThatNobodyForesees) {
@@ -130,16 +130,16 @@ TEST(OutputFile, HasATemporaryNameThatNobodyForesees) {
 TEST(OutputFile, CanHaveAsLongANameAsTheFileSystemTakes) {
     const TempDir folder;
     const std::string name(255, 'n');
-    ASSERT_FALSE(write_file(folder.path(name), "text"));
+    ASSERT_TRUE(write_file(folder.path(name), "text").ok());
     EXPECT_EQ(content(folder.path(name)), "text");
 }
 
 TEST(OutputFile, KeepsThePermissionsOfTheFileItReplaces) {
     const TempDir folder;
-    ASSERT_FALSE(write_file(folder.path("f"), "old"));
+    ASSERT_TRUE(write_file(folder.path("f"), "old").ok());
     for (const mode_t mode : {0600, 0640, 0755}) {
         ASSERT_EQ(::chmod(folder.path("f").c_str(), mode), 0);
-        ASSERT_FALSE(write_file(folder.path("f"), "new"));
+        ASSERT_TRUE(write_file(folder.path("f"), "new").ok());
         EXPECT_EQ(mode_of(folder.path("f")), mode);
     }
 }
@@ -147,9 +147,9 @@ TEST(OutputFile, KeepsThePermissionsOfTheFileItReplaces) {
 TEST(OutputFile, GivesANewFileThePermissionsThatTheUserWants) {
     const TempDir folder;
     const mode_t before = ::umask(027);
-    const Status failed = write_file(folder.path("f"), "new");
+    const Result<void> result = write_file(folder.path("f"), "new");
     ::umask(before);
-    ASSERT_FALSE(failed);
+    ASSERT_TRUE(result.ok());
     EXPECT_EQ(mode_of(folder.path("f")), mode_t{0640});
 }
 
@@ -159,7 +159,7 @@ TEST(OutputFile, ReplacesWhatALinkLeadsToAndKeepsTheLink) {
     fs::create_symlink("far/file", folder.path("near"));
     fs::create_symlink("near", folder.path("nearer"));
     for (const char* text : {"first", "second"}) {  // the file is missing, then there
-        ASSERT_FALSE(write_file(folder.path("nearer"), text));
+        ASSERT_TRUE(write_file(folder.path("nearer"), text).ok());
         EXPECT_TRUE(fs::is_symlink(folder.path("nearer")));
         EXPECT_TRUE(fs::is_symlink(folder.path("near")));
         EXPECT_EQ(content(folder.path("far/file")), text);
@@ -170,16 +170,16 @@ TEST(OutputFile, RefusesLinksThatLeadToEachOther) {
     const TempDir folder;
     fs::create_symlink("b", folder.path("a"));
     fs::create_symlink("a", folder.path("b"));
-    const Status failed = write_file(folder.path("a"), "text");
-    ASSERT_TRUE(failed);
-    EXPECT_THAT(failed->what, HasSubstr("links lead to each other"));
+    const Result<void> result = write_file(folder.path("a"), "text");
+    ASSERT_FALSE(result.ok());
+    EXPECT_THAT(result.error().what, HasSubstr("links lead to each other"));
 }
 
 TEST(OutputFile, WritesIntoAPipeAndLeavesItThere) {
     const TempDir folder;
     ASSERT_EQ(::mkfifo(folder.path("pipe").c_str(), 0600), 0);
     const int reader = ::open(folder.path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
-    ASSERT_FALSE(write_file(folder.path("pipe"), "text"));
+    ASSERT_TRUE(write_file(folder.path("pipe"), "text").ok());
     char read[8] = {};
     EXPECT_EQ(::read(reader, read, sizeof read), 4);
     EXPECT_STREQ(read, "text");
@@ -191,13 +191,13 @@ TEST(OutputFile, WritesIntoAPipeAndLeavesItThere) {
 TEST(OutputFile, WritesToADeviceAndLeavesItThere) {
     const TempDir folder;  // as root this would replace a device that is named directly
     fs::create_symlink("/dev/null", folder.path("null"));
-    ASSERT_FALSE(write_file(folder.path("null"), "text"));
+    ASSERT_TRUE(write_file(folder.path("null"), "text").ok());
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     EXPECT_TRUE(fs::is_symlink(folder.path("null")));
     fs::create_symlink("/dev/full", folder.path("full"));
-    const Status failed = write_file(folder.path("full"), "text");
-    ASSERT_TRUE(failed);
-    EXPECT_THAT(failed->what, HasSubstr("cannot write the file: No space left"));
+    const Result<void> result = write_file(folder.path("full"), "text");
+    ASSERT_FALSE(result.ok());
+    EXPECT_THAT(result.error().what, HasSubstr("cannot write the file: No space left"));
 }
 
 /// Runs `work` in a process whose standard output is the file at `path`, opened as a shell does for `>`.
@@ -219,9 +219,9 @@ TEST(OutputFile, WritesToStandardOutputByAllItsNames) {
     for (const std::string& name : {std::string("-"), std::string("/dev/stdout"), folder.path("f")}) {
         const auto say = [&] {
             (void)!::write(STDOUT_FILENO, "before ", 7);
-            const bool failed = write_file(name, "text").has_value();
+            const bool written = write_file(name, "text").ok();
             (void)!::write(STDOUT_FILENO, " after", 6);
-            return failed ? 1 : 0;
+            return written ? 0 : 1;
         };
         EXPECT_EQ(with_output_to(folder.path("f"), say), 0) << name;
         EXPECT_EQ(content(folder.path("f")), "before text after") << name;
@@ -230,7 +230,7 @@ TEST(OutputFile, WritesToStandardOutputByAllItsNames) {
 
 TEST(OutputFile, KnowsStreamsByTheirNames) {
     const TempDir folder;
-    ASSERT_FALSE(write_file(folder.path("f"), "text"));
+    ASSERT_TRUE(write_file(folder.path("f"), "text").ok());
     for (const char* stream : {"-", "/dev/null"}) EXPECT_TRUE(names_stream(stream)) << stream;
     for (const std::string& other : {folder.path("f"), folder.path(), folder.path("none"), std::string("--")})
         EXPECT_FALSE(names_stream(other)) << other;
@@ -240,20 +240,20 @@ TEST(OutputFile, CanBeReadWhereItIsPutInPlaceWhileItGrows) {
     const TempDir folder;
     auto file = OutputFile::open(folder.path("f"));
     ASSERT_TRUE(file.ok());
-    ASSERT_FALSE(write_text(file.value(), "one two"));
-    ASSERT_FALSE(file.value().put_in_place());
+    ASSERT_TRUE(write_text(file.value(), "one two").ok());
+    ASSERT_TRUE(file.value().put_in_place().ok());
     EXPECT_EQ(content(folder.path("f")), "one two");
-    ASSERT_FALSE(file.value().cut_to(4));
-    ASSERT_FALSE(write_text(file.value(), "three"));
+    ASSERT_TRUE(file.value().cut_to(4).ok());
+    ASSERT_TRUE(write_text(file.value(), "three").ok());
     EXPECT_EQ(content(folder.path("f")), "one three");
-    ASSERT_FALSE(file.value().commit());
+    ASSERT_TRUE(file.value().commit().ok());
     EXPECT_EQ(entries(folder), 1u);
 }
 
 TEST(OutputFile, GoesWithASignalThatEndsTheProgram) {
     for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
         const TempDir folder;
-        ASSERT_FALSE(write_file(folder.path("f"), "old"));
+        ASSERT_TRUE(write_file(folder.path("f"), "old").ok());
         const pid_t child = fork();
         if (child == 0) {
             std::signal(signal, SIG_DFL);  // a shell lets what it starts in the background ignore SIGINT
@@ -291,7 +291,8 @@ TEST(OutputFile, WrittenByManyAtOnceIsAlwaysOneOfThem) {
     std::vector<std::jthread> writers;
     for (int writer = 0; writer < kWriters; ++writer)
         writers.emplace_back([&, writer] {
-            for (int round = 0; round < kRounds; ++round) EXPECT_FALSE(write_file(folder.path("f"), text_of(writer)));
+            for (int round = 0; round < kRounds; ++round)
+                EXPECT_TRUE(write_file(folder.path("f"), text_of(writer)).ok());
         });
     for (int look = 0; look < kRounds; ++look) {
         const auto bytes = read_file(folder.path("f"));

@@ -110,9 +110,9 @@ TEST(ThreadPool, SleepsBetweenRuns) {
 TEST(ThreadPool, CanBeUsedAgainAfterAnAttemptThatFailed) {
     ThreadPool pool(4);
     for (int run = 0; run < 50; ++run) {
-        const Status failed =
+        const Result<void> result =
             attempt([&] { pool.run(100, [](std::size_t i, std::size_t) { ENFILADE_CHECK(i != 50); }); });
-        EXPECT_TRUE(failed);
+        EXPECT_FALSE(result.ok());
         std::vector<int> calls(100, 0);
         pool.run(calls.size(), [&](std::size_t i, std::size_t) { ++calls[i]; });
         ASSERT_EQ(calls, std::vector<int>(100, 1));

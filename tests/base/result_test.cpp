@@ -1,4 +1,4 @@
-// Result, Status and Error: a value or a sentence, never both, and the wrong one is a broken contract.
+// Result, Result<void> and Error: a value or a sentence, never both, and the wrong one is a broken contract.
 #include "base/result.h"
 
 #include <gtest/gtest.h>

@@ -84,9 +84,9 @@ void Workshop::add_save() {
         TickInput input;
         input.forward = 127;
         for (int tick = 0; tick < 30; ++tick) game.value()->tick(input);
-        const Status failed = game.value()->save("a.save");
-        if (failed) std::fprintf(stderr, "enfilade: %s\n", failed->text().c_str());
-        return failed ? 1 : 0;
+        const Result<void> result = game.value()->save("a.save");
+        if (!result.ok()) std::fprintf(stderr, "enfilade: %s\n", result.error().text().c_str());
+        return result.ok() ? 0 : 1;
     };
     works_.push_back({"save", run, {"a.save"}});
 }
@@ -95,13 +95,13 @@ void Workshop::add_conversion() {
     wadconv::test::WadBuilder wad = wadconv::test::picture_wad();
     wad.add_map("MAP01", wadconv::test::small_level().map);
     const Bytes bytes = wad.finish("IWAD");
-    ENFILADE_CHECK(!write_file(path("doom.wad"), std::span<const std::byte>(bytes)));
+    ENFILADE_CHECK(write_file(path("doom.wad"), std::span<const std::byte>(bytes)).ok());
     const auto run = [] {
         wadconv::RunOptions options;
         options.wads = {"doom.wad"};
         options.out = "levels";
         options.jobs = 2;
-        const auto result = convert_wads(options, [](std::size_t, std::size_t) {});
+        const auto result = convert_wads(options, [](std::size_t, std::size_t, std::size_t) {});
         if (!result.ok()) return std::fprintf(stderr, "enfilade: %s\n", result.error().text().c_str()), 1;
         for (const std::string& problem : result.value().problems)
             std::fprintf(stderr, "enfilade: %s\n", problem.c_str());

@@ -25,12 +25,12 @@ protected:
     }
     std::vector<std::uint64_t> hashes(int first, int last, std::size_t workers) const {
         std::vector<std::uint64_t> all(static_cast<std::size_t>(last - first + 1));
-        const Status failed =
+        const Result<void> result =
             draw_frames(scene(), plan(first, last, workers), [&](int number, const Frame& frame, std::size_t) {
                 all[static_cast<std::size_t>(number - first)] = hash_of(frame);
-                return Status{};
+                return Result<void>{};
             });
-        EXPECT_FALSE(failed);
+        EXPECT_TRUE(result.ok());
         return all;
     }
 
@@ -61,32 +61,33 @@ TEST_F(FlightThroughALink, ShowsSomethingElseInEveryFrame) {
 TEST_F(FlightThroughALink, HandsFramesOverInOrder) {
     int next = 3;
     std::vector<std::uint64_t> in_order;
-    EXPECT_FALSE(draw_frames_in_order(scene(), plan(3, 40, 2), [&](int number, const Frame& frame, std::size_t) {
-        EXPECT_EQ(number, next++);
-        in_order.push_back(hash_of(frame));
-        return Status{};
-    }));
+    EXPECT_TRUE(draw_frames_in_order(scene(), plan(3, 40, 2), [&](int number, const Frame& frame, std::size_t) {
+                    EXPECT_EQ(number, next++);
+                    in_order.push_back(hash_of(frame));
+                    return Result<void>{};
+                }).ok());
     EXPECT_EQ(in_order, hashes(3, 40, 1));
 }
 
 TEST_F(FlightThroughALink, StopsAtAnError) {
     std::atomic<int> taken = 0;
-    const Status failed = draw_frames(scene(), plan(0, 40, 1), [&](int number, const Frame&, std::size_t) -> Status {
-        ++taken;
-        if (number == 5) return Error{"disk", "full"};
-        return {};
-    });
-    ASSERT_TRUE(failed);
-    EXPECT_EQ(failed->text(), "disk: full");
+    const Result<void> result =
+        draw_frames(scene(), plan(0, 40, 1), [&](int number, const Frame&, std::size_t) -> Result<void> {
+            ++taken;
+            if (number == 5) return Error{"disk", "full"};
+            return {};
+        });
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().text(), "disk: full");
     EXPECT_EQ(taken, 6);
 }
 
 TEST_F(FlightThroughALink, StopsAtAnErrorInOrder) {
     int taken = 0;
-    EXPECT_TRUE(draw_frames_in_order(scene(), plan(0, 40, 2), [&](int, const Frame&, std::size_t) -> Status {
-        ++taken;
-        return Error{"disk", "full"};
-    }));
+    EXPECT_FALSE(draw_frames_in_order(scene(), plan(0, 40, 2), [&](int, const Frame&, std::size_t) -> Result<void> {
+                     ++taken;
+                     return Error{"disk", "full"};
+                 }).ok());
     EXPECT_EQ(taken, 1);
 }
 

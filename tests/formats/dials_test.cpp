@@ -11,7 +11,7 @@ using ::testing::HasSubstr;
 TEST(SetAccuracy, KnowsNamesAndNumbers) {
     Dials dials;
     const auto promised = [&](const char* text) {
-        EXPECT_FALSE(set_accuracy(dials, text)) << text;
+        EXPECT_TRUE(set_accuracy(dials, text).ok()) << text;
         return dials.texel_error;
     };
     EXPECT_EQ(promised("fine"), 0.25);
@@ -20,16 +20,16 @@ TEST(SetAccuracy, KnowsNamesAndNumbers) {
     EXPECT_EQ(promised("1e-6"), 1e-6);
     EXPECT_EQ(promised("64"), 64);
     EXPECT_EQ(dials.number, NumberKind::real64);
-    EXPECT_FALSE(set_accuracy(dials = {}, "vanilla"));
+    EXPECT_TRUE(set_accuracy(dials = {}, "vanilla").ok());
     EXPECT_EQ(to_text(dials), "number=vanilla");
 }
 
 TEST(SetAccuracy, RefusesOtherTexts) {
     for (const char* text : {"", "Fast", "-0.1", "64.5", "nan", "1 "}) {
         Dials dials;
-        const Status wrong = set_accuracy(dials, text);
-        ASSERT_TRUE(wrong) << text;
-        EXPECT_THAT(wrong->what, HasSubstr("expected exact, fine, fast, vanilla, or how many texels")) << text;
+        const Result<void> result = set_accuracy(dials, text);
+        ASSERT_FALSE(result.ok()) << text;
+        EXPECT_THAT(result.error().what, HasSubstr("expected exact, fine, fast, vanilla, or how many texels")) << text;
         EXPECT_EQ(dials, Dials()) << text;
     }
 }
@@ -37,7 +37,7 @@ TEST(SetAccuracy, RefusesOtherTexts) {
 TEST(SetDial, SetsEachDialAndNoOther) {
     Dials expected, dials;
     const auto set = [&](const char* text) {
-        EXPECT_FALSE(set_dial(dials, text)) << text;
+        EXPECT_TRUE(set_dial(dials, text).ok()) << text;
         EXPECT_EQ(dials, expected) << text;
     };
     expected.span = 16;
@@ -62,17 +62,17 @@ TEST(SetDial, SetsEachDialAndNoOther) {
 
 TEST(SetDial, SaysWhatADialMayBe) {
     Dials dials;
-    EXPECT_EQ(set_dial(dials, "span=65")->what, "expected span=a whole number from 1 to 64; found 'span=65'");
-    EXPECT_EQ(set_dial(dials, "span=1.5")->what, "expected span=a whole number from 1 to 64; found 'span=1.5'");
-    EXPECT_EQ(set_dial(dials, "light_grid=0")->what,
+    EXPECT_EQ(set_dial(dials, "span=65").error().what, "expected span=a whole number from 1 to 64; found 'span=65'");
+    EXPECT_EQ(set_dial(dials, "span=1.5").error().what, "expected span=a whole number from 1 to 64; found 'span=1.5'");
+    EXPECT_EQ(set_dial(dials, "light_grid=0").error().what,
               "expected light_grid=a whole number from 1 to 64; found 'light_grid=0'");
-    EXPECT_EQ(set_dial(dials, "number=half")->what,
+    EXPECT_EQ(set_dial(dials, "number=half").error().what,
               "expected number=double, float, fixed, vanilla; found 'number=half'");
-    EXPECT_EQ(set_dial(dials, "sampling=cubic")->what,
+    EXPECT_EQ(set_dial(dials, "sampling=cubic").error().what,
               "expected sampling=nearest, mip, bilinear, trilinear; found 'sampling=cubic'");
-    EXPECT_EQ(set_dial(dials, "smaples=2")->what,
+    EXPECT_EQ(set_dial(dials, "smaples=2").error().what,
               "expected NAME=VALUE, as in span=8; found 'smaples=2'; did you mean 'samples'?");
-    EXPECT_THAT(set_dial(dials, "span")->what, HasSubstr("found 'span'"));
+    EXPECT_THAT(set_dial(dials, "span").error().what, HasSubstr("found 'span'"));
     EXPECT_EQ(dials, Dials());
 }
 

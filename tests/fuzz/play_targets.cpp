@@ -36,7 +36,7 @@ struct SavedGames {
     std::unique_ptr<Game> game;
 
     SavedGames() {
-        ENFILADE_CHECK(!write_file(map, write_map(played_file())));
+        ENFILADE_CHECK(write_file(map, write_map(played_file())).ok());
         game = std::move(Game::start(map, {})).value();
     }
 };
@@ -44,12 +44,12 @@ struct SavedGames {
 /// Loads the tape's bytes where a saved game would be, plays on, saves and loads again.
 void load_and_go_on(SavedGames& disk, const Bytes& bytes) {
     Game& game = *disk.game;
-    ENFILADE_CHECK(!write_file(disk.save, std::span<const std::byte>(bytes)));
-    if (game.load_saved(disk.save)) return;
+    ENFILADE_CHECK(write_file(disk.save, std::span<const std::byte>(bytes)).ok());
+    if (!game.load_saved(disk.save).ok()) return;
     for (int i = 0; i < 5; ++i) game.tick({.forward = 127});
     game.rewind(2);
     const std::uint64_t hash_before = hash(game.world());
-    ENFILADE_CHECK(!game.save(disk.save) && !game.load_saved(disk.save));
+    ENFILADE_CHECK(game.save(disk.save).ok() && game.load_saved(disk.save).ok());
     ENFILADE_CHECK(hash(game.world()) == hash_before);
     check_player(game.map(), game.world());
 }

@@ -86,7 +86,7 @@ TEST(Fences, KeepOpenGlInTheStencilRenderer) {
 TEST(Fences, KeepLibrariesOfCommandsFromTheEngine) {
     EXPECT_THAT(check_fenced_libraries(including("engine/app/bench.cpp", "<fmt/format.h>")), IsEmpty());
     for (const char* header : {"<fmt/format.h>", "<nlohmann/json.hpp>", "<CLI/CLI.hpp>"})
-        EXPECT_THAT(check_fenced_libraries(including("engine/flight/renderer.cpp", header)),
+        EXPECT_THAT(check_fenced_libraries(including("engine/render/choice/renderer.cpp", header)),
                     ElementsAre(HasSubstr("only commands know fmt")));
 }
 

@@ -48,10 +48,10 @@ struct Bench {
     Bench() { options.out = dir.path("out"); }
     void add(const WadBuilder& wad, std::string_view magic = "IWAD") {
         options.wads.push_back(dir.path(std::to_string(options.wads.size()) + ".wad"));
-        ASSERT_FALSE(write_file(options.wads.back(), wad.finish(magic)));
+        ASSERT_TRUE(write_file(options.wads.back(), wad.finish(magic)).ok());
     }
     Result<RunResult> run() {
-        return convert_wads(options, [](std::size_t, std::size_t) {});
+        return convert_wads(options, [](std::size_t, std::size_t, std::size_t) {});
     }
     bool wrote(const std::string& file) const { return std::filesystem::exists(dir.path("out/" + file)); }
 };
@@ -233,7 +233,7 @@ TEST(ConvertWads, LeavesOnlyTheReportWhereEveryMapIsRefused) {
     bench.add(wad_with({{"MAP01", gappy_level()}}));
     bench.options.strict = true;
     std::size_t steps = 0, of = 0;
-    const auto result = convert_wads(bench.options, [&](std::size_t, std::size_t total) {
+    const auto result = convert_wads(bench.options, [&](std::size_t, std::size_t total, std::size_t) {
         ++steps;
         of = total;
     });
@@ -283,7 +283,7 @@ TEST(ConvertWads, CountsItsStepsUpToTheTotal) {
     bench.add(wad_with({{"MAP01", small_level()}}));
     std::vector<std::size_t> steps;
     std::size_t of = 0;
-    ASSERT_TRUE(convert_wads(bench.options, [&](std::size_t done, std::size_t total) {
+    ASSERT_TRUE(convert_wads(bench.options, [&](std::size_t done, std::size_t total, std::size_t) {
                     steps.push_back(done);
                     of = total;
                 }).ok());

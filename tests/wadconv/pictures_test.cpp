@@ -307,7 +307,7 @@ std::vector<std::string> files_below(const std::string& folder) {
 TEST(WritePictures, WritesEachIntoItsFolder) {
     const TempDir dir;
     const Listed l;
-    EXPECT_THAT(write_pictures(l.pictures, dir.path(), 1, [] {}).value(), IsEmpty());
+    EXPECT_THAT(write_pictures(l.pictures, dir.path(), 1, [](std::size_t) {}).value(), IsEmpty());
     EXPECT_THAT(files_below(dir.path()),
                 ElementsAre("aanull.png", "color_table.png", "fence.png", "flats/ceil1_1.png", "flats/floor0_1.png",
                             "sky1.png", "sprites/bar1a.png", "sprites/possa1.png", "sprites/possa2.png",
@@ -318,8 +318,8 @@ TEST(WritePictures, WritesEachIntoItsFolder) {
 TEST(WritePictures, WritesTheSameBytesOnAnyNumberOfThreads) {
     const TempDir one, three;
     const Listed l;
-    ASSERT_TRUE(write_pictures(l.pictures, one.path(), 1, [] {}).ok());
-    ASSERT_TRUE(write_pictures(l.pictures, three.path(), 3, [] {}).ok());
+    ASSERT_TRUE(write_pictures(l.pictures, one.path(), 1, [](std::size_t) {}).ok());
+    ASSERT_TRUE(write_pictures(l.pictures, three.path(), 3, [](std::size_t) {}).ok());
     for (const std::string& file : files_below(one.path()))
         EXPECT_EQ(read_file(one.path(file)).value(), read_file(three.path(file)).value()) << file;
 }
@@ -330,7 +330,7 @@ TEST(WritePictures, SaysWhatIsWrongAndWritesTheRest) {
     const WadPile pile = pile_of({wad.finish()});
     const Pictures pictures = Pictures::list(pile, {}).value();
     const TempDir dir;
-    const std::vector<Error> errors = write_pictures(pictures, dir.path(), 1, [] {}).value();
+    const std::vector<Error> errors = write_pictures(pictures, dir.path(), 1, [](std::size_t) {}).value();
     ASSERT_EQ(errors.size(), 1u);
     EXPECT_THAT(errors[0].text(), HasSubstr("texture FENCE, patch BARS"));
     EXPECT_FALSE(std::filesystem::exists(dir.path("fence.png")));
@@ -341,7 +341,7 @@ TEST(WritePictures, FailsWhereOneCannotBeWritten) {
     const TempDir dir;
     const Listed l;
     std::filesystem::create_directories(dir.path("wall.png"));
-    const auto problems = write_pictures(l.pictures, dir.path(), 1, [] {});
+    const auto problems = write_pictures(l.pictures, dir.path(), 1, [](std::size_t) {});
     ASSERT_FALSE(problems.ok());
     EXPECT_THAT(problems.error().text(), HasSubstr("wall.png: expected a file, found a folder"));
 }

@@ -71,12 +71,13 @@ FaultyWorld shrunk(FaultyWorld world) {
     return world;
 }
 
-Status save(const FaultyWorld& world, const std::string& folder) {
+Result<void> save(const FaultyWorld& world, const std::string& folder) {
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
     if (failed) return Error{folder, failed.message()};
-    if (Status unwritten = write_file(folder + kMap, write_map(world.file))) return unwritten;
-    if (Status unwritten = write_file(folder + kSeed, std::to_string(world.plan.seed))) return unwritten;
+    if (const Result<void> done = write_file(folder + kMap, write_map(world.file)); !done.ok()) return done.error();
+    if (const Result<void> done = write_file(folder + kSeed, std::to_string(world.plan.seed)); !done.ok())
+        return done.error();
     if (world.fault.pose) return write_file(folder + kPose, text_of(*world.fault.pose, world.sector));
     if (world.fault.inputs.empty()) return {};
     const Bytes tape = write_tape({.map = "map.toml", .map_hash = 0, .ticks = world.fault.inputs, .final_hash = {}});

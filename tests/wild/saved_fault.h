@@ -23,7 +23,7 @@ bool is_faulty(const FaultyWorld& world);
 FaultyWorld shrunk(FaultyWorld world);
 
 /// Writes map.toml, and pose.txt or input.tape, into the folder, which is made if need be.
-Status save(const FaultyWorld& world, const std::string& folder);
+Result<void> save(const FaultyWorld& world, const std::string& folder);
 
 /// What save() wrote; `what` of its fault is found anew.
 Result<FaultyWorld> load_fault(const std::string& folder);

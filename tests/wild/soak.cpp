@@ -61,7 +61,7 @@ std::vector<std::string> maps_on_disk(const std::string& folder) {
         wadconv::RunOptions options;
         options.wads = {wad};
         options.out = out;
-        if (wadconv::convert_wads(options, [](std::size_t, std::size_t) {}).ok()) add(out);
+        if (wadconv::convert_wads(options, [](std::size_t, std::size_t, std::size_t) {}).ok()) add(out);
     }
     return maps;
 }
@@ -130,9 +130,9 @@ private:
                           {.seed = seed}};
         if (is_faulty(world)) world = shrunk(std::move(world));
         const std::string folder = fs::absolute("fault-" + std::to_string(seed)).string();
-        const Status unsaved = save(world, folder);
+        const Result<void> result = save(world, folder);
         std::printf("\n%s: %s\n", map.c_str(), world.fault.what.c_str());
-        std::printf("map, pose and input: %s\n", unsaved ? unsaved->text().c_str() : folder.c_str());
+        std::printf("map, pose and input: %s\n", result ? result.error().text().c_str() : folder.c_str());
         std::printf("to see it again: ./run soak 60 --seed %llu --rounds 1\n", static_cast<unsigned long long>(seed));
     }
 

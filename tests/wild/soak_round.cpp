@@ -30,9 +30,9 @@ public:
         result_.counts.rounds = 1;
         find(ground_fault({game_->map(), game_->textures()}, random_.bits()));
         for (int tick = 0; tick < kTicks && !result_.fault; ++tick) {
-            const Status broken = attempt([&] { play(keys_[static_cast<std::size_t>(tick)]); });
-            if (broken) find(broken->text());
-            if (!broken && random_.below(24) == 0) interrupt();
+            const Result<void> result = attempt([&] { play(keys_[static_cast<std::size_t>(tick)]); });
+            if (!result.ok()) find(result.error().text());
+            if (result.ok() && random_.below(24) == 0) interrupt();
         }
         Hash all;
         for (const std::uint64_t state : hashes_) all.add(state);
@@ -73,13 +73,15 @@ private:
 
     void save() {
         if (is_reloaded_) return;  // such a game is not to be saved
-        if (const Status failed = game_->save(save_)) return find("saving failed: " + failed->text());
+        if (const Result<void> done = game_->save(save_); !done.ok())
+            return find("saving failed: " + done.error().text());
         saved_ = hash(game_->world());
     }
 
     void load() {
         if (!saved_) return;
-        if (const Status failed = game_->load_saved(save_)) return find("loading failed: " + failed->text());
+        if (const Result<void> done = game_->load_saved(save_); !done.ok())
+            return find("loading failed: " + done.error().text());
         ++result_.counts.loads;
         if (hash(game_->world()) != *saved_) return find("the loaded game is another one than was saved");
         is_reloaded_ = false;
@@ -103,12 +105,13 @@ private:
             sector.floor.z += random_.uniform(-0.5, 0.5);
             sector.ceiling.z = std::max(sector.ceiling.z + random_.uniform(-0.5, 0.5), sector.floor.z);
         }
-        if (const Status failed = write_file(game_->path(), write_map(file))) find(failed->text());
+        if (const Result<void> done = write_file(game_->path(), write_map(file)); !done.ok()) find(done.error().text());
     }
 
     void reload() {
         if (may_change_map_) change_map();
-        if (const Status failed = game_->reload()) return find("loading the map again failed: " + failed->text());
+        if (const Result<void> done = game_->reload(); !done.ok())
+            return find("loading the map again failed: " + done.error().text());
         ++result_.counts.reloads;
         is_reloaded_ = true;
         begin_anew();

@@ -81,8 +81,8 @@ std::vector<TickInput> random_inputs(int ticks, Random& random) {
 
 std::string what_is_wrong(const std::function<std::string()>& work) {
     std::string fault;
-    const Status broken = attempt([&] { fault = work(); });
-    return broken ? broken->text() : fault;
+    const Result<void> result = attempt([&] { fault = work(); });
+    return result.ok() ? fault : result.error().text();
 }
 
 std::string picture_fault(const TrialMap& on, const HardPose& pose) {

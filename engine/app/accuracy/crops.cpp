@@ -68,15 +68,16 @@ std::uint32_t error_color(std::optional<double> texel_error) {
     return color;
 }
 
-Status write_crops(const std::string& folder, const OpenMap& map, const std::vector<AccuracySetting>& settings) {
+Result<void> write_crops(const std::string& folder, const OpenMap& map, const std::vector<AccuracySetting>& settings) {
     const auto view = view_at_start(map.map, {.stretch = map.map.render.stretch});
     if (!view.ok()) return view.error();
-    if (Status failed = make_folder(folder)) return failed;
+    if (const Result<void> done = make_folder(folder); !done.ok()) return done.error();
     const auto pictures = judge_pictures(map, view.value(), settings, kWidth, kHeight);
     if (!pictures.ok()) return pictures.error();
     for (std::size_t s = 0; s < settings.size(); ++s) {
         const Image crop = crop_of(pictures.value()[s]);
-        if (Status failed = write_picture(folder + "/" + crop_name(settings[s]) + ".png", crop)) return failed;
+        if (const Result<void> done = write_picture(folder + "/" + crop_name(settings[s]) + ".png", crop); !done.ok())
+            return done.error();
     }
     return {};
 }

@@ -14,7 +14,7 @@ std::vector<AccuracySetting> crop_settings();
 
 /// Writes FOLDER/NAME.png for each setting, NAME by crop_name(): on the left a part of what the player sees
 /// at the start, and on the right the same part as error_color() of each pixel.
-Status write_crops(const std::string& folder, const OpenMap& map, const std::vector<AccuracySetting>& settings);
+Result<void> write_crops(const std::string& folder, const OpenMap& map, const std::vector<AccuracySetting>& settings);
 
 /// "span-16" of "--dial span=16".
 std::string crop_name(const AccuracySetting& setting);

@@ -38,8 +38,8 @@ public:
         Frame colors, unused;
         colors.resize(plan_.width, plan_.height);
         unused.resize(plan_.width, plan_.height);
-        const Status failed = smooth_->render(colors, nullptr, snapshot_, view);
-        ENFILADE_CHECK(!failed);  // the CPU's renderers do not fail
+        const Result<void> drawn = smooth_->render(colors, nullptr, snapshot_, view);
+        ENFILADE_CHECK(drawn.ok());  // the CPU's renderers do not fail
         FrameFacts facts;
         reset(facts, plan_.width, plan_.height);
         render_reference(unused, &facts, map_.map, map_.textures, snapshot_, view, {});
@@ -87,17 +87,20 @@ void add_ids(const Image& truth, const Image& entry, EntryScore& score) {
 
 }  // namespace
 
-Status export_truth(const EntryPlan& plan, const OpenMap& map) {
+Result<void> export_truth(const EntryPlan& plan, const OpenMap& map) {
     auto painter = TruthPainter::make(plan, map);
     if (!painter.ok()) return painter.error();
     for (const std::string& folder : {colors_in(plan), ids_in(plan)})
-        if (Status failed = make_folder(folder)) return failed;
-    if (Status failed = write_file(plan.folder + "/views.csv", views_csv(plan.views))) return failed;
+        if (const Result<void> done = make_folder(folder); !done.ok()) return done.error();
+    if (const Result<void> done = write_file(plan.folder + "/views.csv", views_csv(plan.views)); !done.ok())
+        return done.error();
     Progress progress(plan.views.size(), "views");
     for (std::size_t i = 0; i < plan.views.size(); ++i) {
         const TrueView truth = painter.value().paint(plan.views[i]);
-        if (Status failed = write_numbered_picture(colors_in(plan), i, image_of(truth.colors))) return failed;
-        if (Status failed = write_numbered_picture(ids_in(plan), i, truth.ids)) return failed;
+        if (const Result<void> done = write_numbered_picture(colors_in(plan), i, image_of(truth.colors)); !done.ok())
+            return done.error();
+        if (const Result<void> done = write_numbered_picture(ids_in(plan), i, truth.ids); !done.ok())
+            return done.error();
         progress.step(0);
     }
     return {};

@@ -18,7 +18,7 @@ struct EntryPlan {
 };
 
 /// Writes the true ones: colours of 64 rays for each pixel, surfaces as the reference sees them.
-Status export_truth(const EntryPlan& plan, const OpenMap& map);
+Result<void> export_truth(const EntryPlan& plan, const OpenMap& map);
 
 /// How near somebody's pictures come.
 struct EntryScore {

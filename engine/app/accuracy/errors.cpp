@@ -61,8 +61,8 @@ Frame picture_of(Renderer& renderer, FrameFacts* facts, const Scene& scene, cons
     Frame frame;
     frame.resize(scene.width, scene.height);
     if (facts) reset(*facts, scene.width, scene.height);
-    const Status failed = renderer.render(frame, facts, scene.snapshot, view);
-    ENFILADE_CHECK(!failed);  // the CPU's renderers do not fail
+    const Result<void> drawn = renderer.render(frame, facts, scene.snapshot, view);
+    ENFILADE_CHECK(drawn.ok());  // the CPU's renderers do not fail
     return frame;
 }
 

@@ -32,7 +32,7 @@ AccuracySetting promise_of(double texels) {
 
 AccuracySetting dial_of(const std::string& text) {
     AccuracySetting setting{{"--dial", text}, {}, 0};
-    ENFILADE_CHECK(!set_dial(setting.dials, text));
+    ENFILADE_CHECK(set_dial(setting.dials, text).ok());
     return setting;
 }
 

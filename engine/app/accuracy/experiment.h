@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "flight/renderer.h"
 #include "map/map.h"
+#include "render/choice/renderer.h"
 #include "render/view.h"
 
 namespace enfilade {

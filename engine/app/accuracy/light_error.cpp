@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "flight/renderer.h"
+#include "render/choice/renderer.h"
 #include "render/reference/reference_renderer.h"
 
 namespace enfilade {
@@ -89,7 +89,8 @@ Result<LightErrors> measure_light(const OpenMap& map, const std::vector<View>& v
         LitPicture truth(width, height), drawn(width, height);
         render_reference(truth.frame, &truth.facts, rooms, textures, snapshot, view,
                          {.samples = dials.samples, .own_light = true});
-        if (Status failed = renderer.value()->render(drawn.frame, &drawn.facts, snapshot, view)) return *failed;
+        if (const Result<void> done = renderer.value()->render(drawn.frame, &drawn.facts, snapshot, view); !done.ok())
+            return done.error();
         add(truth, drawn, errors);
     }
     return errors;

@@ -71,6 +71,6 @@ std::string motion_page(const std::vector<DriftRow>& drifts, const std::vector<C
 std::string motion_csv(const std::vector<DriftRow>& drifts, const std::vector<CrossingRow>& crossings);
 
 /// Nothing where the engine's drift is within its bounds, and none of its moves ends in a wrong room; else what is not.
-Status check_motion(const std::vector<DriftRow>& drifts, const std::vector<CrossingRow>& crossings);
+Result<void> check_motion(const std::vector<DriftRow>& drifts, const std::vector<CrossingRow>& crossings);
 
 }  // namespace enfilade

@@ -51,7 +51,7 @@ std::string motion_csv(const std::vector<DriftRow>& drifts, const std::vector<Cr
     return text;
 }
 
-Status check_motion(const std::vector<DriftRow>& drifts, const std::vector<CrossingRow>& crossings) {
+Result<void> check_motion(const std::vector<DriftRow>& drifts, const std::vector<CrossingRow>& crossings) {
     for (const DriftRow& row : drifts) {
         const double most_m = most_drift_m(row.passes), most_rad = most_drift_rad(row.passes);
         if (row.way == kEngine && row.same_again != 1)

@@ -31,7 +31,7 @@ Result<std::int64_t> time_views(Renderer& renderer, const Snapshot& snapshot, co
                                 Frame& frame) {
     const std::int64_t began_ns = now_ns();
     for (const View& view : views)
-        if (Status failed = renderer.render(frame, nullptr, snapshot, view)) return *failed;
+        if (const Result<void> done = renderer.render(frame, nullptr, snapshot, view); !done.ok()) return done.error();
     return now_ns() - began_ns;
 }
 
@@ -65,21 +65,21 @@ Result<double> count_of(const AccuracySetting& setting, const PricePlan& plan) {
 }
 
 /// What is counted does not depend on what else the machine does: as many at once as it can.
-Status count_for(const std::vector<AccuracySetting>& settings, const PricePlan& plan,
-                 std::vector<AccuracyPrice>& prices) {
+Result<void> count_for(const std::vector<AccuracySetting>& settings, const PricePlan& plan,
+                       std::vector<AccuracyPrice>& prices) {
     Progress progress(settings.size(), "settings counted");
-    std::vector<Status> failed(settings.size());
+    std::vector<Result<void>> counted(settings.size());
     ThreadPool pool(std::max(1u, std::thread::hardware_concurrency()));
     pool.run(settings.size(), [&](std::size_t s, std::size_t worker) {
         const auto count = count_of(settings[s], plan);
         if (count.ok())
             prices[s].instructions = count.value();
         else
-            failed[s] = count.error();
+            counted[s] = count.error();
         progress.step(worker);
     });
-    for (Status& status : failed)
-        if (status) return std::move(status);
+    for (const Result<void>& one : counted)
+        if (!one.ok()) return one.error();
     return {};
 }
 
@@ -106,7 +106,7 @@ Result<std::vector<AccuracyPrice>> measure_prices(const OpenMap& map, const std:
     const double pixels = static_cast<double>(frame.pixels.size() * views.size());
     for (Priced& priced : all.value()) prices.push_back(price_of(priced, all.value().front(), pixels));
     if (!plan.views_file.empty())
-        if (Status failed = count_for(settings, plan, prices)) return *failed;
+        if (const Result<void> done = count_for(settings, plan, prices); !done.ok()) return done.error();
     return prices;
 }
 

@@ -285,7 +285,7 @@ std::string accuracy_plot(const std::vector<AccuracyScene>& scenes, const std::s
     return text + "unset multiplot\n";
 }
 
-Status check_promises(const std::vector<AccuracyScene>& scenes) {
+Result<void> check_promises(const std::vector<AccuracyScene>& scenes) {
     for (const AccuracyScene& scene : scenes)
         for (const AccuracyRow& row : scene.rows) {
             const AccuracyErrors& e = row.errors;

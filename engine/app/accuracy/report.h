@@ -56,7 +56,7 @@ std::string accuracy_page(const std::vector<AccuracyScene>& scenes, const std::s
 std::string accuracy_plot(const std::vector<AccuracyScene>& scenes, const std::string& folder);
 
 /// Nothing where every promise is kept and exact pictures have no fault; else the first that is not.
-Status check_promises(const std::vector<AccuracyScene>& scenes);
+Result<void> check_promises(const std::vector<AccuracyScene>& scenes);
 
 // The report for programs.
 
@@ -78,7 +78,7 @@ struct ReadAccuracy {
 Result<ReadAccuracy> read_accuracy_json(const std::string& path, std::string_view text);
 
 /// Nothing where these scenes are in the report with the same errors, whatever the prices; else the first that is not.
-Status compare_errors(const std::string& path, const std::vector<AccuracyScene>& report,
-                      const std::vector<AccuracyScene>& scenes);
+Result<void> compare_errors(const std::string& path, const std::vector<AccuracyScene>& report,
+                            const std::vector<AccuracyScene>& scenes);
 
 }  // namespace enfilade

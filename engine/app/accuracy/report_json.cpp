@@ -162,7 +162,7 @@ AccuracyScene scene_of(const Json& json, const std::vector<AccuracySetting>& set
 
 bool are_equal(const AccuracyErrors& a, const AccuracyErrors& b) { return json_of(a) == json_of(b); }
 
-Status compare_rows(const std::string& where, const AccuracyScene& report, const AccuracyScene& scene) {
+Result<void> compare_rows(const std::string& where, const AccuracyScene& report, const AccuracyScene& scene) {
     for (std::size_t i = 0; i < scene.rows.size(); ++i) {
         const AccuracyRow& row = scene.rows[i];
         const auto same = std::ranges::find_if(report.rows, [&](const AccuracyRow& other) {
@@ -207,14 +207,14 @@ Result<ReadAccuracy> read_accuracy_json(const std::string& path, std::string_vie
                            "' is missing or another thing than it should be"};
 }
 
-Status compare_errors(const std::string& path, const std::vector<AccuracyScene>& report,
-                      const std::vector<AccuracyScene>& scenes) {
+Result<void> compare_errors(const std::string& path, const std::vector<AccuracyScene>& report,
+                            const std::vector<AccuracyScene>& scenes) {
     for (const AccuracyScene& scene : scenes) {
         const auto same = std::ranges::find(report, scene.name, &AccuracyScene::name);
         if (same == report.end()) return Error{path, "expected the scene " + scene.name};
         if (same->map_hash != scene.map_hash)
             return Error{path, "expected the scene " + scene.name + " of the same map, which was changed since"};
-        if (Status other = compare_rows(path, *same, scene)) return other;
+        if (const Result<void> valid = compare_rows(path, *same, scene); !valid.ok()) return valid.error();
     }
     return {};
 }

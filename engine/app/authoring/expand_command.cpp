@@ -10,10 +10,10 @@ namespace enfilade {
 
 int run_expand(const ExpandRequest& request) {
     const auto bytes = read_file(request.map);
-    if (!bytes.ok()) return fail(refuse_as_map(request.map).value_or(bytes.error()));
+    if (!bytes.ok()) return fail(refuse_as_map(request.map).error_or(bytes.error()));
     MapReading reading = read_map_at(request.map, as_text(bytes.value()), read_file);
     if (has_errors(reading.findings))
-        if (Status other = refuse_as_map(request.map)) return fail(*other);
+        if (const Result<void> valid = refuse_as_map(request.map); !valid.ok()) return fail(valid.error());
     tell_files(reading.findings, reading.sources);
     if (print_findings(request.map, reading.findings, Talk::usual)) return kFailed;
     const std::string text = write_map(reading.map);
@@ -21,7 +21,8 @@ int run_expand(const ExpandRequest& request) {
         print_text(stdout, text);
         return kDone;
     }
-    if (Status failed = write_file(request.out, std::string_view(text))) return fail(*failed);
+    if (const Result<void> done = write_file(request.out, std::string_view(text)); !done.ok())
+        return fail(done.error());
     return kDone;
 }
 

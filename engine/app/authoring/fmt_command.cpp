@@ -18,7 +18,7 @@ enum class Outcome { same, other, failed };
 Outcome lay_out(const std::string& path, bool only_check) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) {
-        fail(refuse_as_map(path).value_or(bytes.error()));
+        fail(refuse_as_map(path).error_or(bytes.error()));
         return Outcome::failed;
     }
     const auto text = lay_out_toml(as_text(bytes.value()));
@@ -28,8 +28,8 @@ Outcome lay_out(const std::string& path, bool only_check) {
     }
     if (text.value() == as_text(bytes.value())) return Outcome::same;
     if (only_check) return Outcome::other;
-    if (Status failed = write_file(path, std::string_view(text.value()))) {
-        fail(*failed);
+    if (const Result<void> done = write_file(path, std::string_view(text.value())); !done.ok()) {
+        fail(done.error());
         return Outcome::failed;
     }
     return Outcome::other;

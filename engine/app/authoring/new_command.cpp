@@ -70,7 +70,8 @@ int run_new(const NewRequest& request) {
     std::error_code unknown;
     if (fs::exists(fs::symlink_status(path, unknown)))
         return fail({path.string(), "there is such a file already, and it is not overwritten; choose another name"});
-    if (Status failed = write_file(path.string(), std::string_view(first_map(path)))) return fail(*failed);
+    if (const Result<void> done = write_file(path.string(), std::string_view(first_map(path))); !done.ok())
+        return fail(done.error());
     print_text(stdout, fmt::format("{0} is a map of two rooms. `enfilade play {0}` opens it; change it meanwhile.\n",
                                    path.string()));
     return kDone;

@@ -34,11 +34,11 @@ std::string saved_before(const std::string& path, int age) {
 }
 
 /// Nothing is copied where nothing is. A copy, not a rename: at every moment there is a game under each name.
-Status copy_saved(const std::string& from, const std::string& to) {
+Result<void> copy_saved(const std::string& from, const std::string& to) {
     std::error_code unknown;
     if (!std::filesystem::exists(from, unknown)) return {};
     const auto bytes = read_file(from);
-    return bytes.ok() ? write_file(to, std::span<const std::byte>(bytes.value())) : Status(bytes.error());
+    return bytes.ok() ? write_file(to, std::span<const std::byte>(bytes.value())) : Result<void>(bytes.error());
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ Result<Game::Loaded> Game::load(const std::string& map_path, MapWatch& watch) co
     const MapStore cache = cache_of(map_path);
     LoadedMap map = load_map(map_path, texture_folders_, read, skill_, list_folder, &cache);
     if (!map.map)
-        if (Status other = refuse_as_map(map_path)) return *other;
+        if (const Result<void> valid = refuse_as_map(map_path); !valid.ok()) return valid.error();
     if (!map.map) return Error{"", lines_of(map_path, map.findings)};
     if (!map.map->player) return Error{map_path, "the map has no player to start as; give it a [player] to play it"};
     loaded.open = OpenMap{std::move(*map.map), std::move(map.textures)};
@@ -122,7 +122,7 @@ void Game::rewind(std::size_t ticks) {
     if (recorder_) heed(recorder_->cut_to(timeline_.inputs().size()));
 }
 
-Status Game::save(const std::string& path) const {
+Result<void> Game::save(const std::string& path) const {
     if (!from_start_)
         return Error{path, "the map was loaded again while it was played; start it anew, then it can be saved"};
     const auto text = read_file(path_);
@@ -136,11 +136,12 @@ Status Game::save(const std::string& path) const {
     if (!folder.empty()) std::filesystem::create_directories(folder, failed);
     if (failed) return Error{path, "the folder for it cannot be made: " + failed.message()};
     for (int age = kKeptSaves - 1; age > 0; --age)
-        if (Status unkept = copy_saved(saved_before(path, age - 1), saved_before(path, age))) return unkept;
+        if (const Result<void> done = copy_saved(saved_before(path, age - 1), saved_before(path, age)); !done.ok())
+            return done.error();
     return write_file(path, std::span<const std::byte>(write_tape(tape())));
 }
 
-Status Game::load_saved(const std::string& path) {
+Result<void> Game::load_saved(const std::string& path) {
     const auto bytes = read_file(path);
     if (!bytes.ok()) return bytes.error();
     const auto saved = read_tape(bytes.value());
@@ -157,7 +158,7 @@ Status Game::load_saved(const std::string& path) {
     return {};
 }
 
-Status Game::enter(const std::string& map_path) {
+Result<void> Game::enter(const std::string& map_path) {
     MapWatch watch;
     auto next = load(map_path, watch);
     if (!next.ok()) return next.error();
@@ -168,7 +169,7 @@ Status Game::enter(const std::string& map_path) {
     return {};
 }
 
-Status Game::reload() {
+Result<void> Game::reload() {
     auto fresh = load(path_, watch_);
     if (!fresh.ok()) return fresh.error();
     const Player before = player();
@@ -212,7 +213,7 @@ const MapPlaces& Game::places() {
     return places_.emplace(is_same ? places_in(as_text(text.value()), skill_, path_, read_file) : MapPlaces());
 }
 
-Status Game::record(const std::string& path) {
+Result<void> Game::record(const std::string& path) {
     auto begun = TapeRecorder::begin(path, tape());
     if (!begun.ok()) return begun.error();
     recorder_.emplace(std::move(begun).value());
@@ -224,10 +225,10 @@ void Game::end_recording() {
     recorder_.reset();
 }
 
-void Game::heed(Status failed) {
-    if (!failed) return;
+void Game::heed(const Result<void>& recorded) {
+    if (recorded.ok()) return;
     recorder_.reset();
-    recording_fault_ = std::move(failed);
+    recording_fault_ = recorded.error();
 }
 
 Tape Game::tape() const {

@@ -53,7 +53,7 @@ public:
     void restart();
 
     /// Leaves the map for the start of another; a recording ends here. An error leaves everything as it was.
-    Status enter(const std::string& map_path);
+    Result<void> enter(const std::string& map_path);
 
     /// Goes back in time by some ticks, or to the beginning; what came later is forgotten, by a tape as well.
     void rewind(std::size_t ticks);
@@ -62,12 +62,12 @@ public:
     /// are kept beside it, with .1 and .2 behind their names. An error where it cannot be written, and where it could
     /// not be loaded again: the map was loaded again on the way, so that it does not begin at its start, or the map's
     /// file is no longer the one that is played. Then what was saved before stays as it is.
-    Status save(const std::string& path) const;
+    Result<void> save(const std::string& path) const;
 
     /// Goes on where a game was saved, or where a recording ends; one that is being recorded ends here. An error where
     /// there is none, or it is of another map, or of this one as it was before it was changed; then everything is as it
     /// was. Cost: all ticks that were played.
-    Status load_saved(const std::string& path);
+    Result<void> load_saved(const std::string& path);
 
     /// True where the map or one of its pictures was saved since it was loaded.
     bool map_changed() const { return watch_.changed(); }
@@ -75,7 +75,7 @@ public:
     /// Loads the map again. The player stays where he is, or where that is no longer inside the map, begins at its
     /// start. An error, with all findings, leaves everything as it was. A recording ends here: it belongs to the map
     /// before.
-    Status reload();
+    Result<void> reload();
 
     /// What the player sees, `part` of the way from the tick before to this one, the head turned further by `ahead`.
     /// true_pitch: for a renderer that turns its picture instead of shifting the horizon.
@@ -95,12 +95,12 @@ public:
     Automap& automap() { return automap_; }
 
     /// From now on everything is written to the tape at `path`, tick by tick; only right after start or restart.
-    Status record(const std::string& path);
+    Result<void> record(const std::string& path);
     bool is_recording() const { return recorder_.has_value(); }
     /// Ends the recording, where there is one.
     void end_recording();
     /// Why the last recording could not be written to its end, once.
-    Status take_recording_fault() { return std::exchange(recording_fault_, {}); }
+    std::optional<Error> take_recording_fault() { return std::exchange(recording_fault_, {}); }
 
     /// All that was pressed since the start, and how the world is now.
     Tape tape() const;
@@ -117,7 +117,7 @@ private:
     Result<Loaded> load(const std::string& map_path, MapWatch& watch) const;
     void take(Loaded loaded);
     /// Ends the recording where writing it failed.
-    void heed(Status failed);
+    void heed(const Result<void>& recorded);
     /// The player of before in the map of now.
     void keep_player(const Player& before, const std::string& sector_name);
 
@@ -133,7 +133,7 @@ private:
     Automap automap_;
     bool from_start_ = true;  ///< the timeline begins as the map does
     std::optional<TapeRecorder> recorder_;
-    Status recording_fault_;
+    std::optional<Error> recording_fault_;
 };
 
 }  // namespace enfilade

@@ -16,8 +16,8 @@
 #include "app/play/saved_game.h"
 #include "base/attempt.h"
 #include "base/hash.h"
-#include "flight/renderer.h"
 #include "formats/text_parts.h"
+#include "render/choice/renderer.h"
 
 namespace enfilade {
 namespace {
@@ -128,7 +128,8 @@ Result<Frame> draw_picture(const std::string& map_path) {
     if (!renderer.ok()) return renderer.error();
     Frame frame;
     frame.resize(kPictureWidth, kPictureHeight);
-    if (Status failed = renderer.value()->render(frame, nullptr, at_rest(*map.map), view.value())) return *failed;
+    if (const Result<void> done = renderer.value()->render(frame, nullptr, at_rest(*map.map), view.value()); !done.ok())
+        return done.error();
     return frame;
 }
 
@@ -138,7 +139,7 @@ Frame picture_of(const std::string& map_path) {
     auto before = read_picture(kept);
     if (before.ok()) return std::move(before).value();
     Frame frame;
-    const Status broken = attempt([&] {
+    const Result<void> unbroken = attempt([&] {
         auto drawn = draw_picture(map_path);
         if (!drawn.ok()) return;
         frame = std::move(drawn).value();
@@ -146,7 +147,7 @@ Frame picture_of(const std::string& map_path) {
         fs::create_directories(kept.parent_path(), unknown);
         static_cast<void>(write_picture(kept.string(), image_of(frame)));
     });
-    return broken ? Frame() : frame;
+    return unbroken.ok() ? frame : Frame();
 }
 
 }  // namespace
@@ -168,7 +169,7 @@ std::vector<ListedMap> find_maps() {
     return maps;
 }
 
-Status convert_wad(const std::string& wad_path) {
+Result<void> convert_wad(const std::string& wad_path) {
     const fs::path folder = folder_of_wad(wad_path), scratch = folder.string() + ".unfinished";
     std::error_code failed;
     fs::create_directories(folder.parent_path(), failed);
@@ -189,7 +190,7 @@ Status convert_wad(const std::string& wad_path) {
 Result<std::string> first_level_of(const std::string& wad_path) {
     const fs::path folder = folder_of_wad(wad_path);
     if (!is_converted_since(folder, wad_path))
-        if (Status failed = convert_wad(wad_path)) return *failed;
+        if (const Result<void> done = convert_wad(wad_path); !done.ok()) return done.error();
     const std::vector<std::string> levels = maps_in_folders({folder.string()});
     if (levels.empty() || !levels[0].ends_with(".toml"))
         return Error{wad_path, "no level of it could be converted; " + (folder / "report.txt").string() + " says why"};

@@ -27,7 +27,7 @@ std::vector<ListedMap> find_maps();
 
 /// The converter's maps of a WAD, in a folder that find_maps() looks into. Takes seconds. An error says what the
 /// converter said.
-Status convert_wad(const std::string& wad_path);
+Result<void> convert_wad(const std::string& wad_path);
 
 /// The map of the first level of a WAD, by its name: as convert_wad() left it where that is no older than the WAD, else
 /// converted now, which takes seconds.

@@ -21,14 +21,15 @@ Result<SettingsStore> settings_for(const PlayRequest& request) {
     Settings now = store.now();
     for (const auto& [name, text] : request.settings) {
         const Setting& setting = setting_named(name);
-        if (const Status wrong = setting.read(setting, text, now)) return Error{option_of(setting), wrong->what};
+        if (const Result<void> valid = setting.read(setting, text, now); !valid.ok())
+            return Error{option_of(setting), valid.error().what};
     }
     const auto is_given = [&](std::string_view name) {
         return std::ranges::any_of(request.settings, [&](const auto& given) { return given.first == name; });
     };
     if (is_given("true_pitch") && now.true_pitch) {
         if (is_given("renderer"))
-            if (Status refused = refuse_true_pitch(now.renderer, true)) return *refused;
+            if (const Result<void> valid = refuse_true_pitch(now.renderer, true); !valid.ok()) return valid.error();
         now.renderer = RendererKind::stencil;
     }
     store.change_for_now(now);
@@ -54,7 +55,7 @@ Result<bool> play_in(Window& window, SettingsStore& store, Game& game, const Pla
     options.save = request.save.empty() ? saved_game_of(game.path()) : request.save;
     window.set_title("Enfilade - " + printable_line(game.map().name));
     PlayLoop loop(game, window, store, options);
-    if (Status failed = loop.run()) return *failed;
+    if (const Result<void> done = loop.run(); !done.ok()) return done.error();
     keep_last_game(game);
     return loop.is_left_for_title();
 }
@@ -74,7 +75,7 @@ Result<std::string> map_for(const PlayRequest& request) {
 }
 
 /// Title screen and game by turns, until the player quits.
-Status show_title(Window& window, SettingsStore& store, const PlayRequest& request) {
+Result<void> show_title(Window& window, SettingsStore& store, const PlayRequest& request) {
     std::string note;
     for (;;) {
         window.set_title("Enfilade");
@@ -102,14 +103,15 @@ int run_play(const PlayRequest& request) {
     auto game = Game::start(map.value(), request.texture_folders, request.skill);
     if (!game.ok()) return fail(game.error());
     if (!request.load.empty())
-        if (Status failed = game.value()->load_saved(request.load)) return fail(*failed);
+        if (const Result<void> done = game.value()->load_saved(request.load); !done.ok()) return fail(done.error());
     auto window = window_for("Enfilade - " + printable_line(game.value()->map().name), store.value().now());
     if (!window.ok()) return fail(window.error());
     const auto wants_title = play_in(*window.value(), store.value(), *game.value(), request);
     if (!wants_title.ok()) return fail(wants_title.error());
     if (!wants_title.value()) return kDone;
     game.value().reset();
-    if (Status failed = show_title(*window.value(), store.value(), request)) return fail(*failed);
+    if (const Result<void> done = show_title(*window.value(), store.value(), request); !done.ok())
+        return fail(done.error());
     return kDone;
 }
 
@@ -119,7 +121,8 @@ int run_title() {
     if (!store.ok()) return refuse_usage(store.error());
     auto window = window_for("Enfilade", store.value().now());
     if (!window.ok()) return fail(window.error());
-    if (Status failed = show_title(*window.value(), store.value(), request)) return fail(*failed);
+    if (const Result<void> done = show_title(*window.value(), store.value(), request); !done.ok())
+        return fail(done.error());
     return kDone;
 }
 

@@ -152,7 +152,7 @@ void PlayLoop::open_menu() {
 void PlayLoop::close_menu() {
     menu_.close();
     window_.grab_mouse(true);
-    if (const Status failed = store_.save()) tell(failed->text());
+    if (const Result<void> done = store_.save(); !done.ok()) tell(done.error().text());
 }
 
 void PlayLoop::change_settings(Settings changed) {

@@ -35,10 +35,10 @@ void PlayLoop::look_for_changes(std::int64_t now) {
 
 void PlayLoop::reload() {
     const bool was_recording = game_.is_recording();
-    Status refused;
-    if (Status broken = attempt([&] { refused = game_.reload(); })) refused = broken;
-    if (refused) {
-        std::vector<std::string> lines = split_lines(refused->text());
+    Result<void> reloaded;
+    if (const Result<void> unbroken = attempt([&] { reloaded = game_.reload(); }); !unbroken.ok()) reloaded = unbroken;
+    if (!reloaded.ok()) {
+        std::vector<std::string> lines = split_lines(reloaded.error().text());
         const std::size_t all = lines.size();
         lines.resize(std::min(all, kMostLines));
         if (all > kMostLines) lines.push_back(fmt::format("and {} more", all - kMostLines));
@@ -103,11 +103,12 @@ void PlayLoop::enter_next_map() {
     end_.reset();
     told_ = 0;
     if (end.next_path.empty()) return game_.restart();
-    Status failed;
-    if (Status broken = attempt([&] { failed = game_.enter(end.next_path); })) failed = broken;
-    if (failed) {
+    Result<void> entered;
+    if (const Result<void> unbroken = attempt([&] { entered = game_.enter(end.next_path); }); !unbroken.ok())
+        entered = unbroken;
+    if (!entered.ok()) {
         game_.restart();
-        return notices_.pin(split_lines(failed->text()));
+        return notices_.pin(split_lines(entered.error().text()));
     }
     options_.save = saved_game_of(game_.path());
     draw_another_map();
@@ -116,49 +117,49 @@ void PlayLoop::enter_next_map() {
 }
 
 void PlayLoop::save_game() {
-    const Status failed = game_.save(options_.save);
-    tell(failed ? failed->what : "Saved. F9 comes back here; the two games before are kept beside it.");
+    const Result<void> saved = game_.save(options_.save);
+    tell(saved.ok() ? "Saved. F9 comes back here; the two games before are kept beside it." : saved.error().what);
 }
 
 void PlayLoop::load_game() {
     free_camera_.reset();
-    const Status failed = game_.load_saved(options_.save);
+    const Result<void> loaded = game_.load_saved(options_.save);
     told_ = game_.world().tick;
-    tell(failed ? failed->text() : "Back where you saved.");
+    tell(loaded.ok() ? "Back where you saved." : loaded.error().text());
 }
 
 void PlayLoop::follow_recording() {
-    if (Status failed = game_.take_recording_fault()) tell("The recording ends here: " + failed->text());
+    if (const auto fault = game_.take_recording_fault()) tell("The recording ends here: " + fault->text());
 }
 
 Error PlayLoop::save_what_was_played(const Error& why) {
-    Status unsaved;
-    if (Status broken = attempt([&] {
-            game_.end_recording();
-            unsaved = game_.save(options_.save);
-        }))
-        unsaved = broken;
-    if (unsaved) return {"", fmt::format("{}; the game could not be saved: {}", why.text(), unsaved->text())};
+    Result<void> saved;
+    const Result<void> unbroken = attempt([&] {
+        game_.end_recording();
+        saved = game_.save(options_.save);
+    });
+    if (!unbroken.ok()) saved = unbroken;
+    if (!saved.ok()) return {"", fmt::format("{}; the game could not be saved: {}", why.text(), saved.error().text())};
     return {"", fmt::format("{}; the game was saved, and `enfilade play {} --load {}` goes on with it", why.text(),
                             game_.path(), options_.save)};
 }
 
 void PlayLoop::begin_sounds() {
     if (options_.mute) return;
-    const Status broken = attempt([&] {
+    const Result<void> unbroken = attempt([&] {
         for (const std::string& fault : sounds_.begin(game_.map(), game_.path())) tell(fault);
     });
-    if (broken) play_without_sound(*broken);
+    if (!unbroken.ok()) play_without_sound(unbroken.error());
 }
 
 void PlayLoop::hear() {
-    const Status broken = attempt([&] {
+    const Result<void> unbroken = attempt([&] {
         if (is_paused() || rewinding_)
             sounds_.fall_silent();
         else
             sounds_.hear(game_.map(), game_.world(), settings().volume);
     });
-    if (broken) play_without_sound(*broken);
+    if (!unbroken.ok()) play_without_sound(unbroken.error());
 }
 
 void PlayLoop::play_without_sound(const Error& why) {

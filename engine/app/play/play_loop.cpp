@@ -33,11 +33,11 @@ PlayLoop::PlayLoop(Game& game, Window& window, SettingsStore& store, const PlayO
       stillness_(game.map()),
       drawn_by_(store.now().renderer) {}
 
-Status PlayLoop::run() {
-    Status ended;
-    const Status broken = attempt([&] { ended = play(); });
-    if (broken) return save_what_was_played(*broken);
-    return ended ? Status(save_what_was_played(*ended)) : Status();
+Result<void> PlayLoop::run() {
+    Result<void> ended;
+    if (const Result<void> unbroken = attempt([&] { ended = play(); }); !unbroken.ok()) ended = unbroken;
+    if (!ended.ok()) return save_what_was_played(ended.error());
+    return {};
 }
 
 void PlayLoop::begin() {
@@ -52,9 +52,9 @@ void PlayLoop::begin() {
     begin_sounds();
 }
 
-Status PlayLoop::play() {
+Result<void> PlayLoop::play() {
     if (!options_.tape.empty())
-        if (Status failed = game_.record(options_.tape)) return failed;
+        if (const Result<void> done = game_.record(options_.tape); !done.ok()) return done.error();
     begin();
     std::vector<InputEvent> events;
     while (!quit_ && !to_title_) {
@@ -68,12 +68,13 @@ Status PlayLoop::play() {
         look_for_changes(now);
         pass_time(now);
         hear();
-        if (Status failed = show(now)) return failed;
+        if (const Result<void> done = show(now); !done.ok()) return done.error();
         pacing_.go_on(now_ns());
     }
-    if (const Status failed = store_.save()) tell(failed->text());
+    if (const Result<void> done = store_.save(); !done.ok()) tell(done.error().text());
     game_.end_recording();
-    return game_.take_recording_fault();
+    if (const auto fault = game_.take_recording_fault()) return *fault;
+    return {};
 }
 
 void PlayLoop::set_pace(std::int64_t now) {

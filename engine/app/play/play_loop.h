@@ -12,8 +12,8 @@
 #include "app/play/settings_file.h"
 #include "app/play/stillness.h"
 #include "app/sounds.h"
-#include "flight/renderer.h"
 #include "platform/window.h"
+#include "render/choice/renderer.h"
 
 namespace enfilade {
 
@@ -33,14 +33,14 @@ public:
 
     /// Runs until the end; an error where the window fails or the tape cannot be written. Where the game cannot go on,
     /// it is saved first, and the error says where.
-    Status run();
+    Result<void> run();
 
     /// Whether it ended because the player wants to see the title screen.
     bool is_left_for_title() const { return to_title_; }
 
 private:
     /// All of run() but what has to be done when it breaks off.
-    Status play();
+    Result<void> play();
     /// Why the game cannot go on, and where it was saved.
     Error save_what_was_played(const Error& why);
     void begin();
@@ -83,7 +83,7 @@ private:
     /// From the column to the stencil renderer or back; false, with a notice, where there is no OpenGL.
     bool change_renderer();
     /// Draws the map that is played now by a renderer of this kind; none is left where it cannot be had.
-    Status use_renderer(RendererKind kind);
+    Result<void> use_renderer(RendererKind kind);
     /// The same; where it cannot be had, with a notice, by the column renderer.
     void use_or_replace(RendererKind kind);
     /// After another map was loaded: by a renderer of the same kind or, with a notice, by the column renderer.
@@ -97,9 +97,9 @@ private:
     bool is_in_room(double part);
     /// What the free camera sees where it is in no room: the rooms from outside, and the body's view in them.
     void draw_surroundings(double part);
-    Status try_to_draw(double part);
+    Result<void> try_to_draw(double part);
     /// Draws the view, by the other renderer where this one fails.
-    Status draw_view(double part);
+    Result<void> draw_view(double part);
     /// Whether the picture may stay on the graphics card.
     bool is_on_card(double part);
     /// Lets as many ticks pass as time has; none while paused, and the picture then stands still, too.
@@ -110,9 +110,9 @@ private:
     /// Whether a picture would show anything new.
     bool is_worth_showing(double part);
     void note_drawn(double part);
-    Status show(std::int64_t now);
+    Result<void> show(std::int64_t now);
     /// Waits until the picture is due, and shows it.
-    Status present();
+    Result<void> present();
     void draw_over(double part);
     void draw_automap(Overlay& overlay, const View& view);
     /// What is written at the lower edge, and over the middle.

@@ -91,13 +91,13 @@ void PlayLoop::note_drawn(double part) {
     stillness_->drew(view, game_.snapshot(part), seen);
 }
 
-Status PlayLoop::show(std::int64_t now) {
+Result<void> PlayLoop::show(std::int64_t now) {
     const double part = part_of_tick(now);
     if (window_.is_hidden() || !is_worth_showing(part)) return {};
     const PixelSize size = picture_size();
     frame_.resize(size.width, size.height);
     const std::int64_t began = now_ns();
-    if (Status failed = draw_view(part)) return failed;
+    if (const Result<void> done = draw_view(part); !done.ok()) return done.error();
     const std::int64_t drawn = now_ns();
     remember_seen(now);
     if (frame_.is_cut_short && !was_cut_short_) tell(std::string("Here ") + kCutShort);
@@ -105,12 +105,12 @@ Status PlayLoop::show(std::int64_t now) {
     if (!on_card_) brighten(frame_, settings().brightness);
     draw_over(part);
     note_drawn(part);
-    Status failed = present();
+    const Result<void> presented = present();
     times_.add(drawn - began, now_ns());
-    return failed;
+    return presented;
 }
 
-Status PlayLoop::present() {
+Result<void> PlayLoop::present() {
     pacing_.drew(now_ns() - began_ns_);
     sleep_until_ns(pacing_.due());
     return on_card_ ? window_.present(*on_card_, frame_, settings().brightness) : window_.present(frame_);

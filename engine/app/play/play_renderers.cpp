@@ -18,14 +18,14 @@ constexpr double kSeenFromOutside = 200;
 bool PlayLoop::change_renderer() {
     const RendererKind before = drawn_by_;
     const auto other = before == RendererKind::stencil ? RendererKind::column : RendererKind::stencil;
-    if (const Status failed = use_renderer(other)) return tell(failed->text()), false;
+    if (const Result<void> done = use_renderer(other); !done.ok()) return tell(done.error().text()), false;
     tell("Drawn by the " + name_of(other) + " renderer.");
     return true;
 }
 
-Status PlayLoop::use_renderer(RendererKind kind) {
-    Status failed;
-    const Status broken = attempt([&] {
+Result<void> PlayLoop::use_renderer(RendererKind kind) {
+    Result<void> made;
+    const Result<void> unbroken = attempt([&] {
         renderer_.reset();  // its context goes before the window's
         on_card_.reset();
         const bool wants_gpu = has_gpu() && (kind == RendererKind::stencil || settings().vsync);
@@ -36,20 +36,23 @@ Status PlayLoop::use_renderer(RendererKind kind) {
         Dials dials = dials_of(settings(), kind, game_.map());
         dials.samples = std::clamp(dials.samples, 1, std::max(most, 1));
         auto renderer = make_renderer({kind, dials, hardware_threads(), open_gl}, game_.map(), game_.textures());
-        if (!renderer.ok()) failed = renderer.error();
-        if (!failed) renderer_ = std::move(renderer).value();
+        if (renderer.ok())
+            renderer_ = std::move(renderer).value();
+        else
+            made = renderer.error();
     });
-    if (broken || failed) return broken ? broken : failed;
+    if (!unbroken.ok()) return unbroken;
+    if (!made.ok()) return made;
     drawn_by_ = kind;
     is_changed_ = true;
     return {};
 }
 
 void PlayLoop::use_or_replace(RendererKind kind) {
-    const Status failed = use_renderer(kind);
-    if (!failed) return;
-    tell(failed->text());
-    if (const Status still = use_renderer(RendererKind::column)) tell(still->text());
+    const Result<void> used = use_renderer(kind);
+    if (used.ok()) return;
+    tell(used.error().text());
+    if (const Result<void> valid = use_renderer(RendererKind::column); !valid.ok()) tell(valid.error().text());
 }
 
 void PlayLoop::draw_another_map() {
@@ -80,29 +83,29 @@ bool PlayLoop::is_on_card(double part) {
            outside_.shown() == OutsideView::Shown::nowhere && is_in_room(part);
 }
 
-Status PlayLoop::try_to_draw(double part) {
-    Status failed;
+Result<void> PlayLoop::try_to_draw(double part) {
+    Result<void> drawn;
     on_card_.reset();
-    const Status broken = attempt([&] {
+    const Result<void> unbroken = attempt([&] {
         if (!is_in_room(part)) return draw_surroundings(part);
-        if (!renderer_) return void(failed = Error{"", "there is nothing to draw the map with"});
+        if (!renderer_) return void(drawn = Error{"", "there is nothing to draw the map with"});
         if (!is_on_card(part))
-            return void(failed = renderer_->render(frame_, nullptr, game_.snapshot(part), view_now(part)));
+            return void(drawn = renderer_->render(frame_, nullptr, game_.snapshot(part), view_now(part)));
         auto picture = renderer_->render_on_card(frame_.width, frame_.height, game_.snapshot(part), view_now(part));
-        if (!picture.ok()) return void(failed = picture.error());
+        if (!picture.ok()) return void(drawn = picture.error());
         on_card_ = picture.value();
         frame_.is_cut_short = on_card_->is_cut_short;
         std::ranges::fill(frame_.pixels, 0);
     });
-    return broken ? broken : failed;
+    return unbroken.ok() ? drawn : unbroken;
 }
 
 /// A graphics card or a renderer that fails is no reason to stop playing.
-Status PlayLoop::draw_view(double part) {
-    const Status failed = try_to_draw(part);
-    if (!failed) return {};
-    tell(failed->text());
-    return change_renderer() ? try_to_draw(part) : failed;
+Result<void> PlayLoop::draw_view(double part) {
+    const Result<void> drawn = try_to_draw(part);
+    if (drawn.ok()) return {};
+    tell(drawn.error().text());
+    return change_renderer() ? try_to_draw(part) : drawn;
 }
 
 }  // namespace enfilade

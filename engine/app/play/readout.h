@@ -9,8 +9,8 @@
 
 #include "app/draw/overlay.h"
 #include "app/play/settings.h"
-#include "flight/renderer.h"
 #include "map/map.h"
+#include "render/choice/renderer.h"
 #include "world/world.h"
 
 namespace enfilade {

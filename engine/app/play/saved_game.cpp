@@ -17,19 +17,19 @@ Result<TapeRecorder> TapeRecorder::begin(const std::string& path, const Tape& ta
     auto file = OutputFile::open(path);
     if (!file.ok()) return file.error();
     const Bytes beginning = tape_beginning(tape);
-    if (Status failed = file.value().write(beginning)) return *failed;
+    if (const Result<void> done = file.value().write(beginning); !done.ok()) return done.error();
     for (const InputRecord& tick : tape.ticks)
-        if (Status failed = file.value().write(tape_tick(tick))) return *failed;
-    if (Status failed = file.value().put_in_place()) return *failed;
+        if (const Result<void> done = file.value().write(tape_tick(tick)); !done.ok()) return done.error();
+    if (const Result<void> done = file.value().put_in_place(); !done.ok()) return done.error();
     return TapeRecorder(std::move(file).value(), beginning.size());
 }
 
-Status TapeRecorder::add(const InputRecord& tick) { return file_.write(tape_tick(tick)); }
+Result<void> TapeRecorder::add(const InputRecord& tick) { return file_.write(tape_tick(tick)); }
 
-Status TapeRecorder::cut_to(std::size_t ticks) { return file_.cut_to(beginning_bytes_ + ticks * kTapeTickBytes); }
+Result<void> TapeRecorder::cut_to(std::size_t ticks) { return file_.cut_to(beginning_bytes_ + ticks * kTapeTickBytes); }
 
-Status TapeRecorder::finish(std::uint64_t final_hash) {
-    if (Status failed = file_.write(tape_end(final_hash))) return failed;
+Result<void> TapeRecorder::finish(std::uint64_t final_hash) {
+    if (const Result<void> done = file_.write(tape_end(final_hash)); !done.ok()) return done.error();
     return file_.commit();
 }
 
@@ -116,7 +116,7 @@ Result<std::string> save_screenshot(const Frame& frame, const std::string& folde
         const auto path = std::filesystem::path(folder) / name;
         std::error_code unknown;
         if (std::filesystem::exists(path, unknown)) continue;
-        if (Status failed = write_picture(path.string(), image_of(frame))) return *failed;
+        if (const Result<void> done = write_picture(path.string(), image_of(frame)); !done.ok()) return done.error();
         return name;
     }
     return Error{folder, fmt::format("there are {} screenshots already; move some away", kMostScreenshots)};

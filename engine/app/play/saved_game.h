@@ -18,10 +18,10 @@ public:
     /// Begins the tape at `path`, in place of what was there, with the ticks of `tape`; its end is not looked at.
     static Result<TapeRecorder> begin(const std::string& path, const Tape& tape);
 
-    Status add(const InputRecord& tick);
+    Result<void> add(const InputRecord& tick);
     /// Forgets all but the first so many ticks.
-    Status cut_to(std::size_t ticks);
-    Status finish(std::uint64_t final_hash);
+    Result<void> cut_to(std::size_t ticks);
+    Result<void> finish(std::uint64_t final_hash);
 
 private:
     TapeRecorder(OutputFile file, std::size_t beginning_bytes)

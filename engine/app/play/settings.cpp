@@ -22,7 +22,7 @@ constexpr std::string_view kAsWindow = "window";
 /// What the menu goes through; a file or an option may name any other.
 constexpr PictureSize kSizes[] = {{320, 200}, {640, 400}, {960, 600}, {1280, 800}, {1920, 1200}};
 
-Status not_one_of(std::span<const std::string_view> words, std::string_view found) {
+Result<void> not_one_of(std::span<const std::string_view> words, std::string_view found) {
     return Error{"", fmt::format("expected {}; found {}", fmt::join(words, " or "), in_quotes(found))};
 }
 
@@ -43,7 +43,7 @@ constexpr Setting flag(std::string_view name, std::string_view label, std::strin
     Setting row{name, label, help};
     row.is_flag = true;
     row.text = [](const Setting&, const Settings& all) { return std::string(kSwitch[all.*Field]); };
-    row.read = [](const Setting&, std::string_view text, Settings& all) -> Status {
+    row.read = [](const Setting&, std::string_view text, Settings& all) -> Result<void> {
         const auto truth = truth_of(text);
         if (!truth) return not_one_of(kSwitch, text);
         all.*Field = *truth;
@@ -63,7 +63,7 @@ constexpr Setting number(std::string_view name, std::string_view label, std::str
                          double step) {
     Setting row{name, label, help, low, high, step};
     row.text = [](const Setting&, const Settings& all) { return fmt::format("{:.6g}", all.*Field); };
-    row.read = [](const Setting& of, std::string_view text, Settings& all) -> Status {
+    row.read = [](const Setting& of, std::string_view text, Settings& all) -> Result<void> {
         const auto value = parse_number(text);
         const bool is_whole = of.step < 1 || (value && *value == std::floor(*value));
         if (!value || *value < of.low || *value > of.high || !is_whole)
@@ -86,7 +86,7 @@ constexpr Setting choice(std::string_view name, std::string_view label, std::str
     row.text = [](const Setting&, const Settings& all) {
         return std::string(Words[static_cast<std::size_t>(all.*Field)]);
     };
-    row.read = [](const Setting&, std::string_view text, Settings& all) -> Status {
+    row.read = [](const Setting&, std::string_view text, Settings& all) -> Result<void> {
         const auto index = index_of(Words, text);
         if (!index) return not_one_of(Words, text);
         all.*Field = static_cast<Value>(*index);
@@ -103,7 +103,7 @@ std::string size_text(const Setting&, const Settings& all) {
     return all.size ? fmt::format("{}x{}", all.size->width, all.size->height) : std::string(kAsWindow);
 }
 
-Status read_size(const Setting&, std::string_view text, Settings& all) {
+Result<void> read_size(const Setting&, std::string_view text, Settings& all) {
     if (text == kAsWindow) {
         all.size.reset();
         return {};
@@ -261,7 +261,7 @@ Dials dials_of(const Settings& settings, RendererKind kind, const Map& map) {
     Dials dials;
     dials.samples = static_cast<int>(settings.samples);
     if (kind != RendererKind::column) return dials;
-    ENFILADE_CHECK(!set_accuracy(dials, kAccuracies[static_cast<std::size_t>(settings.accuracy)]));
+    ENFILADE_CHECK(set_accuracy(dials, kAccuracies[static_cast<std::size_t>(settings.accuracy)]).ok());
     dials.sampling = sampling_of(settings.sampling, map);
     return dials;
 }

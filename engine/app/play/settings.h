@@ -123,7 +123,7 @@ struct Setting {
     double low = 0, high = 0, step = 0;  ///< of numbers
     std::string (*text)(const Setting&, const Settings&) = nullptr;
     /// An error that says what was expected leaves the settings as they are.
-    Status (*read)(const Setting&, std::string_view text, Settings&) = nullptr;
+    Result<void> (*read)(const Setting&, std::string_view text, Settings&) = nullptr;
     /// Goes on by so many steps: numbers stay within their ends, words begin again.
     void (*turn)(const Setting&, int steps, Settings&) = nullptr;
     bool is_word = false;  ///< whether a file has the text in quotes

@@ -83,9 +83,9 @@ void read_bindings(SettingsReading& reading, const TomlEntry& table) {
 }
 
 void read_setting(SettingsReading& reading, const TomlEntry& entry, const Setting& setting) {
-    if (const Status wrong = setting.read(setting, plain_text(entry.value), reading.settings))
-        note(reading, entry.value.place(), Severity::error, "wrong-value",
-             in_quotes(entry.key) + ": " + wrong->what + "; it is as usual until this is put right");
+    if (const Result<void> valid = setting.read(setting, plain_text(entry.value), reading.settings); !valid.ok())
+        note(reading, entry.value.place(), Severity::error, "valid-value",
+             in_quotes(entry.key) + ": " + valid.error().what + "; it is as usual until this is put right");
 }
 
 void keep_unknown(SettingsReading& reading, const TomlEntry& entry) {
@@ -169,7 +169,7 @@ void SettingsStore::change(const Settings& settings) {
     is_changed_ = true;
 }
 
-Status SettingsStore::save() {
+Result<void> SettingsStore::save() {
     if (!is_changed_ || path_.empty()) return {};
     std::error_code failed;
     std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), failed);
@@ -177,10 +177,12 @@ Status SettingsStore::save() {
     if (is_damaged_) {
         const auto bytes = read_file(path_);
         if (bytes.ok())
-            if (Status unkept = write_file(path_ + ".damaged", std::span<const std::byte>(bytes.value())))
-                return unkept;
+            if (const Result<void> done = write_file(path_ + ".damaged", std::span<const std::byte>(bytes.value()));
+                !done.ok())
+                return done.error();
     }
-    if (Status unwritten = write_file(path_, std::string_view(write_settings(kept_, unknown_)))) return unwritten;
+    if (const Result<void> done = write_file(path_, std::string_view(write_settings(kept_, unknown_))); !done.ok())
+        return done.error();
     is_changed_ = is_damaged_ = false;
     return {};
 }

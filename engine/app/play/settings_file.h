@@ -41,7 +41,7 @@ public:
 
     /// Writes what changed, where something did. A file with errors is first set aside under a name of its own, with
     /// ".damaged" behind it.
-    Status save();
+    Result<void> save();
 
 private:
     std::string path_;

@@ -12,8 +12,8 @@
 #include "app/play/saved_game.h"
 #include "base/attempt.h"
 #include "base/parallel.h"
-#include "flight/renderer.h"
 #include "platform/clock.h"
+#include "render/choice/renderer.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
@@ -50,7 +50,7 @@ Result<TitleChoice> TitleScreen::run() {
         if (!events.empty()) is_changed_ = true, acted = now_ns();
         for (const InputEvent& event : events) handle(event);
         if (!is_over_ && !window_.is_hidden() && has_news())
-            if (Status failed = show()) return *failed;
+            if (const Result<void> done = show(); !done.ok()) return done.error();
         pacing_.go_on(now_ns());
     }
     static_cast<void>(store_.save());
@@ -102,8 +102,8 @@ void TitleScreen::change_settings(const Settings& changed) {
 
 bool TitleScreen::has_news() {
     if (conversion_.valid() && conversion_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        const Status failed = conversion_.get();
-        note_ = failed ? failed->text() : "";
+        const Result<void> converted = conversion_.get();
+        note_ = converted.ok() ? "" : converted.error().text();
         maps_.set_maps(find_maps());
         is_changed_ = true;
     }
@@ -130,7 +130,7 @@ void TitleScreen::draw_background() {
     }));
 }
 
-Status TitleScreen::show() {
+Result<void> TitleScreen::show() {
     is_changed_ = false;
     draw_background();
     frame_ = background_;

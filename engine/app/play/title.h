@@ -34,7 +34,7 @@ private:
     void change_settings(const Settings& changed);
     /// Whether something came that the picture does not show yet.
     bool has_news();
-    Status show();
+    Result<void> show();
     /// The tour's first view, as large as the window.
     void draw_background();
 
@@ -46,8 +46,8 @@ private:
     MapPage maps_;
     MapPictures pictures_;
     std::size_t shown_pictures_ = 0;
-    std::future<Status> conversion_;  ///< of a WAD, while it lasts
-    std::string note_;                ///< at the foot of the page of maps
+    std::future<Result<void>> conversion_;  ///< of a WAD, while it lasts
+    std::string note_;                      ///< at the foot of the page of maps
     Notices notices_;
     Pacing pacing_;
     TitleChoice choice_;

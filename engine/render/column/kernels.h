@@ -126,7 +126,7 @@ std::optional<PlainKernels> kernels_named(std::string_view name);
 PlainKernels chosen_kernels();
 
 /// An error where ENFILADE_KERNELS names no kernels that this processor can run.
-Status check_kernels();
+Result<void> check_kernels();
 
 /// As PlainKernels::fill_flats, however far: without its limit on depth * step.
 void fill_far_flats(const PlainFlats& flats);

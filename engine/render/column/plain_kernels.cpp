@@ -68,7 +68,7 @@ std::optional<PlainKernels> kernels_named(std::string_view name) {
 
 PlainKernels chosen_kernels() { return kernels_named(wanted_name()).value_or(available_kernels().front()); }
 
-Status check_kernels() {
+Result<void> check_kernels() {
     const std::string_view name = wanted_name();
     if (name.empty() || kernels_named(name)) return {};
     std::string known;

@@ -15,7 +15,7 @@ public:
     virtual ~GlContext() = default;
 
     /// The calling thread's OpenGL calls go to it from now on. An error where it was lost.
-    virtual Status make_current() = 0;
+    virtual Result<void> make_current() = 0;
     /// They go nowhere again.
     virtual void release() = 0;
 };

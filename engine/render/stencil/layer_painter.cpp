@@ -61,7 +61,7 @@ void at_level(int level, GLenum then) {
 
 }  // namespace
 
-Status LayerPainter::prepare() {
+Result<void> LayerPainter::prepare() {
     vertex_array_.create();
     vertices_.create();
     indices_.create();
@@ -72,13 +72,15 @@ Status LayerPainter::prepare() {
     return {};
 }
 
-Status LayerPainter::prepare_for(const Mesh& mesh, bool is_tilted) {
+Result<void> LayerPainter::prepare_for(const Mesh& mesh, bool is_tilted) {
     programs_ = &all_programs_[is_tilted];
     if (programs_->masks.program.id() == 0)
-        if (Status failed = build(programs_->masks, is_tilted)) return failed;
+        if (const Result<void> done = build(programs_->masks, is_tilted); !done.ok()) return done.error();
     for (std::size_t kind = 0; kind < kKinds; ++kind)
         if (mesh.has(static_cast<Kind>(kind)) && programs_->surfaces[kind].program.id() == 0)
-            if (Status failed = build(programs_->surfaces[kind], static_cast<Kind>(kind), is_tilted)) return failed;
+            if (const Result<void> done = build(programs_->surfaces[kind], static_cast<Kind>(kind), is_tilted);
+                !done.ok())
+                return done.error();
     return {};
 }
 

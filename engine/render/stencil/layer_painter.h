@@ -25,7 +25,7 @@ class RenderTarget {
 public:
     /// Makes it fit the picture and binds it, with room to keep the levels aside that often.
     /// An error where the graphics card has no such buffers.
-    Status prepare(int width, int height, bool with_facts, std::size_t kept = 0);
+    Result<void> prepare(int width, int height, bool with_facts, std::size_t kept = 0);
 
     /// Sets all pixels to "nothing drawn, infinitely far, level 0".
     void clear();
@@ -53,8 +53,8 @@ private:
         GlRenderbuffer depth_stencil;
     };
 
-    Status make(int width, int height, bool with_facts);
-    Status make_kept();
+    Result<void> make(int width, int height, bool with_facts);
+    Result<void> make_kept();
     void copy_levels(const GlFramebuffer& from, const GlFramebuffer& to) const;
 
     GlFramebuffer framebuffer_;
@@ -68,10 +68,10 @@ private:
 class LayerPainter {
 public:
     /// For the current context.
-    Status prepare();
+    Result<void> prepare();
 
     /// Compiles the programs that the mesh needs and no frame before needed.
-    Status prepare_for(const Mesh& mesh, bool is_tilted);
+    Result<void> prepare_for(const Mesh& mesh, bool is_tilted);
 
     /// Draws all layers into the target, which is prepared and cleared. Everything was prepared, records uploaded.
     void paint(RenderTarget& target, const DrawInput& scene, const Plan& plan, const Mesh& mesh,

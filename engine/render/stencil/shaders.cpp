@@ -15,7 +15,7 @@ Error driver_says(const std::string& log) {
     return {"stencil renderer", "the graphics driver refuses a shader: " + log};
 }
 
-Status compile(GLuint program, GLenum kind, const std::string& text) {
+Result<void> compile(GLuint program, GLenum kind, const std::string& text) {
     const GLuint shader = glCreateShader(kind);
     const std::string whole = preamble() + text;
     const char* source = whole.c_str();
@@ -32,10 +32,13 @@ Status compile(GLuint program, GLenum kind, const std::string& text) {
 }
 
 /// parts: what both shaders are to have.
-Status link(GlProgram& program, const std::string& parts, const std::string& fragment_shader) {
+Result<void> link(GlProgram& program, const std::string& parts, const std::string& fragment_shader) {
     program.create();
-    if (Status failed = compile(program.id(), GL_VERTEX_SHADER, parts + kVertexShader)) return failed;
-    if (Status failed = compile(program.id(), GL_FRAGMENT_SHADER, parts + kWallDepth + fragment_shader)) return failed;
+    if (const Result<void> done = compile(program.id(), GL_VERTEX_SHADER, parts + kVertexShader); !done.ok())
+        return done.error();
+    if (const Result<void> done = compile(program.id(), GL_FRAGMENT_SHADER, parts + kWallDepth + fragment_shader);
+        !done.ok())
+        return done.error();
     glLinkProgram(program.id());
     GLint done = 0;
     glGetProgramiv(program.id(), GL_LINK_STATUS, &done);
@@ -65,8 +68,10 @@ std::string parts_of(bool is_tilted) { return is_tilted ? part("TILTED") : ""; }
 
 }  // namespace
 
-Status build(SurfaceProgram& surface, Kind kind, bool is_tilted) {
-    if (Status failed = link(surface.program, parts_of(is_tilted) + parts_of(kind), kSurfaceShader)) return failed;
+Result<void> build(SurfaceProgram& surface, Kind kind, bool is_tilted) {
+    if (const Result<void> done = link(surface.program, parts_of(is_tilted) + parts_of(kind), kSurfaceShader);
+        !done.ok())
+        return done.error();
     surface.entry = uniform(surface.program, "entry");
     surface.entry_span = uniform(surface.program, "entry_span");
     surface.level = uniform(surface.program, "level");
@@ -81,6 +86,6 @@ Status build(SurfaceProgram& surface, Kind kind, bool is_tilted) {
     return {};
 }
 
-Status build(MaskProgram& mask, bool is_tilted) { return link(mask.program, parts_of(is_tilted), kMaskShader); }
+Result<void> build(MaskProgram& mask, bool is_tilted) { return link(mask.program, parts_of(is_tilted), kMaskShader); }
 
 }  // namespace enfilade::stencil

@@ -26,8 +26,8 @@ struct MaskProgram {
 };
 
 /// Compile them for the current context, for upright or tilted pictures. An error says what the driver said.
-Status build(SurfaceProgram& surface, Kind kind, bool is_tilted);
-Status build(MaskProgram& mask, bool is_tilted);
+Result<void> build(SurfaceProgram& surface, Kind kind, bool is_tilted);
+Result<void> build(MaskProgram& mask, bool is_tilted);
 
 // What the graphics card is told to do, in OpenGL's shading language; put together by shaders.cpp.
 //

@@ -40,15 +40,15 @@ struct StencilRenderer::State {
           facts{overlapping_sectors(of)} {}
 
     ~State() {
-        if (context->make_current()) static_cast<void>(objects.release());  // they were lost with the context
+        if (!context->make_current().ok()) static_cast<void>(objects.release());  // they were lost with the context
         objects.reset();
         context->release();
     }
 
-    Status prepare();
+    Result<void> prepare();
     /// Into the target; what it holds of the picture is in the result.
     Result<GlPicture> draw(int width, int height, bool with_facts, const Snapshot& snapshot, const View& view);
-    Status draw(Frame& frame, FrameFacts* frame_facts, const Snapshot& snapshot, const View& view);
+    Result<void> draw(Frame& frame, FrameFacts* frame_facts, const Snapshot& snapshot, const View& view);
 };
 
 namespace {
@@ -56,7 +56,7 @@ namespace {
 /// OpenGL ES 3.0 and OpenGL 3.3 as epoxy counts versions.
 constexpr int kLeastEs = 30, kLeastDesktop = 33;
 
-Status check_version() {
+Result<void> check_version() {
     const int version = epoxy_gl_version();
     if (version >= (epoxy_is_desktop_gl() ? kLeastDesktop : kLeastEs)) return {};
     return Error{"stencil renderer", std::string("expected OpenGL 3.3 or OpenGL ES 3.0, or newer; this graphics card "
@@ -66,7 +66,7 @@ Status check_version() {
 }
 
 /// What went wrong since the last question.
-Status gl_failure() {
+Result<void> gl_failure() {
     const GLenum error = glGetError();
     switch (error) {
         case GL_NO_ERROR: return {};
@@ -79,12 +79,12 @@ Status gl_failure() {
 }  // namespace
 
 /// In the current context.
-Status StencilRenderer::State::prepare() {
-    if (Status failed = check_version()) return failed;
+Result<void> StencilRenderer::State::prepare() {
+    if (const Result<void> done = check_version(); !done.ok()) return done.error();
     objects = std::make_unique<Objects>();
-    if (Status failed = objects->painter.prepare()) return failed;
-    if (Status failed = objects->target.prepare(1, 1, false)) return failed;
-    if (Status failed = objects->store.hold(textures)) return failed;
+    if (const Result<void> done = objects->painter.prepare(); !done.ok()) return done.error();
+    if (const Result<void> done = objects->target.prepare(1, 1, false); !done.ok()) return done.error();
+    if (const Result<void> done = objects->store.hold(textures); !done.ok()) return done.error();
     return gl_failure();
 }
 
@@ -95,13 +95,15 @@ Result<GlPicture> StencilRenderer::State::draw(int width, int height, bool with_
     const Screen screen = view.tilt ? panorama_screen() : Screen(projection);
     const FrameInput input{map, facts, textures, snapshot};
     Plan plan = make_plan(input, screen, rays, view);
-    if (Status failed = objects->target.prepare(width, height, with_facts, times_kept(plan.deepest))) return *failed;
+    if (const Result<void> done = objects->target.prepare(width, height, with_facts, times_kept(plan.deepest));
+        !done.ok())
+        return done.error();
     objects->records.clear();
     const DrawInput scene{input, objects->store, screen, rays, objects->records, lights.where_lit()};
     mesh.clear();
     const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
-    if (Status failed = objects->records.upload()) return *failed;
-    if (Status failed = objects->painter.prepare_for(mesh, rays.is_tilted)) return *failed;
+    if (const Result<void> done = objects->records.upload(); !done.ok()) return done.error();
+    if (const Result<void> done = objects->painter.prepare_for(mesh, rays.is_tilted); !done.ok()) return done.error();
     objects->target.clear();
     objects->painter.paint(objects->target, scene, plan, mesh, ranges, with_facts);
     counts = {plan.layers.size(),     0,           plan.rooms.size(), plan.cut, objects->painter.draws(),
@@ -112,7 +114,8 @@ Result<GlPicture> StencilRenderer::State::draw(int width, int height, bool with_
     return GlPicture{objects->target.framebuffer(), width, height, plan.is_cut_short};
 }
 
-Status StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const Snapshot& snapshot, const View& view) {
+Result<void> StencilRenderer::State::draw(Frame& frame, FrameFacts* frame_facts, const Snapshot& snapshot,
+                                          const View& view) {
     const auto picture = draw(frame.width, frame.height, frame_facts != nullptr, snapshot, view);
     if (!picture.ok()) return picture.error();
     objects->target.read(frame);
@@ -127,33 +130,33 @@ StencilRenderer::~StencilRenderer() = default;
 Result<std::unique_ptr<StencilRenderer>> StencilRenderer::make(std::unique_ptr<GlContext> context, const Map& map,
                                                                const TextureSet& textures, int light_points_per_m) {
     auto state = std::make_unique<State>(std::move(context), map, textures, light_points_per_m);
-    if (Status failed = state->context->make_current()) return *failed;
-    const Status failed = state->prepare();
+    if (const Result<void> done = state->context->make_current(); !done.ok()) return done.error();
+    const Result<void> prepared = state->prepare();
     state->context->release();
-    if (failed) return *failed;
+    if (!prepared.ok()) return prepared.error();
     return std::unique_ptr<StencilRenderer>(new StencilRenderer(std::move(state)));
 }
 
-Status StencilRenderer::render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) {
+Result<void> StencilRenderer::render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) {
     State& state = *state_;
     const std::size_t sectors = state.map.sectors.size();
     ENFILADE_CHECK(view.sector.index < sectors && snapshot.sectors.size() == sectors);
-    if (Status failed = state.context->make_current()) return failed;
+    if (const Result<void> done = state.context->make_current(); !done.ok()) return done.error();
     frame.resize(frame.width, frame.height);
-    const Status failed = state.draw(frame, facts, snapshot, view);
+    Result<void> drawn = state.draw(frame, facts, snapshot, view);
     state.context->release();
-    return failed;
+    return drawn;
 }
 
 Result<GlPicture> StencilRenderer::render_on_card(int width, int height, const Snapshot& snapshot, const View& view) {
     State& state = *state_;
     const std::size_t sectors = state.map.sectors.size();
     ENFILADE_CHECK(view.sector.index < sectors && snapshot.sectors.size() == sectors);
-    if (Status failed = state.context->make_current()) return *failed;
+    if (const Result<void> done = state.context->make_current(); !done.ok()) return done.error();
     auto picture = state.draw(width, height, false, snapshot, view);
-    const Status failed = gl_failure();
+    const Result<void> drawn = gl_failure();
     state.context->release();
-    if (failed) return *failed;
+    if (!drawn.ok()) return drawn.error();
     return picture;
 }
 

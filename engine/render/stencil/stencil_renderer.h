@@ -79,7 +79,7 @@ public:
     /// facts    : null, or what each pixel shows, of the same size after reset()
     /// snapshot : heights and lights of the moment, one for each sector of the map
     /// view     : view.sector contains view.eye under the tie rule
-    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view);
+    Result<void> render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view);
 
     /// The same picture, not copied: it holds until the next is drawn. An error as above.
     Result<GlPicture> render_on_card(int width, int height, const Snapshot& snapshot, const View& view);

@@ -19,7 +19,7 @@ void give_storage(GlRenderbuffer& buffer, GLenum format, int width, int height, 
 
 constexpr GLenum kDepthStencil = GL_DEPTH32F_STENCIL8;
 
-Status no_buffers(int width, int height) {
+Result<void> no_buffers(int width, int height) {
     return Error{"stencil renderer",
                  "expected a picture with 8 bits of stencil and a depth buffer of floats; this graphics card or its "
                  "driver has none of " +
@@ -33,20 +33,20 @@ void write_to(GLenum first, GLenum second) {
 
 }  // namespace
 
-Status RenderTarget::prepare(int width, int height, bool with_facts, std::size_t kept) {
+Result<void> RenderTarget::prepare(int width, int height, bool with_facts, std::size_t kept) {
     framebuffer_.create();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     if (width != width_ || height != height_ || (with_facts && !with_facts_))
-        if (Status failed = make(width, height, with_facts)) return failed;
+        if (const Result<void> done = make(width, height, with_facts); !done.ok()) return done.error();
     while (kept_.size() < kept)
-        if (Status failed = make_kept()) return failed;
+        if (const Result<void> done = make_kept(); !done.ok()) return done.error();
     kept_now_ = 0;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, width, height);
     return {};
 }
 
-Status RenderTarget::make(int width, int height, bool with_facts) {
+Result<void> RenderTarget::make(int width, int height, bool with_facts) {
     width_ = height_ = 0;  // until it is made
     kept_.clear();
     GLint most = 0;
@@ -66,7 +66,7 @@ Status RenderTarget::make(int width, int height, bool with_facts) {
     return {};
 }
 
-Status RenderTarget::make_kept() {
+Result<void> RenderTarget::make_kept() {
     KeptLevels& kept = kept_.emplace_back();
     kept.framebuffer.create();
     glBindFramebuffer(GL_FRAMEBUFFER, kept.framebuffer.id());

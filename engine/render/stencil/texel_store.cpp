@@ -8,7 +8,7 @@
 
 namespace enfilade::stencil {
 
-Status TexelStore::hold(const TextureSet& textures) {
+Result<void> TexelStore::hold(const TextureSet& textures) {
     std::vector<std::uint32_t> texels;
     const auto add = [&](const Texture& texture) {
         places_.push_back(static_cast<std::uint32_t>(texels.size()));
@@ -97,7 +97,7 @@ std::uint32_t Records::lamplight(const LightGrid& grid, Vec2 scale, Vec2 start) 
     return add(std::array{place, pair_of(scale), pair_of(start)});
 }
 
-Status Records::upload() {
+Result<void> Records::upload() {
     if (pairs_.size() <= 1) return {};
     if (pairs_.size() > ListTexture::most())
         return Error{"stencil renderer", "there is more light in view than this graphics card has room for: " +

@@ -57,7 +57,7 @@ inline std::uint32_t size_of(const Texture& picture) { return picture.width | pi
 class TexelStore {
 public:
     /// Loads the pictures. An error where they do not fit.
-    Status hold(const TextureSet& textures);
+    Result<void> hold(const TextureSet& textures);
 
     std::uint32_t place_of(TextureId id) const { return places_[id ? id.index : places_.size() - 1]; }
     GLuint texture() const { return texture_.id(); }
@@ -106,7 +106,7 @@ public:
     std::uint32_t lamplight(const LightGrid& grid, Vec2 scale, Vec2 start);
 
     /// For the graphics card. Costs nothing where there are none. An error where they do not fit.
-    Status upload();
+    Result<void> upload();
 
     GLuint texture() const { return texture_.id(); }
 

@@ -75,8 +75,8 @@ TEST(Play, OpensTheFirstLevelOfAWad) {
     program.write("doomed.wad", "PWAD");
     const std::filesystem::path folder = program.home("data/enfilade/converted/doomed");
     std::filesystem::create_directories(folder);
-    ASSERT_FALSE(write_file((folder / "map01.toml").string(), std::string_view(test::kTwoRooms)));
-    ASSERT_FALSE(write_file((folder / "report.txt").string(), std::string_view()));
+    ASSERT_TRUE(write_file((folder / "map01.toml").string(), std::string_view(test::kTwoRooms)).ok());
+    ASSERT_TRUE(write_file((folder / "report.txt").string(), std::string_view()).ok());
     const Ended ended = program.run({"play", "doomed.wad", "--size", "64x40", "--record", "walk.tape"},
                                     "SDL_VIDEODRIVER=dummy timeout --preserve-status -s INT 0.7");
     EXPECT_EQ(ended.exit_code, 0) << ended.err;

@@ -69,7 +69,7 @@ public:
         for (const auto& call : calls_[int(pictures_.size())]) call();
         window_->poll(events);
     }
-    Status present(const Frame& frame) override {
+    Result<void> present(const Frame& frame) override {
         pictures_.push_back(frame);
         ++shown_;
         is_fresh_ = true;

@@ -36,7 +36,7 @@ protected:
     /// Saves the map with a time stamp of its own, however fast the test is.
     void save(const MapFile& file) { save_text(write_map(file)); }
     void save_text(const std::string& text) {
-        ASSERT_FALSE(write_file(path(), std::string_view(text)));
+        ASSERT_TRUE(write_file(path(), std::string_view(text)).ok());
         stamp_ += std::chrono::seconds(2);
         std::filesystem::last_write_time(path(), stamp_);
     }
@@ -79,7 +79,7 @@ TEST_F(GameOnDisk, StandsAtTheStartAgainAfterARestart) {
 }
 
 TEST_F(GameOnDisk, RecordsAWalkThatCanBePlayedAgain) {
-    ASSERT_FALSE(game_->record(tape_path()));
+    ASSERT_TRUE(game_->record(tape_path()).ok());
     walk(100);
     game_->end_recording();
     EXPECT_EQ(recorded(), game_->tape());
@@ -88,7 +88,7 @@ TEST_F(GameOnDisk, RecordsAWalkThatCanBePlayedAgain) {
 }
 
 TEST_F(GameOnDisk, HasEveryTickOnTheTapeAtOnce) {
-    ASSERT_FALSE(game_->record(tape_path()));
+    ASSERT_TRUE(game_->record(tape_path()).ok());
     for (std::size_t ticks = 0; ticks < 20; ++ticks) {
         EXPECT_EQ(recorded().ticks.size(), ticks);
         EXPECT_FALSE(recorded().final_hash);
@@ -98,7 +98,7 @@ TEST_F(GameOnDisk, HasEveryTickOnTheTapeAtOnce) {
 }
 
 TEST_F(GameOnDisk, BeginsTheRecordingAgainAfterARestart) {
-    ASSERT_FALSE(game_->record(tape_path()));
+    ASSERT_TRUE(game_->record(tape_path()).ok());
     walk(50);
     game_->restart();
     walk(10);
@@ -108,7 +108,7 @@ TEST_F(GameOnDisk, BeginsTheRecordingAgainAfterARestart) {
 }
 
 TEST_F(GameOnDisk, ForgetsOnTheTapeWhatWasRewound) {
-    ASSERT_FALSE(game_->record(tape_path()));
+    ASSERT_TRUE(game_->record(tape_path()).ok());
     walk(50);
     game_->rewind(30);
     TickInput back;
@@ -121,7 +121,7 @@ TEST_F(GameOnDisk, ForgetsOnTheTapeWhatWasRewound) {
 
 TEST_F(GameOnDisk, EndsTheRecordingOnceWhereItCannotBeWritten) {
     std::filesystem::create_symlink("/dev/full", tape_path());
-    EXPECT_TRUE(game_->record(tape_path()));
+    EXPECT_FALSE(game_->record(tape_path()).ok());
     EXPECT_FALSE(game_->is_recording());
     walk(10);
     EXPECT_FALSE(game_->take_recording_fault());
@@ -139,7 +139,7 @@ TEST_F(GameOnDisk, KeepsThePlayerWhereHeIsWhenTheMapIsLoadedAgain) {
     MapFile higher = two_rooms();
     for (SectorRecord& sector : higher.sectors) sector.ceiling.z = 5;
     save(higher);
-    ASSERT_FALSE(game_->reload());
+    ASSERT_TRUE(game_->reload().ok());
     EXPECT_EQ(game_->player().place, before.place);
     EXPECT_EQ(game_->player().yaw, before.yaw);
     EXPECT_EQ(game_->map().sectors[0].ceiling.z, 5);
@@ -150,7 +150,7 @@ TEST_F(GameOnDisk, LiftsThePlayerOntoAFloorThatWasRaised) {
     for (SectorRecord& sector : raised.sectors) sector.floor.z = 1;
     raised.player->eye_z = 2.55;
     save(raised);
-    ASSERT_FALSE(game_->reload());
+    ASSERT_TRUE(game_->reload().ok());
     EXPECT_EQ(game_->player().feet_z, 1);
 }
 
@@ -159,32 +159,32 @@ TEST_F(GameOnDisk, PutsThePlayerAtTheStartWhereHisRoomIsGone) {
     MapFile one = test::map_of({test::box_room("left", 0, 0, 8, 4, 0, 3)});
     test::place_player(one, "left", {2, 2}, 1.55);
     save(one);
-    ASSERT_FALSE(game_->reload());
+    ASSERT_TRUE(game_->reload().ok());
     EXPECT_EQ(game_->player().place, (Place{SectorId(0u), {2, 2}}));
 }
 
 TEST_F(GameOnDisk, KeepsTheMapBeforeWhereTheNewOneHasErrors) {
     save_text("format = 1\nnonsense = 3\n");
-    const Status refused = game_->reload();
-    ASSERT_TRUE(refused);
-    EXPECT_NE(refused->text().find("map.toml:2:1: error:"), std::string::npos) << refused->text();
+    const Result<void> result = game_->reload();
+    ASSERT_FALSE(result.ok());
+    EXPECT_NE(result.error().text().find("map.toml:2:1: error:"), std::string::npos) << result.error().text();
     EXPECT_EQ(game_->map().sectors.size(), 2u);
     EXPECT_FALSE(game_->map_changed());  // until it is saved again
 }
 
 TEST_F(GameOnDisk, KeepsTheMapBeforeWhereAQuoteIsForgottenBeforeAnAccent) {
     save_text("format = 1'é'\n");
-    const Status refused = game_->reload();
-    ASSERT_TRUE(refused);
-    EXPECT_NE(refused->text().find("map.toml:1:11: error: "), std::string::npos) << refused->text();
+    const Result<void> result = game_->reload();
+    ASSERT_FALSE(result.ok());
+    EXPECT_NE(result.error().text().find("map.toml:1:11: error: "), std::string::npos) << result.error().text();
     EXPECT_EQ(game_->map().sectors.size(), 2u);
 }
 
 TEST_F(GameOnDisk, EndsTheRecordingWhenTheMapIsLoadedAgain) {
-    ASSERT_FALSE(game_->record(tape_path()));
+    ASSERT_TRUE(game_->record(tape_path()).ok());
     walk(10);
     save(two_rooms());
-    ASSERT_FALSE(game_->reload());
+    ASSERT_TRUE(game_->reload().ok());
     EXPECT_FALSE(game_->is_recording());
     EXPECT_EQ(recorded().ticks.size(), 10u);
     EXPECT_TRUE(recorded().final_hash);
@@ -193,7 +193,7 @@ TEST_F(GameOnDisk, EndsTheRecordingWhenTheMapIsLoadedAgain) {
 TEST(Game, RefusesAMapWithoutPlayer) {
     const test::TempDir dir;
     const std::string text = write_map(test::map_of({test::box_room("main", 0, 0, 4, 4)}));
-    ASSERT_FALSE(write_file(dir.path("map.toml"), std::string_view(text)));
+    ASSERT_TRUE(write_file(dir.path("map.toml"), std::string_view(text)).ok());
     EXPECT_FALSE(Game::start(dir.path("map.toml"), {}).ok());
 }
 
@@ -202,41 +202,41 @@ TEST(Game, RefusesAFileThatIsNotThere) { EXPECT_FALSE(Game::start("/no/such/map.
 TEST_F(GameOnDisk, ComesBackToWhereItWasSaved) {
     walk(30);
     const std::uint64_t saved = hash(game_->world());
-    ASSERT_FALSE(game_->save(dir_.path("deep/in/a.save")));
+    ASSERT_TRUE(game_->save(dir_.path("deep/in/a.save")).ok());
     walk(60);
-    ASSERT_FALSE(game_->load_saved(dir_.path("deep/in/a.save")));
+    ASSERT_TRUE(game_->load_saved(dir_.path("deep/in/a.save")).ok());
     EXPECT_EQ(hash(game_->world()), saved);
 }
 
 TEST_F(GameOnDisk, RefusesAGameThatWasSavedInAnotherMap) {
-    ASSERT_FALSE(game_->save(dir_.path("a.save")));
+    ASSERT_TRUE(game_->save(dir_.path("a.save")).ok());
     MapFile wider = two_rooms();
     wider.sectors[0].light = 0.5;
     save(wider);
-    ASSERT_FALSE(game_->reload());
-    const Status refused = game_->load_saved(dir_.path("a.save"));
-    ASSERT_TRUE(refused);
-    EXPECT_NE(refused->text().find("before it was changed"), std::string::npos) << refused->text();
+    ASSERT_TRUE(game_->reload().ok());
+    const Result<void> result = game_->load_saved(dir_.path("a.save"));
+    ASSERT_FALSE(result.ok());
+    EXPECT_NE(result.error().text().find("before it was changed"), std::string::npos) << result.error().text();
 }
 
 TEST_F(GameOnDisk, RefusesASavedGameThatIsDamagedAndGoesOn) {
     walk(10);
-    ASSERT_FALSE(game_->save(dir_.path("a.save")));
+    ASSERT_TRUE(game_->save(dir_.path("a.save")).ok());
     Bytes cut = read_file(dir_.path("a.save")).value();
     cut.resize(20);
-    ASSERT_FALSE(write_file(dir_.path("a.save"), std::span<const std::byte>(cut)));
+    ASSERT_TRUE(write_file(dir_.path("a.save"), std::span<const std::byte>(cut)).ok());
     const std::uint64_t before = hash(game_->world());
-    EXPECT_TRUE(game_->load_saved(dir_.path("a.save")));
+    EXPECT_FALSE(game_->load_saved(dir_.path("a.save")).ok());
     EXPECT_EQ(hash(game_->world()), before);
 }
 
 TEST_F(GameOnDisk, GoesOnWhereARecordingWasStopped) {
-    ASSERT_FALSE(game_->record(tape_path()));
+    ASSERT_TRUE(game_->record(tape_path()).ok());
     walk(30);
     const std::uint64_t then = hash(game_->world());
     std::filesystem::copy(tape_path(), dir_.path("stopped.tape"));
     walk(30);
-    ASSERT_FALSE(game_->load_saved(dir_.path("stopped.tape")));
+    ASSERT_TRUE(game_->load_saved(dir_.path("stopped.tape")).ok());
     EXPECT_EQ(hash(game_->world()), then);
     EXPECT_FALSE(game_->is_recording());
 }
@@ -245,12 +245,12 @@ TEST_F(GameOnDisk, KeepsTheLastThreeGamesThatWereSaved) {
     std::vector<std::uint64_t> saved;
     for (int i = 0; i < 5; ++i) {
         walk(10);
-        ASSERT_FALSE(game_->save(dir_.path("a.save")));
+        ASSERT_TRUE(game_->save(dir_.path("a.save")).ok());
         saved.push_back(hash(game_->world()));
     }
     for (const auto& [name, hash_then] :
          {std::pair("a.save", saved[4]), {"a.save.1", saved[3]}, {"a.save.2", saved[2]}}) {
-        ASSERT_FALSE(game_->load_saved(dir_.path(name))) << name;
+        ASSERT_TRUE(game_->load_saved(dir_.path(name)).ok()) << name;
         EXPECT_EQ(hash(game_->world()), hash_then) << name;
     }
     EXPECT_FALSE(std::filesystem::exists(dir_.path("a.save.3")));
@@ -258,18 +258,19 @@ TEST_F(GameOnDisk, KeepsTheLastThreeGamesThatWereSaved) {
 
 TEST_F(GameOnDisk, NeverReplacesAGameByOneThatCannotBeLoaded) {
     walk(10);
-    ASSERT_FALSE(game_->save(dir_.path("a.save")));
+    ASSERT_TRUE(game_->save(dir_.path("a.save")).ok());
     const std::uint64_t saved = hash(game_->world());
     save_text("format = 1\nnonsense = 3\n");
-    ASSERT_TRUE(game_->reload());
+    ASSERT_FALSE(game_->reload().ok());
     walk(10);
-    const Status refused = game_->save(dir_.path("a.save"));
-    ASSERT_TRUE(refused);
-    EXPECT_NE(refused->text().find("no longer the map that is played"), std::string::npos) << refused->text();
+    const Result<void> result = game_->save(dir_.path("a.save"));
+    ASSERT_FALSE(result.ok());
+    EXPECT_NE(result.error().text().find("no longer the map that is played"), std::string::npos)
+        << result.error().text();
     save(two_rooms());
-    ASSERT_FALSE(game_->load_saved(dir_.path("a.save")));
+    ASSERT_TRUE(game_->load_saved(dir_.path("a.save")).ok());
     EXPECT_EQ(hash(game_->world()), saved);
-    ASSERT_FALSE(game_->save(dir_.path("a.save")));
+    ASSERT_TRUE(game_->save(dir_.path("a.save")).ok());
 }
 
 TEST_F(GameOnDisk, GoesBackInTime) {
@@ -285,12 +286,12 @@ TEST_F(GameOnDisk, GoesBackInTime) {
 TEST_F(GameOnDisk, EntersAnotherMapAndRefusesOneThatIsNotThere) {
     walk(20);
     const std::uint64_t before = hash(game_->world());
-    EXPECT_TRUE(game_->enter(dir_.path("nowhere.toml")));
+    EXPECT_FALSE(game_->enter(dir_.path("nowhere.toml")).ok());
     EXPECT_EQ(hash(game_->world()), before);
     MapFile next = two_rooms();
     next.player->position = {3, 1};
-    ASSERT_FALSE(write_file(dir_.path("next.toml"), std::string_view(write_map(next))));
-    ASSERT_FALSE(game_->enter(dir_.path("next.toml")));
+    ASSERT_TRUE(write_file(dir_.path("next.toml"), std::string_view(write_map(next))).ok());
+    ASSERT_TRUE(game_->enter(dir_.path("next.toml")).ok());
     EXPECT_EQ(game_->player().place.point, (Vec2{3, 1}));
     EXPECT_FALSE(game_->map_changed());
 }
@@ -300,7 +301,7 @@ TEST_F(GameOnDisk, KnowsWhereItsWallsAreWrittenAsLongAsTheFileIsTheSame) {
     const std::unique_ptr<Game> other = Game::start(path(), {}).value();
     save_text("# changed\n" + write_map(two_rooms()));
     EXPECT_TRUE(other->places().walls.empty());
-    EXPECT_FALSE(other->reload());
+    EXPECT_TRUE(other->reload().ok());
     EXPECT_EQ(other->places().walls.size(), other->map().walls.size());
 }
 

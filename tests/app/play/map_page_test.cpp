@@ -33,7 +33,7 @@ protected:
 
     std::string write(const std::string& path, const std::string& text) const {
         fs::create_directories(fs::path(home_.path(path)).parent_path());
-        EXPECT_FALSE(write_file(home_.path(path), std::string_view(text)));
+        EXPECT_TRUE(write_file(home_.path(path), std::string_view(text)).ok());
         return home_.path(path);
     }
     std::string write_room(const std::string& path) const {
@@ -92,9 +92,9 @@ TEST_F(Maps, AreLevelsThatWereConvertedAndWadsThatWereNot) {
 }
 
 TEST_F(Maps, SayWhyAWadCannotBeConverted) {
-    const Status failed = convert_wad(write("wads/broken.wad", "no wad"));
-    ASSERT_TRUE(failed);
-    EXPECT_FALSE(failed->what.empty());
+    const Result<void> result = convert_wad(write("wads/broken.wad", "no wad"));
+    ASSERT_FALSE(result.ok());
+    EXPECT_FALSE(result.error().what.empty());
     EXPECT_FALSE(fs::exists(home_.path("data/enfilade/converted/broken")));
 }
 

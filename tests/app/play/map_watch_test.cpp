@@ -16,7 +16,7 @@ class MapWatchOnAFile : public ::testing::Test {
 protected:
     MapWatchOnAFile() { save("map.toml"); }
 
-    void save(const std::string& name) { ASSERT_FALSE(write_file(dir_.path(name), std::string_view("text"))); }
+    void save(const std::string& name) { ASSERT_TRUE(write_file(dir_.path(name), std::string_view("text")).ok()); }
     void read(const std::string& name) { (void)watch_.start_reading()(dir_.path(name)).ok(); }
 
     test::TempDir dir_;

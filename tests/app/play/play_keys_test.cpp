@@ -20,7 +20,7 @@ protected:
     KeysOfPlay() {
         MapFile file = test::map_of({test::box_room("room", 0, 0, 8, 4, 0, 3)});
         test::place_player(file, "room", {2, 2}, 1.55);
-        EXPECT_FALSE(write_file(dir_.path("map.toml"), std::string_view(write_map(file))));
+        EXPECT_TRUE(write_file(dir_.path("map.toml"), std::string_view(write_map(file))).ok());
         game_ = Game::start(dir_.path("map.toml"), {}).value();
         options_.save = dir_.path("a.save");
         options_.mute = true;
@@ -34,8 +34,8 @@ protected:
         window_.quit_after(pictures);
         auto renderer = make_renderer({}, game_->map(), game_->textures());
         PlayLoop loop(*game_, window_, store_, options_, std::move(renderer).value());
-        const Status failed = loop.run();
-        EXPECT_FALSE(failed) << failed->text();
+        const Result<void> result = loop.run();
+        EXPECT_TRUE(result.ok()) << result.error().text();
     }
 
     /// In a page of the menu that was just opened.
@@ -73,7 +73,7 @@ TEST_F(KeysOfPlay, LookIntoTheMapAsItIsNowWhereItsFileWasChanged) {
     constexpr auto kUntilItIsLookedAt = std::chrono::milliseconds(300);
     window_.press_after(2, SDL_SCANCODE_F4);
     window_.after(5, [&] {
-        EXPECT_FALSE(write_file(dir_.path("map.toml"), std::string_view(write_map(changed_map()))));
+        EXPECT_TRUE(write_file(dir_.path("map.toml"), std::string_view(write_map(changed_map()))).ok());
         std::this_thread::sleep_for(kUntilItIsLookedAt);
     });
     play_until(12);

@@ -21,9 +21,9 @@ public:
     void poll(std::vector<InputEvent>& events) override {
         if (shown_ >= frames_ || ++polled_ > frames_) events.emplace_back(QuitRequest{});
     }
-    Status present(const Frame&) override {
+    Result<void> present(const Frame&) override {
         ++shown_;
-        return is_lost_ ? Status(Error{"", "the display went away"}) : Status();
+        return is_lost_ ? Result<void>(Error{"", "the display went away"}) : Result<void>();
     }
     PixelSize size() const override { return {16, 10}; }
     void grab_mouse(bool) override {}
@@ -44,7 +44,7 @@ private:
 
 class BrokenRenderer : public Renderer {
 public:
-    Status render(Frame&, FrameFacts*, const Snapshot&, const View&) override {
+    Result<void> render(Frame&, FrameFacts*, const Snapshot&, const View&) override {
         ENFILADE_CHECK(1 == 2);
         return {};
     }
@@ -55,13 +55,13 @@ protected:
     Playing() {
         MapFile file = test::map_of({test::box_room("room", 0, 0, 8, 4, 0, 3)});
         test::place_player(file, "room", {2, 2}, 1.55);
-        EXPECT_FALSE(write_file(dir_.path("map.toml"), std::string_view(write_map(file))));
+        EXPECT_TRUE(write_file(dir_.path("map.toml"), std::string_view(write_map(file))).ok());
         game_ = Game::start(dir_.path("map.toml"), {}).value();
         options_.save = dir_.path("a.save");
         options_.mute = true;
     }
 
-    Status play(BlindWindow& window) {
+    Result<void> play(BlindWindow& window) {
         Settings settings;
         settings.renderer = RendererKind::stencil;  // column is the other
         settings.vsync = false;
@@ -77,8 +77,8 @@ protected:
 
 TEST_F(Playing, GoesOnByAnotherRendererWhereOneBreaksItsContract) {
     BlindWindow window(20);
-    const Status failed = play(window);
-    EXPECT_FALSE(failed) << failed->text();
+    const Result<void> result = play(window);
+    EXPECT_TRUE(result.ok()) << result.error().text();
     EXPECT_GE(window.shown(), 1);
     EXPECT_GT(window.polled(), 20);
 }
@@ -87,10 +87,10 @@ TEST_F(Playing, SavesTheGameWhereTheWindowFails) {
     options_.tape = dir_.path("walk.tape");
     BlindWindow window(1000);
     window.lose();
-    const Status failed = play(window);
-    ASSERT_TRUE(failed);
-    EXPECT_THAT(failed->text(), HasSubstr("the display went away; the game was saved"));
-    EXPECT_FALSE(game_->load_saved(options_.save));
+    const Result<void> result = play(window);
+    ASSERT_FALSE(result.ok());
+    EXPECT_THAT(result.error().text(), HasSubstr("the display went away; the game was saved"));
+    EXPECT_TRUE(game_->load_saved(options_.save).ok());
     EXPECT_TRUE(read_tape(read_file(options_.tape).value()).ok());
 }
 
@@ -98,16 +98,16 @@ TEST_F(Playing, EndsWithASentenceWhereWhatItShowsBreaks) {
     class BrokenWindow : public BlindWindow {
     public:
         using BlindWindow::BlindWindow;
-        Status present(const Frame&) override {
+        Result<void> present(const Frame&) override {
             ENFILADE_CHECK(shown() == 1);
             return {};
         }
     } window(1000);
-    const Status failed = play(window);
-    ASSERT_TRUE(failed);
-    EXPECT_THAT(failed->text(), HasSubstr("a fault in this program, please report it: "));
-    EXPECT_THAT(failed->text(), HasSubstr("shown() == 1; the game was saved"));
-    EXPECT_FALSE(game_->load_saved(options_.save));
+    const Result<void> result = play(window);
+    ASSERT_FALSE(result.ok());
+    EXPECT_THAT(result.error().text(), HasSubstr("a fault in this program, please report it: "));
+    EXPECT_THAT(result.error().text(), HasSubstr("shown() == 1; the game was saved"));
+    EXPECT_TRUE(game_->load_saved(options_.save).ok());
 }
 
 }  // namespace

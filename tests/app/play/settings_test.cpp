@@ -51,12 +51,12 @@ protected:
 TEST_P(EverySetting, ReadsWhatItWrites) {
     const std::string other = other_value(row_);
     EXPECT_NE(other, row_.text(row_, Settings()));
-    EXPECT_FALSE(row_.read(row_, other, settings_));
+    EXPECT_TRUE(row_.read(row_, other, settings_).ok());
     EXPECT_EQ(row_.text(row_, settings_), other);
 }
 
 TEST_P(EverySetting, ComesBackFromTheFile) {
-    ASSERT_FALSE(row_.read(row_, other_value(row_), settings_));
+    ASSERT_TRUE(row_.read(row_, other_value(row_), settings_).ok());
     const SettingsReading reading = read_settings(write_settings(settings_));
     EXPECT_THAT(reading.findings, IsEmpty());
     for (const Setting& row : all_settings()) EXPECT_EQ(row.text(row, reading.settings), row.text(row, settings_));
@@ -64,9 +64,9 @@ TEST_P(EverySetting, ComesBackFromTheFile) {
 
 TEST_P(EverySetting, RefusesWhatItCannotBe) {
     for (const char* wrong : {"", "nonsense", "nan", "1e99", "-1"}) {
-        const Status refused = row_.read(row_, wrong, settings_);
-        ASSERT_TRUE(refused) << wrong;
-        EXPECT_THAT(refused->what, HasSubstr("expected"));
+        const Result<void> result = row_.read(row_, wrong, settings_);
+        ASSERT_FALSE(result.ok()) << wrong;
+        EXPECT_THAT(result.error().what, HasSubstr("expected"));
     }
     EXPECT_EQ(row_.text(row_, settings_), row_.text(row_, Settings()));
 }
@@ -77,7 +77,7 @@ TEST_P(EverySetting, StaysWithinItsEndsOrComesRound) {
         row_.turn(row_, i < 250 ? 1 : -1, settings_);
         const std::string text = row_.text(row_, settings_);
         Settings again;
-        EXPECT_FALSE(row_.read(row_, text, again)) << text;
+        EXPECT_TRUE(row_.read(row_, text, again).ok()) << text;
         seen.insert(text);
     }
     EXPECT_GE(seen.size(), 2u);
@@ -165,7 +165,7 @@ protected:
         const auto bytes = read_file(path_);
         return bytes.ok() ? std::string(as_text(bytes.value())) : "";
     }
-    void write(std::string_view text) const { EXPECT_FALSE(write_file(path_, text)); }
+    void write(std::string_view text) const { EXPECT_TRUE(write_file(path_, text).ok()); }
 
     test::TempDir dir_;
     std::string path_ = dir_.path("settings.toml");
@@ -176,14 +176,14 @@ TEST_F(StoredSettings, AreThereAgainAtTheNextStart) {
     Settings settings;
     settings.fov_degrees = 105;
     store.change(settings);
-    EXPECT_FALSE(store.save());
+    EXPECT_TRUE(store.save().ok());
     EXPECT_EQ(SettingsStore(dir_.path("new/folder/settings.toml")).now().fov_degrees, 105);
 }
 
 TEST_F(StoredSettings, LeaveTheFileAloneWhereNothingChanged) {
     write("# mine\nfov = 100\n");
     SettingsStore store(path_);
-    EXPECT_FALSE(store.save());
+    EXPECT_TRUE(store.save().ok());
     EXPECT_EQ(text(), "# mine\nfov = 100\n");
 }
 
@@ -194,7 +194,7 @@ TEST_F(StoredSettings, DoNotKeepWhatAnOptionSaidForOneTime) {
     store.change_for_now(settings);
     settings.fov_degrees = 105;
     store.change(settings);
-    EXPECT_FALSE(store.save());
+    EXPECT_TRUE(store.save().ok());
     EXPECT_EQ(SettingsStore(path_).now().volume, 1);
     EXPECT_EQ(SettingsStore(path_).now().fov_degrees, 105);
 }
@@ -206,7 +206,7 @@ TEST_F(StoredSettings, AreTheUsualOnesWhereTheFileIsDamagedAndSetItAside) {
     EXPECT_FALSE(store.notes().empty());
     EXPECT_EQ(text(), "fov = = 3\n\xFF") << "looking changes nothing";
     store.change(store.now());
-    EXPECT_FALSE(store.save());
+    EXPECT_TRUE(store.save().ok());
     EXPECT_EQ(as_text(read_file(path_ + ".damaged").value()), "fov = = 3\n\xFF");
     EXPECT_TRUE(SettingsStore(path_).notes().empty());
 }

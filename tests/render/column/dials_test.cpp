@@ -34,7 +34,7 @@ Drawn draw(const TexturedMap& world, const View& view, const Dials& dials, std::
 
 Dials with(const std::string& dial) {
     Dials dials;
-    EXPECT_FALSE(set_dial(dials, dial)) << dial;
+    EXPECT_TRUE(set_dial(dials, dial).ok()) << dial;
     return dials;
 }
 

@@ -186,15 +186,15 @@ TEST(KernelsNamed, AreThoseThisProcessorCanRun) {
 TEST(ChosenKernels, AreThoseTheEnvironmentNames) {
     ASSERT_EQ(setenv("ENFILADE_KERNELS", "scalar", 1), 0);
     EXPECT_EQ(chosen_kernels().name, "scalar");
-    EXPECT_FALSE(check_kernels());
+    EXPECT_TRUE(check_kernels().ok());
     ASSERT_EQ(setenv("ENFILADE_KERNELS", "mmx", 1), 0);
-    const Status wrong = check_kernels();
-    ASSERT_TRUE(wrong);
-    EXPECT_NE(wrong->text().find("scalar), found mmx"), std::string::npos) << wrong->text();
+    const Result<void> result = check_kernels();
+    ASSERT_FALSE(result.ok());
+    EXPECT_NE(result.error().text().find("scalar), found mmx"), std::string::npos) << result.error().text();
     ASSERT_EQ(setenv("ENFILADE_KERNELS", "", 1), 0);
-    EXPECT_FALSE(check_kernels());
+    EXPECT_TRUE(check_kernels().ok());
     ASSERT_EQ(unsetenv("ENFILADE_KERNELS"), 0);
-    EXPECT_FALSE(check_kernels());
+    EXPECT_TRUE(check_kernels().ok());
 }
 
 }  // namespace

@@ -167,7 +167,8 @@ StencilPicture blank(PictureSize size) {
 
 StencilPicture Sight::by_stencil(const View& view, PictureSize size) {
     StencilPicture picture = blank(size);
-    if (Status failed = stencil_->render(picture.frame, &picture.facts, snapshot_, view)) stop(failed->text());
+    if (const Result<void> done = stencil_->render(picture.frame, &picture.facts, snapshot_, view); !done.ok())
+        stop(done.error().text());
     return picture;
 }
 

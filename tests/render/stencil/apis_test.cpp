@@ -33,7 +33,7 @@ TEST(StencilRenderer, DrawsTheSameWithAndWithoutFacts) {
     const StencilPicture with_facts = Sight(hall.map, hall.textures).by_stencil(hall.view, kApiSize);
     Frame frame;
     frame.resize(kApiSize.width, kApiSize.height);
-    EXPECT_FALSE(renderer->render(frame, nullptr, at_rest(hall.map), hall.view));
+    EXPECT_TRUE(renderer->render(frame, nullptr, at_rest(hall.map), hall.view).ok());
     EXPECT_EQ(frame.pixels, with_facts.frame.pixels);
 }
 
@@ -64,7 +64,7 @@ TEST(StencilRenderer, DrawsASinglePixel) {
 /// A context that was lost.
 class LostContext final : public GlContext {
 public:
-    Status make_current() override { return Error{"OpenGL", "the context was lost"}; }
+    Result<void> make_current() override { return Error{"OpenGL", "the context was lost"}; }
     void release() override {}
 };
 

@@ -52,7 +52,7 @@ ConvertedWad::ConvertedWad(const FreeDoomWad& wad, Doors doors, std::vector<std:
     options.jobs = 2;
     options.maps = std::move(only);
     options.convert.open_doors = doors == Doors::open;
-    const auto run = wadconv::convert_wads(options, [](std::size_t, std::size_t) {});
+    const auto run = wadconv::convert_wads(options, [](std::size_t, std::size_t, std::size_t) {});
     if (!run) {
         error_ = run.error().text();
         return;

@@ -39,7 +39,7 @@ public:
 
     /// Sets every pixel of the frame, whose size is the picture's. facts: null, or reset() to the same size.
     /// An error where a graphics card fails; the frame may then hold anything.
-    virtual Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) = 0;
+    virtual Result<void> render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) = 0;
 
     /// Whether pictures may stay on the graphics card, in the context that was opened for this renderer.
     virtual bool keeps_on_card() const { return false; }
@@ -63,7 +63,7 @@ struct RendererChoice {
 };
 
 /// An error where dials are set that this renderer has not, or where a promise stands beside dials that break it.
-Status check_dials(RendererKind kind, const Dials& dials);
+Result<void> check_dials(RendererKind kind, const Dials& dials);
 
 /// Those that this renderer has, the others as usual: what a picture is compared with is drawn by them.
 Dials dials_for(RendererKind kind, const Dials& dials);

@@ -1,4 +1,4 @@
-#include "flight/renderer.h"
+#include "render/choice/renderer.h"
 
 #include <algorithm>
 #include <optional>
@@ -42,7 +42,7 @@ public:
     ColumnDrawer(const Map& map, const TextureSet& textures, std::size_t threads, const Dials& dials)
         : strips_(map, textures, threads, dials) {}
 
-    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
+    Result<void> render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
         strips_.render(frame, facts, snapshot, view);
         return {};
     }
@@ -72,7 +72,7 @@ public:
         if (needs_smaller_pictures(sampling_)) mips_.emplace(textures);
     }
 
-    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
+    Result<void> render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
         render_reference(frame, facts, map_, textures_, snapshot, view,
                          {.workers = static_cast<int>(threads_),
                           .lights = &lights_,
@@ -94,7 +94,7 @@ class Stencil final : public Renderer {
 public:
     explicit Stencil(std::unique_ptr<StencilRenderer> renderer) : renderer_(std::move(renderer)) {}
 
-    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
+    Result<void> render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
         return renderer_->render(frame, facts, snapshot, view);
     }
 
@@ -126,7 +126,7 @@ Result<std::unique_ptr<Renderer>> make_stencil(const RendererChoice& choice, con
 
 Result<std::unique_ptr<Renderer>> make_column(const RendererChoice& choice, const Map& map,
                                               const TextureSet& textures) {
-    if (const Status wrong = column::check_kernels()) return *wrong;
+    if (const Result<void> valid = column::check_kernels(); !valid.ok()) return valid.error();
     return std::unique_ptr<Renderer>(std::make_unique<ColumnDrawer>(map, textures, choice.threads, choice.dials));
 }
 
@@ -144,11 +144,13 @@ class Supersampler final : public Renderer {
 public:
     Supersampler(std::unique_ptr<Renderer> renderer, int samples) : renderer_(std::move(renderer)), samples_(samples) {}
 
-    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
+    Result<void> render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
         if (facts)
-            if (Status failed = renderer_->render(frame, facts, snapshot, view)) return failed;
+            if (const Result<void> done = renderer_->render(frame, facts, snapshot, view); !done.ok())
+                return done.error();
         fine_.resize(frame.width * samples_, frame.height * samples_);
-        if (Status failed = renderer_->render(fine_, nullptr, snapshot, view)) return failed;
+        if (const Result<void> done = renderer_->render(fine_, nullptr, snapshot, view); !done.ok())
+            return done.error();
         frame.resize(frame.width, frame.height);
         take_means(fine_, samples_, frame);
         frame.is_cut_short = fine_.is_cut_short;
@@ -190,14 +192,14 @@ public:
         map_.render.max_depth = std::min(map_.render.max_depth, dials.links);
     }
 
-    Status make(const RendererChoice& choice, const TextureSet& textures) {
+    Result<void> make(const RendererChoice& choice, const TextureSet& textures) {
         auto renderer = make_plain(choice, map_, textures);
         if (!renderer.ok()) return renderer.error();
         renderer_ = std::move(renderer).value();
         return {};
     }
 
-    Status render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
+    Result<void> render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) override {
         return renderer_->render(frame, facts, snapshot, view);
     }
     std::vector<ViewportShape> viewports() const override { return renderer_->viewports(); }
@@ -213,7 +215,7 @@ Result<std::unique_ptr<Renderer>> make_dialled(const RendererChoice& choice, con
     const bool needs_own_map = choice.dials.light != LightSteps::as_map || choice.dials.links < map.render.max_depth;
     if (!needs_own_map) return make_plain(choice, map, textures);
     auto renderer = std::make_unique<WithOwnMap>(map, choice.dials);
-    if (Status failed = renderer->make(choice, textures)) return *failed;
+    if (const Result<void> done = renderer->make(choice, textures); !done.ok()) return done.error();
     return std::unique_ptr<Renderer>(std::move(renderer));
 }
 
@@ -245,7 +247,7 @@ Dials dials_for(RendererKind kind, const Dials& dials) {
     return some;
 }
 
-Status check_dials(RendererKind kind, const Dials& dials) {
+Result<void> check_dials(RendererKind kind, const Dials& dials) {
     if (dials != dials_for(kind, dials))
         return Error{"", "the " + name_of(kind) + " renderer cannot draw by " + to_text(dials) +
                              "; it has the dials samples, light, light_grid" +
@@ -259,7 +261,7 @@ Status check_dials(RendererKind kind, const Dials& dials) {
 
 Result<std::unique_ptr<Renderer>> make_renderer(const RendererChoice& choice, const Map& map,
                                                 const TextureSet& textures) {
-    if (Status wrong = check_dials(choice.kind, choice.dials)) return *wrong;
+    if (const Result<void> valid = check_dials(choice.kind, choice.dials); !valid.ok()) return valid.error();
     auto renderer = make_dialled(choice, map, textures);
     const int samples = choice.dials.samples;
     if (!renderer.ok() || samples == 1) return renderer;
