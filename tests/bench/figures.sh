@@ -59,6 +59,7 @@ figures() {
     section 'Parts' parts
     section 'Ticks, in instructions' "$top/tests/bench/tick_cost.sh" "$build"
     section 'Longest ticks' "$build/tests/bench/worst_tick"
+    section 'Pictures in play, 60 a second' env SDL_VIDEODRIVER=dummy "$build/tests/bench/frame_pacing" enfilade.toml
     if [ -e "$work/MAP15/map15.toml" ]; then
         section 'Hearing in MAP15, four sounds at a time' "$build/tests/bench/hearing_cost" "$work/MAP15/map15.toml" 4
     fi

@@ -75,6 +75,6 @@ TileSteps tile_steps(double tiles) { return static_cast<TileSteps>(fraction(tile
 const PlainKernels& scalar_kernels() { return kFlagged; }
 std::optional<PlainKernels> kernels_named(std::string_view) { return kFlagged; }
 PlainKernels chosen_kernels() { return kFlagged; }
-Status check_kernels() { return {}; }
+Result<void> check_kernels() { return {}; }
 
 }  // namespace enfilade::column
