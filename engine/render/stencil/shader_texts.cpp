@@ -273,14 +273,14 @@ void main() {
     uint shade = 256u;
     vec2 tile = vec2(0.0), known = vec2(0.0);
 #if defined WALLS
-    float along = clamp(even(a.xyz, t) / max(even(line.xyz, t), 1e-30), 0.0, 1.0);
+    float along = clamp(even(a.xyz, t) / max(even(line.xyz, t), 1e-30), c.x, c.y);  // from the part that is known
     float v = b.y - up * met * b.z;
     tile = nearest(vec2(along * a.w - b.x, v));
     bool is_once = (what.x >> 24u & 7u) == kPicture;  // a picture is shown once
     tile = vec2(part(tile.x), is_once ? clamp(tile.y, 0.0, 1.0) : part(tile.y));
     shade = shade_at(depth);
     uvec4 color = texel(tile);
-    known = vec2(along, up * met);
+    known = vec2(along - c.x, up * met);
 #elif defined FLATS
     depth = flat_depth(c.z, up, met);
     known = depth * vec2(even(a.xyz, t), even(b.xyz, t));

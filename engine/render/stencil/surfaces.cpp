@@ -54,22 +54,38 @@ void set_light(PaintParams& params, const Lighting& lighting) {
     if (lighting.model == LightModel::classic) params.id_and_paint |= kClassicLight;
 }
 
-/// Where along the wall from its a, as a part of span: e_L, or -e_R where a is the right end.
-Even from_a(const RayField& rays, const WallOnScreen& place) {
-    if (place.missed) return span(rays, place) * place.missed->along;
-    return place.swapped ? edge(rays, place.right_v) * -1 : edge(rays, place.left_v);
+/// Where along the wall, counted from its a and beyond `known`, as a part of span: e_L, or -e_R where a is the right
+/// end, less known (e_L - e_R).
+Even from_known(const RayField& rays, const WallOnScreen& place, double known) {
+    if (place.missed) return span(rays, place) * (place.missed->along - known);
+    const double left = place.swapped ? -known : 1 - known, right = place.swapped ? known - 1 : known;
+    return edge(rays, place.left_v) * left + edge(rays, place.right_v) * right;
 }
 
-void set_along(PaintParams& params, const DrawInput& scene, const WallOnScreen& place, double tiles, double offset) {
-    set(params.a, params, from_a(scene.rays, place), tiles);
+/// The part of the wall, from its a, that is nearest to the eye.
+double nearest_part(const WallOnScreen& place) {
+    const Vec2 along = place.right_v - place.left_v;
+    const double part = std::clamp(-dot(place.left_v, along) / dot(along, along), 0.0, 1.0);
+    return place.swapped ? 1 - part : part;
+}
+
+/// Floats are good to a part of the way from what is known: of a wall of kilometres whose end was known, texels before
+/// the eye would be lost.
+/// known : the part of the wall where the picture's place is known
+void set_along(PaintParams& params, const DrawInput& scene, const WallOnScreen& place, double tiles, double offset,
+               double known) {
+    set(params.a, params, from_known(scene.rays, place, known), tiles);
     params.b[0] = f(offset);
+    params.c[0] = f(-known);
+    params.c[1] = f(1 - known);
 }
 
 /// The surface of a wall or panel that hangs from `peg` above the eye.
 void set_surface(PaintParams& params, const DrawInput& scene, const WallOnScreen& place, const Surface& surface,
                  double length, double peg, PixelSurface id) {
     set_picture(params, scene, surface.texture, id, Paint::wall);
-    set_along(params, scene, place, length / surface.tile_m.x, surface.offset_tiles.x);
+    const double tiles = length / surface.tile_m.x, known = nearest_part(place);
+    set_along(params, scene, place, tiles, fraction(surface.offset_tiles.x - known * tiles), known);
     params.b[1] = f(fraction(peg / surface.tile_m.y - surface.offset_tiles.y));
     params.b[2] = f(1 / surface.tile_m.y);
 }
@@ -169,7 +185,7 @@ PaintParams thing_params(const DrawInput& scene, const ThingOnScreen& thing) {
     PaintParams params = plain_params(scene, thing.place);
     set_picture(params, scene, thing.texture, thing.id, Paint::picture);
     set_light(params, thing.lighting);
-    set_along(params, scene, thing.place, kBelowOne, 0);
+    set_along(params, scene, thing.place, kBelowOne, 0, 0);
     if (!scene.rays.is_tilted) params.farthest = f(thing.place.cross / (thing.place.right_v.x - thing.place.left_v.x));
     if (scene.lights) set_lamplight(params, scene, scene.lights->on_thing(scene.input.snapshot, thing.thing), 0, 0);
     params.b[1] = f(thing.top / thing.height);
