@@ -41,31 +41,48 @@ Clearance clearance(const Instant& now, const Body& body, std::span<const Reache
     return free;
 }
 
-bool can_pass(const Instant& now, const Body& body, WallId portal, const Rigid& passage) {
+double height_through(const Instant& now, const Body& body, WallId portal, const Rigid& passage) {
+    constexpr double kNobody = -1;
     const Wall& wall = now.map[portal];
-    if (wall.blocks || !is_portal(now, portal)) return false;
+    if (wall.blocks || !is_portal(now, portal)) return kNobody;
     const double rise = passage.rise, rise_behind = rise + now.map.passage(wall).rise;
     const Heights here = heights_of(now, wall.sector), behind = heights_of(now, wall.behind);
     const double floor_z = behind.floor_z - rise_behind;
-    if (!is_at_most(floor_z - body.feet_z, kMaxStep)) return false;
+    if (!is_at_most(floor_z - body.feet_z, kMaxStep)) return kNobody;
     const double bottom = std::max(floor_z, body.feet_z);
     const double top = std::min({body.ceiling_z, here.ceiling_z - rise, behind.ceiling_z - rise_behind});
-    return is_at_most(body.height, top - bottom);
+    return top - bottom;
+}
+
+bool can_pass(const Instant& now, const Body& body, WallId portal, const Rigid& passage) {
+    return is_at_most(body.height, height_through(now, body, portal, passage));
 }
 
 MayCross bodies_may_cross(const Map& map) {
     return [&map](const MetPanel& met) { return !map[met.panel].blocks; };
 }
 
-Reach around(const Instant& now, const Body& body) {
-    return reach(now.map, body.place, body.radius,
-                 [&](WallId portal, const Rigid& passage) { return can_pass(now, body, portal, passage); });
+Reach around(const Instant& now, const Body& body, EnteredPortals* entered) {
+    return reach(now.map, body.place, body.radius, [&](WallId portal, const Rigid& passage) {
+        const bool is_open = can_pass(now, body, portal, passage);
+        if (is_open && entered) entered->push_back({portal, passage});
+        return is_open;
+    });
 }
 
-bool fits(const Instant& now, const Body& body, const Reach& around) {
+double height_in(const Instant& now, const Body& body, const EnteredPortals& entered) {
+    double height = kWorldLimit;
+    for (const EnteredPortal& e : entered) height = std::min(height, height_through(now, body, e.portal, e.passage));
+    return height;
+}
+
+bool fits(const Instant& now, const Body& body, const Reach& around, const EnteredPortals& entered) {
     if (!around.walls.empty()) return false;
     const Clearance free = clearance(now, body, around.sectors);
-    return is_at_most(body.height, free.ceiling_z - std::max(free.floor_z, body.feet_z));
+    Body under = body;
+    under.ceiling_z = std::min(body.ceiling_z, free.ceiling_z);
+    const double room = free.ceiling_z - std::max(free.floor_z, body.feet_z);
+    return is_at_most(body.height, std::min(room, height_in(now, under, entered)));
 }
 
 Body squeezed(const Instant& now, Body body) {

@@ -41,24 +41,40 @@ Clearance clearance(const Instant& now, const Body& body, std::span<const Reache
 /// whatever binary fractions its two floors became. True where `height` is not more than `limit` [m].
 constexpr bool is_at_most(double height, double limit) { return snap_to_vertex_grid(height - limit) <= 0; }
 
-/// Whether the body can get through a portal: over the step behind it and under what is left of the opening, which
-/// its own ceiling bounds as well, because on a step it stands under both. `passage` as in MayPass.
+/// How high whoever stands where the body does may be to get through a portal: over the step behind it and under what
+/// is left of the opening, which its own ceiling bounds as well, because on a step it stands under both [m]. Less than
+/// nothing where nobody gets through. `passage` as in MayPass.
+double height_through(const Instant& now, const Body& body, WallId portal, const Rigid& passage);
+
+/// Whether the body can get through a portal.
 bool can_pass(const Instant& now, const Body& body, WallId portal, const Rigid& passage);
 
 /// Bodies cross panels, whatever their heights, but for those that block. The map must outlive it.
 MayCross bodies_may_cross(const Map& map);
 
-/// Whether the body, where it is, touches no wall or panel and has headroom on the highest floor it stands on. Things
-/// beside it are for the walk to see to.
-bool fits(const Instant& now, const Body& body, const Reach& around);
+/// A portal that a body can pass and its disc touches. Of one that is touched at a corner alone nothing may be seen
+/// behind it, but it must not close on the body all the same.
+struct EnteredPortal {
+    WallId portal;
+    Rigid passage;  ///< as in MayPass
+};
+using EnteredPortals = ShortList<EnteredPortal, 16>;
+
+/// reach() of the body's disc through the portals it can pass. entered : gets these portals; null: nobody asks
+Reach around(const Instant& now, const Body& body, EnteredPortals* entered = nullptr);
+
+/// How high whoever stands where the body does may be to stay in all of them [m]. Less than nothing where one is closed
+/// for everybody.
+double height_in(const Instant& now, const Body& body, const EnteredPortals& entered);
+
+/// Whether the body, where it is, touches no wall or panel and has headroom on the highest floor it stands on, also
+/// under the ceiling that it has there. Things beside it are for the walk to see to.
+bool fits(const Instant& now, const Body& body, const Reach& around, const EnteredPortals& entered);
 
 /// The body where it is, made as wide, and at most as high, as there is room: a body that was put closer to a wall
 /// than its radius can still walk, and gets its width back as it leaves. In the exit of a one-way portal it keeps its
 /// width. Sets its ceiling.
 Body squeezed(const Instant& now, Body body);
-
-/// reach() of the body's disc through the portals it can pass.
-Reach around(const Instant& now, const Body& body);
 
 // When a moving disc first touches a wall or a solid thing.
 

@@ -29,7 +29,7 @@ using Movers = ShortList<Mover, 8>;
 class Carrier {
 public:
     Carrier(const Map& map, World& world)
-        : map_(map), world_(world), body_(body_of(here(), world.player)), around_(around(here(), body_)) {}
+        : map_(map), world_(world), body_(body_of(here(), world.player)), around_(around(here(), body_, &entered_)) {}
 
     void run() {
         const double floor_before = clearance(here(), body_, around_.sectors).floor_z;
@@ -37,7 +37,7 @@ public:
         const Clearance next = clearance(then(), body_, around_.sectors);
         stand_on(floor_before, next.floor_z);
         Player& player = world_.player;
-        player.height = std::clamp(next.ceiling_z - player.feet_z, 0.0, player.height);
+        player.height = std::clamp(room_above(player.feet_z, next.ceiling_z), 0.0, player.height);
         player.eye_z = eye_z_of(player, next.ceiling_z);
     }
 
@@ -45,23 +45,40 @@ private:
     Instant here() const { return now(map_, world_); }
     Instant then() const { return {map_, world_.history, static_cast<double>(world_.tick + 1)}; }
 
-    /// How much room the body would have at the next tick [m].
+    /// How much room the body would have at the next tick, also in the portals that it is in [m].
     double room() const {
         const Clearance next = clearance(then(), body_, around_.sectors);
-        return next.ceiling_z - std::max(next.floor_z, body_.feet_z);
+        const double feet_z = std::max(next.floor_z, body_.feet_z);
+        return std::min(next.ceiling_z - feet_z, room_in_portals(feet_z, next.ceiling_z));
+    }
+
+    double room_in_portals(double feet_z, double ceiling_z) const {
+        Body there = body_;
+        there.feet_z = feet_z;
+        there.ceiling_z = ceiling_z;
+        return height_in(then(), there, entered_);
+    }
+
+    /// The room that is left when everything has answered. A portal that closed all the same is a wall beside the body.
+    double room_above(double feet_z, double ceiling_z) const {
+        const double in_portals = room_in_portals(feet_z, ceiling_z);
+        return std::min(ceiling_z - feet_z, in_portals < kCrouchedHeight ? kWorldLimit : in_portals);
     }
 
     /// The changes that narrow the sectors around the body in this tick.
     Movers movers() const {
         Movers found;
-        for (const ReachedSector& reached : around_.sectors) {
-            const Heights before = heights_of(here(), reached.sector), after = heights_of(then(), reached.sector);
-            if (after.floor_z > before.floor_z) add(reached.sector, Channel::floor, found);
-            // A floor that carried the ceiling lets it down.
-            const Channel above = before.ceiling_z > before.floor_z ? Channel::ceiling : Channel::floor;
-            if (after.ceiling_z < before.ceiling_z) add(reached.sector, above, found);
-        }
+        for (const ReachedSector& reached : around_.sectors) add_changes_of(reached.sector, found);
+        for (const EnteredPortal& entered : entered_) add_changes_of(map_[entered.portal].behind, found);
         return found;
+    }
+
+    void add_changes_of(SectorId sector, Movers& found) const {
+        const Heights before = heights_of(here(), sector), after = heights_of(then(), sector);
+        if (after.floor_z > before.floor_z) add(sector, Channel::floor, found);
+        // A floor that carried the ceiling lets it down.
+        const Channel above = before.ceiling_z > before.floor_z ? Channel::ceiling : Channel::floor;
+        if (after.ceiling_z < before.ceiling_z) add(sector, above, found);
     }
 
     void add(SectorId sector, Channel channel, Movers& found) const {
@@ -113,6 +130,7 @@ private:
     const Map& map_;
     World& world_;
     Body body_;
+    EnteredPortals entered_;
     Reach around_;
 };
 
@@ -153,10 +171,16 @@ void look(Player& player, const TickInput& input) {
     player.pitch_steps = static_cast<std::int32_t>(std::clamp<std::int64_t>(pitch, -kMaxPitchSteps, kMaxPitchSteps));
 }
 
-/// Grows or shrinks towards the height asked for, as far as the ceiling lets it.
-void stand_or_crouch(Player& player, const Body& body, bool crouch) {
+/// Grows or shrinks towards the height asked for, as far as the ceiling and the portals that the body is in let it.
+void stand_or_crouch(const Instant& now, Player& player, bool crouch) {
+    const Body body = body_of(now, player);
     const double wanted = crouch ? kCrouchedHeight : kStandingHeight, change = kStanceSpeed * kTickSeconds;
-    const double grown = std::clamp(wanted, player.height - change, player.height + change);
+    double grown = std::clamp(wanted, player.height - change, player.height + change);
+    if (grown > player.height) {
+        EnteredPortals entered;
+        static_cast<void>(around(now, body, &entered));
+        grown = std::clamp(height_in(now, body, entered), player.height, grown);
+    }
     player.height = std::clamp(body.ceiling_z - player.feet_z, 0.0, grown);
 }
 
@@ -257,7 +281,7 @@ void step(const Map& map, World& world, const TickInput& played) {
     move_flats(map, world);
     ++world.tick;
 
-    stand_or_crouch(player, body_of(now(map, world), player), input.buttons & kButtonCrouch);
+    stand_or_crouch(now(map, world), player, input.buttons & kButtonCrouch);
     speed_up(player, wish(player, input));
     ride(map, world);
     go(map, world, player.velocity, true);

@@ -171,11 +171,12 @@ private:
                 bodies_may_cross(map_));
             if (way.is_stopped()) return false;
             const Body there = carried(way);
-            Reach found = counted(around(now_, there));
+            EnteredPortals entered;
+            Reach found = counted(around(now_, there, &entered));
             drop_exits_left(map_, body_.place.point, way.passage, body_.radius, found);
             Obstacles things = beside(there, obstacles_overlapped(now_, there));
             things.erase_if([&](const Obstacle& obstacle) { return !overlaps(map_, obstacle); });
-            if (things.empty() && fits(now_, there, found)) {
+            if (things.empty() && fits(now_, there, found, entered)) {
                 settle(there, way);
                 *turned = way.passage;
                 return true;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "base/files.h"
 #include "formats/map_toml.h"
 #include "support/map_builder.h"
 #include "support/temp_dir.h"
@@ -31,9 +32,9 @@ std::string report(const MapFile& file, const Map& map, Fault fault, const Trial
     if (world.fault.pose) world.sector = map[world.fault.pose->view.sector].name;
     world = shrunk(std::move(world));
     const std::string folder = "fault-" + std::to_string(plan.seed);
-    const Status unsaved = save(world, folder);
+    const Result<void> result = save(world, folder);
     return world.fault.what + "\n  of seed " + std::to_string(plan.seed) +
-           "; to see it again: ENFILADE_FAULT=" + (unsaved ? unsaved->text() : folder) +
+           "; to see it again: ENFILADE_FAULT=" + (result.ok() ? folder : result.error().text()) +
            " wild_tests --gtest_filter=SavedFault.IsMended";
 }
 
@@ -137,7 +138,7 @@ TEST(SavedFault, ComesBack) {
     world.fault.pose->view.eye = {0.1, 1e-9};
     world.fault.pose->view.fov_degrees = 179;
     world.fault.pose->size = {3, 5};
-    ASSERT_FALSE(save(world, dir.path("fault")));
+    ASSERT_TRUE(save(world, dir.path("fault")).ok());
     const FaultyWorld again = load_fault(dir.path("fault")).value();
     EXPECT_EQ(write_map(again.file), write_map(world.file));
     ASSERT_TRUE(again.fault.pose);
@@ -147,6 +148,21 @@ TEST(SavedFault, ComesBack) {
     EXPECT_EQ(again.sector, "s0");
     EXPECT_EQ(again.plan.seed, 7u);
 }
+
+/// Faults that were found and mended, one a folder.
+std::vector<std::string> mended_faults() { return list_folder(ENFILADE_SOURCE_DIR "/tests/wild/mended"); }
+
+class MendedFault : public testing::TestWithParam<std::string> {};
+
+TEST_P(MendedFault, StaysMended) {
+    const auto world = load_fault(ENFILADE_SOURCE_DIR "/tests/wild/mended/" + GetParam());
+    ASSERT_TRUE(world.ok()) << world.error().text();
+    ASSERT_FALSE(has_errors(findings_of(world.value().file))) << "no such map may be any more";
+    EXPECT_EQ(world.value().fault.what, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Found, MendedFault, testing::ValuesIn(mended_faults()),
+                         [](const auto& fault) { return fault.param; });
 
 /// ENFILADE_FAULT: a folder that HaveNoFault left behind.
 TEST(SavedFault, IsMended) {

@@ -38,8 +38,9 @@ inline bool is_in_the_open(const Game& game) {
     const Instant at = now(game.map, game.world);
     Body body{game.player().place, game.player().feet_z, game.player().height, kBodyRadius, kWorldLimit};
     body.ceiling_z = squeezed(at, body).ceiling_z;
-    const Reach found = around(at, body);
-    return game.is_contained() && fits(at, body, found);
+    EnteredPortals entered;
+    const Reach found = around(at, body, &entered);
+    return game.is_contained() && fits(at, body, found, entered);
 }
 
 }  // namespace enfilade::test

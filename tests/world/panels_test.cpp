@@ -136,7 +136,9 @@ TEST(Fence, IsNotPassedInOneTickOfAnyLength) {
         Body gone = body;
         gone.place = walk(game.map, body, velocity, kTickSeconds).end;
         EXPECT_LE(gone.place.point.x, 5 - kBodyRadius);
-        EXPECT_TRUE(fits(game.map, gone, around(game.map, gone)));
+        EnteredPortals entered;
+        const Reach found = around(game.map, gone, &entered);
+        EXPECT_TRUE(fits(game.map, gone, found, entered));
     }
 }
 
