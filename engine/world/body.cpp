@@ -63,9 +63,15 @@ MayCross bodies_may_cross(const Map& map) {
 }
 
 Reach around(const Instant& now, const Body& body, EnteredPortals* entered) {
-    return reach(now.map, body.place, body.radius, [&](WallId portal, const Rigid& passage) {
-        const bool is_open = can_pass(now, body, portal, passage);
-        if (is_open && entered) entered->push_back({portal, passage});
+    // In one piece, since a function that remembers more than two pointers takes memory.
+    const struct {
+        const Instant& now;
+        const Body& body;
+        EnteredPortals* entered;
+    } asked{now, body, entered};
+    return reach(now.map, body.place, body.radius, [&asked](WallId portal, const Rigid& passage) {
+        const bool is_open = can_pass(asked.now, asked.body, portal, passage);
+        if (is_open && asked.entered) asked.entered->push_back({portal, passage});
         return is_open;
     });
 }

@@ -130,9 +130,9 @@ private:
                           {.seed = seed}};
         if (is_faulty(world)) world = shrunk(std::move(world));
         const std::string folder = fs::absolute("fault-" + std::to_string(seed)).string();
-        const Result<void> result = save(world, folder);
+        const Result<void> saved = save(world, folder);
         std::printf("\n%s: %s\n", map.c_str(), world.fault.what.c_str());
-        std::printf("map, pose and input: %s\n", result ? result.error().text().c_str() : folder.c_str());
+        std::printf("map, pose and input: %s\n", saved.ok() ? folder.c_str() : saved.error().text().c_str());
         std::printf("to see it again: ./run soak 60 --seed %llu --rounds 1\n", static_cast<unsigned long long>(seed));
     }
 
