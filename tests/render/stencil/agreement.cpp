@@ -97,17 +97,43 @@ bool is_at_rim(const Map& map, const TextureSet& textures, const FrameFacts& fac
     return texture_of(map, textures, id).has_holes && is_near_texels_edge(map, textures, facts, pixel);
 }
 
-/// A pixel between different surfaces, or beside one.
-bool is_at_edge(const StencilPicture& p, int x, int y) {
-    const auto id = [&](int i, int j) {
-        i = std::clamp(i, 0, p.frame.width - 1);
-        j = std::clamp(j, 0, p.frame.height - 1);
-        return p.facts.ids[static_cast<std::size_t>(j * p.frame.width + i)];
+/// A pixel that differs from one around it.
+template <class T>
+bool is_at_change(const std::vector<T>& pixels, PictureSize size, int x, int y) {
+    const auto at = [&](int i, int j) {
+        i = std::clamp(i, 0, size.width - 1);
+        j = std::clamp(j, 0, size.height - 1);
+        return pixels[static_cast<std::size_t>(j * size.width + i)];
     };
     for (int j = y - 1; j <= y + 1; ++j)
         for (int i = x - 1; i <= x + 1; ++i)
-            if (id(i, j) != id(x, y)) return true;
+            if (at(i, j) != at(x, y)) return true;
     return false;
+}
+
+/// A pixel between different surfaces, or beside one.
+bool is_at_edge(const StencilPicture& p, PictureSize size, int x, int y) {
+    return is_at_change(p.facts.ids, size, x, y);
+}
+
+/// A pixel at the edge of a doorway that one looks through: a surface that is seen on both sides of it is another part
+/// of it there.
+bool is_at_doorway(const StencilPicture& p, PictureSize size, int x, int y) {
+    return !p.viewports.empty() && is_at_change(p.viewports, size, x, y);
+}
+
+/// A viewport comes after those that it is in.
+std::vector<std::size_t> viewports_by_pixel(const ColumnRenderer& renderer, PictureSize size) {
+    std::vector<std::size_t> numbers(static_cast<std::size_t>(size.width * size.height));
+    std::size_t number = 0;
+    for (const ViewportOutline& outline : renderer.viewports()) {
+        ++number;
+        for (int x = outline.begin; x < outline.end; ++x)
+            for (int y = outline.top[std::size_t(x - outline.begin)];
+                 y < outline.bottom[std::size_t(x - outline.begin)]; ++y)
+                numbers[static_cast<std::size_t>(y * size.width + x)] = number;
+    }
+    return numbers;
 }
 
 }  // namespace
@@ -174,7 +200,9 @@ StencilPicture Sight::by_stencil(const View& view, PictureSize size) {
 
 StencilPicture Sight::by_column(const View& view, PictureSize size) const {
     StencilPicture picture = blank(size);
-    ColumnRenderer(map_, textures_, {lights_}).render(picture.frame, &picture.facts, snapshot_, view);
+    ColumnRenderer renderer(map_, textures_, {lights_});
+    renderer.render(picture.frame, &picture.facts, snapshot_, view);
+    picture.viewports = viewports_by_pixel(renderer, size);
     return picture;
 }
 
@@ -234,7 +262,7 @@ Agreement Sight::compare(const View& view, PictureSize size) {
             (is_at_rim(map_, textures_, shown.facts, i) || is_at_rim(map_, textures_, truth.facts, i))) {
             ++result.other_texel;
         } else if (shown.facts.ids[i] != id) {
-            const bool at_edge = is_at_edge(truth, x, y) || is_hair_aside(view, size, i, shown, Same::surface);
+            const bool at_edge = is_at_edge(truth, size, x, y) || is_hair_aside(view, size, i, shown, Same::surface);
             ++(at_edge ? result.at_edges : result.elsewhere);
             is_fault |= !at_edge;
         } else if (const int off = difference(shown.frame.pixels[i], truth.frame.pixels[i]);
@@ -242,9 +270,11 @@ Agreement Sight::compare(const View& view, PictureSize size) {
             const bool near = is_near_band(map_, truth.facts.depths[i]) ||
                               is_near_texels_edge(map_, textures_, truth.facts, i) ||
                               is_hair_aside(view, size, i, shown, Same::color);
-            ++(near ? result.other_texel : result.wrong_color);
-            if (!near) result.worst_difference = std::max(result.worst_difference, off);
-            is_fault |= !near;
+            const bool at_doorway = !near && is_at_doorway(truth, size, x, y);
+            ++(near ? result.other_texel : at_doorway ? result.at_edges : result.wrong_color);
+            const bool is_wrong = !near && !at_doorway;
+            if (is_wrong) result.worst_difference = std::max(result.worst_difference, off);
+            is_fault |= is_wrong;
         }
         if (is_fault && result.first_fault.empty()) {
             const auto &ours = shown.facts, &theirs = truth.facts;

@@ -22,7 +22,7 @@ inline std::string name_of_scene(const testing::TestParamInfo<NamedScene>& info)
 struct Agreement {
     std::uint64_t pixels = 0;
     std::uint64_t undrawn = 0;      ///< shows nothing
-    std::uint64_t at_edges = 0;     ///< another surface, within a pixel of an edge
+    std::uint64_t at_edges = 0;     ///< another surface, or another part of it, within a pixel of an edge
     std::uint64_t elsewhere = 0;    ///< another surface, and no edge near
     std::uint64_t other_texel = 0;  ///< same surface, another colour, but next to a texel's or a light band's edge; or
                                     ///< another surface, but next to a hole of a picture
@@ -46,6 +46,7 @@ std::unique_ptr<StencilRenderer> software_stencil(const Map& map, const TextureS
 struct StencilPicture {
     Frame frame;
     FrameFacts facts;
+    std::vector<std::size_t> viewports;  ///< of each pixel, the number of the last that it is in; only by column
 };
 
 /// A map, what it shows, and both renderers.
