@@ -125,8 +125,18 @@ private:
     void look_around_portal(const Room& room, WallId id, const Cone& cone) {
         const Wall& wall = map_[id];
         const Rigid passage = then(room.passage, map_.passage(wall));
-        if (cone.left == wall.a) look_around_corner(room, wall.a, {wall.exit, End::b, id}, passage);
-        if (cone.right == wall.b) look_around_corner(room, wall.b, {wall.exit, End::a, id}, passage);
+        if (cone.left == wall.a && look_around_corner(room, wall.a, {wall.exit, End::b, id}, passage))
+            touch_averted(room, wall.previous, wall.a);
+        if (cone.right == wall.b && look_around_corner(room, wall.b, {wall.exit, End::a, id}, passage))
+            touch_averted(room, wall.next, wall.b);
+    }
+
+    /// What is open all around a corner may have come back on another floor than it left: of the room itself, a wall
+    /// that ends there and turns its back to the middle blocks with that end all the same.
+    void touch_averted(const Room& room, WallId id, Vec2 corner) {
+        const Wall& wall = map_[id];
+        if (side_of_line(wall.a, wall.b, room.centre) > 0 || is_open(id, room.passage)) return;
+        found_.walls.push_back({id, {}, wall.a, wall.b, room.passage, room.centre, {corner, corner}, true});
     }
 
     /// The same for the exit of a one-way portal: who is still in it has its jambs to both sides.
@@ -153,28 +163,31 @@ private:
 
     /// A wall that ends in the corner blocks with that end, also where the rooms together make more than a full turn,
     /// so that no straight look shows the wall.
-    void look_around_corner(const Room& room, Vec2 corner, const Round& round, Rigid passage) {
-        if (!is_corner_near(corner, room.centre)) return;
+    ///
+    /// True where there is none: what is open goes all around.
+    bool look_around_corner(const Room& room, Vec2 corner, const Round& round, Rigid passage) {
+        if (!is_corner_near(corner, room.centre)) return false;
         const Corner here{round.exit, round.end, passage};
-        if (std::ranges::find(corners_, here) != corners_.end()) return;
+        if (std::ranges::find(corners_, here) != corners_.end()) return false;
         corners_.push_back(here);
         WallId exit = round.exit;
         for (int i = 0; i < kMaxRoomsAroundCorner; ++i) {
             ++found_.walls_looked_at;
             const WallId at = round.end == End::b ? map_[exit].next : map_[exit].previous;
-            if (at == round.last) return;
+            if (at == round.last) return true;
             const Vec2 there = round.end == End::b ? map_[at].a : map_[at].b;
             const Vec2 centre = snap_to_point_grid(passage.apply(place_.point));
             if (map_[map_[at].sector].active_panels > 0) touch_panels_at(there, map_[map_[at].sector], passage, centre);
             if (!is_open(at, passage)) {
                 if (is_corner_near(there, centre))
                     found_.walls.push_back({at, {}, map_[at].a, map_[at].b, passage, centre, {there, there}, true});
-                return;
+                return false;
             }
             passage = then(passage, map_.passage(map_[at]));
             exit = map_[at].exit;
-            if (exit == round.exit) return;
+            if (exit == round.exit) return true;
         }
+        return false;
     }
 
     /// Asked anew in each space on the way around: links round, and what is touched is touched in its own space.

@@ -59,26 +59,17 @@ void use(const Map& map, World& world, WallId id) {
             [&](TriggerId trigger) { fire(map, world, trigger, id); });
 }
 
-/// Whether the portal leads elsewhere than to the next room, or nobody comes back by it.
-bool is_door(const Map& map, WallId id) {
-    const Wall& portal = map[id];
-    return portal.link != Wall::kNoLink || portal.kind == WallKind::way_back || !portal.exit ||
-           map[portal.exit].exit != id || map[portal.exit].kind == WallKind::way_back;
-}
-
 void shut_way_back(World& world) {
     if (world.history.way_back(static_cast<double>(world.tick))) world.history.add(WayBack{{}, world.tick});
 }
 
-/// The way back that stood open is there no more when somebody has left by a door. The one that the door leaves is
-/// there from the beginning of the tick: an eye between the two ticks may be behind the door already.
+/// The way back that the door leaves is there from the beginning of the tick: an eye between the two ticks may be
+/// behind the door already.
 void open_way_back(const Map& map, World& world, WallId door) {
-    if (!map.has_ways_back || !is_door(map, door)) return;
-    const WallId exit = map[door].exit;
-    const bool leaves_one =
-        map[door].kind == WallKind::portal && exit && map[exit].kind == WallKind::way_back && map[exit].exit == door;
+    const std::optional<WallId> left = way_back_left(map, door);
+    if (!left) return;
     shut_way_back(world);
-    if (leaves_one) world.history.add(WayBack{exit, world.tick - 1});
+    if (*left) world.history.add(WayBack{*left, world.tick - 1});
 }
 
 void cross(const Map& map, World& world, WallId id) {

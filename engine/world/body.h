@@ -58,7 +58,8 @@ struct EnteredPortal {
     WallId portal;
     Rigid passage;  ///< as in MayPass
 };
-using EnteredPortals = ShortList<EnteredPortal, 16>;
+/// As many as meet around the corners of honest maps; more are as good, but take memory.
+using EnteredPortals = ShortList<EnteredPortal, 64>;
 
 /// reach() of the body's disc through the portals it can pass. entered : gets these portals; null: nobody asks
 Reach around(const Instant& now, const Body& body, EnteredPortals* entered = nullptr);

@@ -63,7 +63,28 @@ Heights heights_of(const Instant& now, SectorId id, const ChangesNow& changes) {
 bool is_portal(const Instant& now, WallId id) {
     const WallKind kind = now.map[id].kind;
     if (kind != WallKind::way_back) return kind == WallKind::portal;
+    if (now.way_back) return *now.way_back == id;
     return now.history && now.history->way_back(now.tick) == id;
+}
+
+namespace {
+
+/// Whether the portal leads elsewhere than to the next room, or nobody comes back by it.
+bool is_door(const Map& map, WallId id) {
+    const Wall& portal = map[id];
+    return portal.link != Wall::kNoLink || portal.kind == WallKind::way_back || !portal.exit ||
+           map[portal.exit].exit != id || map[portal.exit].kind == WallKind::way_back;
+}
+
+}  // namespace
+
+// The way back that stood open is there no more when somebody has left by a door.
+std::optional<WallId> way_back_left(const Map& map, WallId portal) {
+    if (!map.has_ways_back || !is_door(map, portal)) return {};
+    const WallId exit = map[portal].exit;
+    const bool leaves_one = map[portal].kind == WallKind::portal && exit && map[exit].kind == WallKind::way_back &&
+                            map[exit].exit == portal;
+    return leaves_one ? exit : WallId();
 }
 
 bool is_open(const Instant& now, WallId id) {

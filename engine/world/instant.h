@@ -1,6 +1,8 @@
 // The map at one moment: what the functions of this module ask about. Floors, ceilings and feet of things come from
 // here and from nowhere else.
 #pragma once
+#include <optional>
+
 #include "formats/effect_records.h"
 #include "map/map.h"
 #include "world/history.h"
@@ -12,6 +14,7 @@ struct Instant {
     const Map& map;
     const History* history = nullptr;  ///< null: nothing has happened
     double tick = 0;                   ///< may lie between two ticks
+    std::optional<WallId> way_back;    ///< the one that stands open, or none, where that is not what the history says
 
     /// A map at rest is a moment of it, too.
     Instant(const Map& at_rest) : map(at_rest) {}
@@ -48,6 +51,9 @@ Heights heights_of(const Instant& now, SectorId sector, const ChangesNow& change
 
 /// Whether the wall is a portal now, or a way back that stands open, which is one for as long.
 bool is_portal(const Instant& now, WallId wall);
+
+/// The way back that stands open, or none, once somebody has left by the portal; nothing where that changes nothing.
+std::optional<WallId> way_back_left(const Map& map, WallId portal);
 
 /// Whether a portal or way back is open by any gap: a hand can reach through, and sound passes.
 bool is_open(const Instant& now, WallId portal);

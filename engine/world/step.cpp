@@ -62,7 +62,7 @@ private:
     /// The room that is left when everything has answered. A portal that closed all the same is a wall beside the body.
     double room_above(double feet_z, double ceiling_z) const {
         const double in_portals = room_in_portals(feet_z, ceiling_z);
-        return std::min(ceiling_z - feet_z, in_portals < kCrouchedHeight ? kWorldLimit : in_portals);
+        return std::min(ceiling_z - feet_z, in_portals < kCrushedHeight ? kWorldLimit : in_portals);
     }
 
     /// The changes that narrow the sectors around the body in this tick.

@@ -171,12 +171,13 @@ private:
                 bodies_may_cross(map_));
             if (way.is_stopped()) return false;
             const Body there = carried(way);
+            const Instant arrived = after(way);
             EnteredPortals entered;
-            Reach found = counted(around(now_, there, &entered));
+            Reach found = counted(around(arrived, there, &entered));
             drop_exits_left(map_, body_.place.point, way.passage, body_.radius, found);
-            Obstacles things = beside(there, obstacles_overlapped(now_, there));
+            Obstacles things = beside(there, obstacles_overlapped(arrived, there));
             things.erase_if([&](const Obstacle& obstacle) { return !overlaps(map_, obstacle); });
-            if (things.empty() && fits(now_, there, found, entered)) {
+            if (things.empty() && fits(arrived, there, found, entered)) {
                 settle(there, way);
                 *turned = way.passage;
                 return true;
@@ -185,6 +186,15 @@ private:
             off = inverse(way.passage).turn(away_from(found) + away_from(things));
         }
         return false;
+    }
+
+    /// Through the way back that a door leaves open half of the body may still be where it came from.
+    Instant after(const Trace& way) const {
+        Instant arrived = now_;
+        for (const Crossing& crossing : way.crossings)
+            if (const auto left = crossing.portal ? way_back_left(map_, crossing.portal) : std::nullopt)
+                arrived.way_back = left;
+        return arrived;
     }
 
     Body carried(const Trace& way) const {
@@ -216,6 +226,7 @@ private:
 
     void settle(const Body& there, const Trace& way) {
         const Rigid& passage = way.passage;
+        now_.way_back = after(way).way_back;
         body_ = there;
         crossings_.append(way.crossings);
         passage_ = then(passage_, passage);
@@ -224,7 +235,7 @@ private:
         normals_.turn(passage);
     }
 
-    const Instant now_;
+    Instant now_;
     const Map& map_;
     Body body_;
     Vec2 velocity_, move_;
