@@ -154,6 +154,7 @@ std::vector<std::string> mended_faults() { return list_folder(ENFILADE_SOURCE_DI
 
 class MendedFault : public testing::TestWithParam<std::string> {};
 
+// hard cases I1, I11
 TEST_P(MendedFault, StaysMended) {
     const auto world = load_fault(ENFILADE_SOURCE_DIR "/tests/wild/mended/" + GetParam());
     ASSERT_TRUE(world.ok()) << world.error().text();
