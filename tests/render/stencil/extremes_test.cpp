@@ -28,6 +28,27 @@ void expect_no_fault(const Agreement& agreement) {
     EXPECT_EQ(agreement.undrawn + agreement.elsewhere + agreement.wrong_color, 0u) << describe(agreement);
 }
 
+/// A hall of 30 km, 5 m wide, slanted.
+MapFile long_hall() {
+    return map_of({room("hall", {{-12000, -9000}, {-11997, -9004}, {12003, 8996}, {12000, 9000}}, 0, 3)});
+}
+
+/// Floats that count from a wall's end lose the texels before the eye.
+// hard case R16
+TEST(StencilLongWalls, ShowTheirTexelsWhereverOneStandsBesideThem) {
+    Stage stage(long_hall());
+    Random random(16);
+    Agreement sum;
+    for (int i = 0; i < 40; ++i) {
+        const double along = random.uniform(0.001, 0.999), across = std::pow(10, random.uniform(-4, -0.05));
+        const Vec2 eye{-12000 + 24000 * along + 3 * across, -9000 + 18000 * along - 4 * across};
+        View view = look_from(stage.map, snap_to_point_grid(eye), 1.5, random.uniform(0, 360));
+        if (i % 4 == 3) view.tilt = Tilt{};
+        sum += stage.sight.compare(view, {160, 100});
+    }
+    expect_no_fault(sum);
+}
+
 struct Lens {
     double fov_degrees;
     PictureSize size;
