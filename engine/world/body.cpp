@@ -82,6 +82,16 @@ double height_in(const Instant& now, const Body& body, const EnteredPortals& ent
     return height;
 }
 
+double lowest_feet_in(const Instant& now, const EnteredPortals& entered) {
+    double feet_z = -kWorldLimit;
+    for (const EnteredPortal& e : entered) {
+        const Wall& wall = now.map[e.portal];
+        const double rise_behind = e.passage.rise + now.map.passage(wall).rise;
+        feet_z = std::max(feet_z, heights_of(now, wall.behind).floor_z - rise_behind - kMaxStep);
+    }
+    return feet_z;
+}
+
 bool fits(const Instant& now, const Body& body, const Reach& around, const EnteredPortals& entered) {
     if (!around.walls.empty()) return false;
     const Clearance free = clearance(now, body, around.sectors);

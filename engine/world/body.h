@@ -68,6 +68,9 @@ Reach around(const Instant& now, const Body& body, EnteredPortals* entered = nul
 /// for everybody.
 double height_in(const Instant& now, const Body& body, const EnteredPortals& entered);
 
+/// How low the feet may be for all of them to be climbed into [m].
+double lowest_feet_in(const Instant& now, const EnteredPortals& entered);
+
 /// Whether the body, where it is, touches no wall or panel and has headroom on the highest floor it stands on, also
 /// under the ceiling that it has there. Things beside it are for the walk to see to.
 bool fits(const Instant& now, const Body& body, const Reach& around, const EnteredPortals& entered);

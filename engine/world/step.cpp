@@ -35,7 +35,7 @@ public:
         const double floor_before = clearance(here(), body_, around_.sectors).floor_z;
         make_room();
         const Clearance next = clearance(then(), body_, around_.sectors);
-        stand_on(floor_before, next.floor_z);
+        stand_on(floor_before, std::max(next.floor_z, lowest_feet_in(then(), entered_)));
         Player& player = world_.player;
         player.height = std::clamp(room_above(player.feet_z, next.ceiling_z), 0.0, player.height);
         player.eye_z = eye_z_of(player, next.ceiling_z);
@@ -215,7 +215,7 @@ void arrive(Player& player, const Walk& walk) {
     turn_by(player, fine_turn_of({walk.passage.c, walk.passage.s}));
 }
 
-/// Up a step at once, down a step at once, deeper under gravity; the eye follows.
+/// Up a step at once, down a step at once, deeper under gravity; the eye follows. floor_z: what the feet stop at.
 void step_or_fall(Player& player, double floor_z) {
     const double above = player.feet_z - floor_z;
     const bool takes_step = above <= 0 || (player.on_ground && is_at_most(above, kMaxStep));
@@ -288,9 +288,10 @@ void step(const Map& map, World& world, const TickInput& played) {
 
     const Instant next = now(map, world);
     const Body body = body_of(next, player);
-    Clearance free = clearance(next, body, around(next, body).sectors);
+    EnteredPortals entered;
+    Clearance free = clearance(next, body, around(next, body, &entered).sectors);
     const double feet_z = player.feet_z;
-    step_or_fall(player, free.floor_z);
+    step_or_fall(player, std::max(free.floor_z, lowest_feet_in(next, entered)));
     if (body.radius < kBodyRadius || player.feet_z != feet_z) free = come_to_rest(next, player);
     settle_eye(player, free.ceiling_z);
     touch_what_is_near(map, world);

@@ -82,9 +82,12 @@ Body body_of(const Instant& now, const Player& player) {
 
 Clearance come_to_rest(const Instant& now, Player& player) {
     Clearance free{};
+    double footing_z = 0;
     for (int lifts = 0; lifts <= kMostLifts; ++lifts) {
         const Body body = body_of(now, player);
-        free = clearance(now, body, around(now, body).sectors);
+        EnteredPortals entered;
+        free = clearance(now, body, around(now, body, &entered).sectors);
+        footing_z = std::max(free.floor_z, lowest_feet_in(now, entered));
         const double feet_z = std::max(player.feet_z, free.floor_z);
         const double height = std::clamp(free.ceiling_z - feet_z, 0.0, player.height);
         if (feet_z == player.feet_z && height == player.height) break;
@@ -92,7 +95,7 @@ Clearance come_to_rest(const Instant& now, Player& player) {
         player.feet_z = feet_z;
         player.height = height;
     }
-    player.on_ground = player.feet_z <= free.floor_z;
+    player.on_ground = player.feet_z <= footing_z;
     if (player.on_ground) player.fall_speed = 0;
     return free;
 }
