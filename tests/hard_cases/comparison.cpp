@@ -95,11 +95,14 @@ bool is_what_shines_through(TexelPosition p, const Texture& texture, std::uint32
     return alpha < 255;
 }
 
-/// Two colours one step apart on a surface that lamps may light: between the points of their grid the place counts in
-/// whole 256ths, of which rounding may choose either.
+/// Two colours as far apart as a step of the place makes them, on a surface that lamps may light: between the points of
+/// their grid the place counts in whole 256ths, of which rounding may choose either. From one point to the next light
+/// goes at most from none to twice the full colour.
 bool is_on_step_of_lamps(const Map& map, std::uint32_t a, std::uint32_t b) {
+    constexpr int kMostLight = 512, kPlaces = 256;
     for (const int shift : {0, 8, 16})
-        if (std::abs(static_cast<int>(a >> shift & 0xFF) - static_cast<int>(b >> shift & 0xFF)) > 1) return false;
+        if (std::abs(static_cast<int>(a >> shift & 0xFF) - static_cast<int>(b >> shift & 0xFF)) > kMostLight / kPlaces)
+            return false;
     return !map.lights.empty();
 }
 
