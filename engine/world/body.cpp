@@ -95,10 +95,10 @@ double lowest_feet_in(const Instant& now, const EnteredPortals& entered) {
 bool fits(const Instant& now, const Body& body, const Reach& around, const EnteredPortals& entered) {
     if (!around.walls.empty()) return false;
     const Clearance free = clearance(now, body, around.sectors);
-    Body under = body;
-    under.ceiling_z = std::min(body.ceiling_z, free.ceiling_z);
-    const double room = free.ceiling_z - std::max(free.floor_z, body.feet_z);
-    return is_at_most(body.height, std::min(room, height_in(now, under, entered)));
+    Body there = body;
+    there.ceiling_z = std::min(body.ceiling_z, free.ceiling_z);
+    there.feet_z = std::max(body.feet_z, free.floor_z);
+    return is_at_most(body.height, std::min(free.ceiling_z - there.feet_z, height_in(now, there, entered)));
 }
 
 Body squeezed(const Instant& now, Body body) {

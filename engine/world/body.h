@@ -72,7 +72,7 @@ double height_in(const Instant& now, const Body& body, const EnteredPortals& ent
 double lowest_feet_in(const Instant& now, const EnteredPortals& entered);
 
 /// Whether the body, where it is, touches no wall or panel and has headroom on the highest floor it stands on, also
-/// under the ceiling that it has there. Things beside it are for the walk to see to.
+/// once it has stepped up there, under the ceiling that it has there. Things beside it are for the walk to see to.
 bool fits(const Instant& now, const Body& body, const Reach& around, const EnteredPortals& entered);
 
 /// The body where it is, made as wide, and at most as high, as there is room: a body that was put closer to a wall
