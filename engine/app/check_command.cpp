@@ -88,13 +88,6 @@ CheckedMap check_map(const std::string& path, const CheckRequest& request) {
     return checked;
 }
 
-std::size_t count_of(const std::vector<CheckedMap>& maps, Severity severity) {
-    std::size_t count = 0;
-    for (const CheckedMap& map : maps)
-        count += std::size_t(std::ranges::count(map.findings, severity, &Finding::severity));
-    return count;
-}
-
 std::string summary_of(const std::vector<CheckedMap>& maps) {
     return fmt::format("{} checked, {} refused: {}, {}\n", counted(maps.size(), "map"),
                        std::ranges::count(maps, true, &CheckedMap::is_refused),

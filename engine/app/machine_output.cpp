@@ -25,13 +25,6 @@ Json json_of(const Finding& finding) {
     return json;
 }
 
-std::size_t count_of(const std::vector<CheckedMap>& maps, Severity severity) {
-    std::size_t count = 0;
-    for (const CheckedMap& map : maps)
-        count += static_cast<std::size_t>(std::ranges::count(map.findings, severity, &Finding::severity));
-    return count;
-}
-
 /// A path as the URI that SARIF wants (RFC 3986).
 std::string uri_of(const std::string& path) {
     constexpr std::string_view kPlain = "-._~/";
@@ -67,6 +60,13 @@ std::string xml_escaped(std::string_view text) {
 }
 
 }  // namespace
+
+std::size_t count_of(const std::vector<CheckedMap>& maps, Severity severity) {
+    std::size_t count = 0;
+    for (const CheckedMap& map : maps)
+        count += static_cast<std::size_t>(std::ranges::count(map.findings, severity, &Finding::severity));
+    return count;
+}
 
 std::string check_json(const std::vector<CheckedMap>& maps) {
     Json list = Json::array();

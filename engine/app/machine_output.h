@@ -18,6 +18,9 @@ struct CheckedMap {
     bool is_refused = false;
 };
 
+/// How many findings of that severity all of them have.
+std::size_t count_of(const std::vector<CheckedMap>& maps, Severity severity);
+
 /// maps/check.schema.json.
 std::string check_json(const std::vector<CheckedMap>& maps);
 

@@ -153,6 +153,9 @@ void list_near_things(Map& map);
 /// Sorts the things that do something when touched by sector; their triggers and keys are known.
 void list_touchables(Map& map);
 
+/// The sectors of the map by name, as their numbers.
+NameIndex sector_names(const Draft& draft);
+
 // The sectors that triggers are about: by their names, and by the tags that several of them may share.
 
 /// Makes the lists in Map::targets, each only once: ten thousand triggers about one tag share one.

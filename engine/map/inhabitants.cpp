@@ -19,12 +19,6 @@ constexpr double kMostLitArea = 0x1p20;
 /// What a lamp counts for at least [m^2].
 constexpr double kLeastLitArea = 16;
 
-NameIndex sector_names(const Draft& draft) {
-    std::vector<ScopedName> names;
-    for (std::uint32_t i = 0; i < draft.map.sectors.size(); ++i) names.push_back({0, draft.map.sectors[i].name, i});
-    return NameIndex(std::move(names));
-}
-
 std::vector<std::uint32_t> measurable_sectors(const Draft& draft) {
     std::vector<std::uint32_t> sectors;
     for (std::uint32_t i = 0; i < draft.sectors.size(); ++i)

@@ -102,12 +102,16 @@ WallId TwinIndex::nearest(SectorId sector, Vec2 a, Vec2 b) const {
     return WallId(best);
 }
 
+}  // namespace
+
 NameIndex sector_names(const Draft& draft) {
     std::vector<ScopedName> names;
     names.reserve(draft.map.sectors.size());
     for (std::uint32_t i = 0; i < draft.map.sectors.size(); ++i) names.push_back({0, draft.map.sectors[i].name, i});
     return NameIndex(std::move(names));
 }
+
+namespace {
 
 NameIndex wall_names(const Draft& draft) {
     std::vector<ScopedName> names;

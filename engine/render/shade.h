@@ -14,6 +14,7 @@ namespace enfilade {
 
 /// Brightness of a surface as a factor in 1/256: 0 black, 256 as painted.
 using Shade = std::uint32_t;
+inline constexpr Shade kFullBright = 256;
 
 /// How light falls off. Both models start from the sector's light and darken with depth, dark sectors sooner:
 ///   classic: Doom's 32 levels, level = 60 - 2 [32 light] - min([40 / depth], 23), each 1/32 darker, [] cutting to
@@ -37,8 +38,8 @@ constexpr std::uint32_t shaded(std::uint32_t color, Shade shade) {
 /// The colours of a color table in this shade, by their numbers: its 32 levels stand for 256, 248 to 8, and a shade
 /// between two of them has the brighter one's.
 inline const std::uint32_t* darkened_colors(const ColorTable& table, Shade shade) {
-    constexpr Shade kFull = 256, kPerLevel = kFull / ColorTable::kLevels;
-    const Shade missing = shade < kFull ? kFull - shade : 0;
+    constexpr Shade kPerLevel = kFullBright / ColorTable::kLevels;
+    const Shade missing = shade < kFullBright ? kFullBright - shade : 0;
     return table.at_level(std::min<std::size_t>(missing / kPerLevel, ColorTable::kLevels - 1));
 }
 

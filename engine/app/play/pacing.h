@@ -9,6 +9,9 @@ namespace enfilade {
 /// So long after the last event a page on which nothing moves counts as idle [ns].
 inline constexpr std::int64_t kUntilIdle = 500'000'000;
 
+/// Where nothing moves, events are looked for this often; where nobody sees the window, that often [1/s].
+inline constexpr double kIdleHz = 30, kHiddenHz = 10;
+
 /// Moments are those of now_ns() (platform/clock.h) [ns].
 class Pacing {
 public:

@@ -15,8 +15,6 @@ constexpr double kWelcomeSeconds = 6;
 /// While R is held time runs backwards this fast [ticks a tick].
 constexpr std::size_t kRewindSpeed = 2;
 
-/// Where nothing moves, events are looked for this often; where nobody sees the window, that often [1/s].
-constexpr double kIdleHz = 30, kHiddenHz = 10;
 /// A display that is waited for sets the pace; the limit only keeps those from racing that do not wait after all.
 constexpr double kSpareForDisplay = 1.25;
 

@@ -19,7 +19,7 @@
 namespace enfilade {
 namespace {
 
-constexpr int kHz = 60, kIdleHz = 30, kHiddenHz = 10;
+constexpr double kHz = 60;
 constexpr double kNoteSeconds = 12;
 
 double seconds_now() { return static_cast<double>(now_ns()) / kSecond; }
@@ -43,7 +43,8 @@ Result<TitleChoice> TitleScreen::run() {
     std::int64_t acted = now_ns();
     while (!is_over_) {
         const bool is_idle = now_ns() - acted > kUntilIdle;
-        pacing_.set_period(kSecond / (window_.is_hidden() ? kHiddenHz : is_idle ? kIdleHz : kHz));
+        const double hz = window_.is_hidden() ? kHiddenHz : is_idle ? kIdleHz : kHz;
+        pacing_.set_period(static_cast<std::int64_t>(kSecond / hz));
         sleep_until_ns(pacing_.begin());
         events.clear();
         window_.poll(events);

@@ -11,8 +11,6 @@
 namespace enfilade::column {
 namespace {
 
-constexpr Shade kFullBright = 256;
-
 /// What a ray climbs from one row to the next: where the sky's rows are straight, per metre of depth; else per metre
 /// along the ground, which is longer by the length of `ray`.
 double rise_per_row(const ColumnScene& scene, Vec2 ray) {

@@ -11,8 +11,6 @@
 namespace enfilade::column {
 namespace {
 
-constexpr Shade kFullBright = 256;
-
 ColumnRuns column_of(const ColumnRuns& runs, int i) {
     return {runs.pixels + i * runs.pitch, runs.pitch, 1, runs.tops + i, runs.bottoms + i};
 }
