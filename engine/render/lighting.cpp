@@ -4,12 +4,6 @@
 #include <cmath>
 
 namespace enfilade {
-namespace {
-
-constexpr double kFarthest = 1e9;  ///< stands for infinity, which times 0 would be no number [m]
-
-}  // namespace
-
 Shade shade_at(LightModel model, double light, double contrast, double depth) {
     return Dimming(model, light, contrast).at(depth);
 }

@@ -12,6 +12,8 @@ namespace enfilade {
 
 // The light of one surface at many depths: shade_at() with all that does not depend on the depth worked out before.
 
+inline constexpr double kFarthest = 1e9;  ///< stands for an infinite depth, which times 0 would be no number [m]
+
 /// shade_at() of one surface, made ready for many depths.
 class Dimming {
 public:
@@ -37,7 +39,6 @@ private:
     static constexpr double kClassicDepth = 40;       ///< levels won back at 1 m: 1280 map units / 32
     static constexpr double kClassicNearest = 23;     ///< most levels that are won back, as for Doom's walls
     static constexpr double kClassicTouching = 0.01;  ///< nearer than this counts as this [m]
-    static constexpr double kFarthest = 1e9;          ///< stands for infinity, which times 0 would be no number [m]
 };
 
 inline Shade Dimming::classic(double depth) const {

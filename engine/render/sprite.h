@@ -38,8 +38,8 @@ inline constexpr double kDepthStep = 0x1p-20;
 
 /// Infinity allowed; what is not ahead counts as 0.
 inline std::int64_t depth_steps(double depth) {
-    constexpr double kFarthest = 0x1p40;  // [m]; farther than anything, and its steps fit
-    return static_cast<std::int64_t>(std::clamp(depth, 0.0, kFarthest) / kDepthStep + 0.5);
+    constexpr double kMostDepth = 0x1p40;  // [m]; farther than anything, and its steps fit
+    return static_cast<std::int64_t>(std::clamp(depth, 0.0, kMostDepth) / kDepthStep + 0.5);
 }
 
 /// Whether something at `depth` is in a room that is entered at depth `entry` and left at depth `exit`: at the entry it

@@ -20,7 +20,7 @@ float order_of(const WallOnScreen& place) {
 
 /// Tilted, depth is measured along the line of sight, and a wall's ends say nothing about it. What is farther than this
 /// is as good as at the horizon [m].
-constexpr float kFarthest = 0x1p30f;
+constexpr float kHorizon = 0x1p30f;
 
 /// A picture that is shown once ends before its left edge would begin again [tiles].
 constexpr double kBelowOne = 1 - 0x1p-24;
@@ -124,7 +124,7 @@ void set_tilted(PaintParams& params, const RayField& rays, const WallOnScreen& p
     params.from[0] = f(rays.width / 2);
     params.from[1] = f(rays.height / 2);
     params.nearest = 0;
-    params.farthest = kFarthest;
+    params.farthest = kHorizon;
     const PaintParams corner;
     if (!place.is_open_left) set(params.left_edge, corner, edge(rays, place.shown_left_v));
     if (!place.is_open_right) set(params.right_edge, corner, edge(rays, place.shown_right_v));
