@@ -14,12 +14,19 @@
 
 namespace enfilade {
 
-/// "NAME [SU,SV [OU,OV]]".
+/// "NAME [SU,SV [OU,OV] [OUm,OVm]]".
 struct TextureSpec {
     std::string name;            ///< "-" is no texture
     std::optional<Vec2> tile_m;  ///< SU, SV: metres per tile; sky: wraps per turn, tangent of its height. Absent: 1, 1
     Vec2 offset_tx;              ///< OU, OV: subtracted [texels]
     TextPlace place;
+    Boxed<Vec2> offset_m{};  ///< OUm, OVm: subtracted, too [m]; absent: 0, 0. Few have it
+
+    Vec2 moved_m() const { return offset_m ? *offset_m : Vec2{}; }
+    void move_by(Vec2 metres) {
+        const Vec2 offset = moved_m() + metres;
+        offset_m = offset == Vec2{} ? Boxed<Vec2>() : Boxed<Vec2>(offset);
+    }
 
     bool operator==(const TextureSpec&) const = default;
 };
@@ -84,8 +91,8 @@ struct FlatRecord {
     std::optional<double> size;  ///< texels per metre
     bool is_relative = false;    ///< texture origin at the first vertex of the first loop, not at the world's origin
     bool parallax = false;       ///< drawn as sky
-    Vec2 scroll;                 ///< how fast the picture moves along x and y [m/s]
     bool carries = false;        ///< floor: whoever stands on it moves with the picture
+    Vec2 scroll;                 ///< how fast the picture moves along x and y [m/s]
     Boxed<BobRecord> bob;        ///< it goes up and down by itself
     std::vector<FlatLayerRecord> layers;  ///< laid over it, the first one farthest
     TextPlace place;
@@ -114,7 +121,7 @@ struct SectorRecord {
     double light = 1;
     std::string sun;  ///< which one shines on it; empty: none
     FlatRecord floor;
-    FlatRecord ceiling{2, {}, {}, false, false, {}, false, {}, {}, {}, {}};
+    FlatRecord ceiling{2, {}, {}, false, false, false, {}, {}, {}, {}, {}};
     std::vector<LoopRecord> loops;
     std::vector<PanelRecord> panels;
     std::vector<std::string> tags;  ///< what triggers may call it besides its name; others may have the same

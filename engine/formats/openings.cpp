@@ -22,6 +22,22 @@ constexpr std::size_t kUsualNames = 256;
 /// Names are suggested for so many that are not known: each is compared with all that are.
 constexpr int kMostSuggestions = 16;
 
+WallRecord moved(WallRecord wall, Vec2 metres) {
+    for (auto* spec : {&wall.texture, &wall.upper, &wall.lower})
+        if (*spec) (*spec)->move_by(metres);
+    return wall;
+}
+
+/// A wall from so many metres behind its beginning on: its pictures go on there.
+WallRecord rest_of(const WallRecord& wall, double metres) { return moved(wall, {-metres, 0}); }
+
+double distance(Vec2 a, Vec2 b) { return std::sqrt(dot(b - a, b - a)); }
+
+/// From where a wall of the loop begins to a point of it [m].
+double way_along(const LoopRecord& loop, std::size_t wall, Vec2 point) {
+    return distance(snap_to_vertex_grid(loop.vertices[wall]), point);
+}
+
 struct FlatHeights {
     double floor = 0, ceiling = 0;
 };
@@ -85,7 +101,7 @@ public:
 
     /// The wall that takes the place of the near or the far gap.
     WallRecord near_portal(int parts) const {
-        WallRecord portal = outer_portal(near_wall_, parts > 0 ? part_name(0, parts) : far_name_, is_leaf(0, parts));
+        WallRecord portal = outer_portal(gaps_.near, parts > 0 ? part_name(0, parts) : far_name_, is_leaf(0, parts));
         portal.middle = opening_.wall.middle;
         portal.blocks = opening_.wall.blocks;
         if (opening_.to && parts == 0) link(portal, near_link(), far_link());
@@ -93,7 +109,7 @@ public:
     }
     WallRecord far_portal(int parts) const {
         const std::string next = parts > 0 ? part_name(parts - 1, parts) : near_name_;
-        WallRecord portal = outer_portal(far_wall_, next, is_leaf(parts - 1, parts));
+        WallRecord portal = outer_portal(gaps_.far, next, is_leaf(parts - 1, parts));
         if (parts == 0) portal.middle = opening_.wall.middle;
         if (opening_.to) {
             link(portal, far_link(), near_link());
@@ -103,7 +119,8 @@ public:
     }
 
 private:
-    const WallRecord& wall(WallIndex at) const { return map_.sectors[at.sector].loops[at.loop].walls[at.wall]; }
+    const LoopRecord& loop_of(WallIndex at) const { return map_.sectors[at.sector].loops[at.loop]; }
+    const WallRecord& wall(WallIndex at) const { return loop_of(at).walls[at.wall]; }
 
     bool is_leaf(int part, int parts) const { return opening_.leaf && parts > 0 && part == parts / 2; }
 
@@ -124,8 +141,9 @@ private:
 
     /// What is seen of an opening from a room: the room's own wall goes on above and below it, unless it says
     /// otherwise.
-    WallRecord outer_portal(const WallRecord& cut, const std::string& next, bool to_leaf) const {
-        WallRecord portal = cut;
+    WallRecord outer_portal(const Gap& gap, const std::string& next, bool to_leaf) const {
+        const WallRecord& cut = wall(gap.wall);
+        WallRecord portal = rest_of(cut, way_along(loop_of(gap.wall), gap.wall.wall, gap.begin));
         portal.next = next;
         portal.mirror = false;
         portal.triggers.clear();
@@ -248,6 +266,14 @@ private:
         return -right_of(along) * (opening_.depth.value_or(kUsualDepth) / std::sqrt(dot(along, along)));
     }
 
+    /// A wall to the side, whose picture goes on along all parts, however high they are.
+    WallRecord side(int part, int parts, bool at_begin) const {
+        const Vec2 from = boundary(at_begin ? 0 : parts, parts, at_begin);
+        const double way = distance(from, boundary(at_begin ? part : part + 1, parts, at_begin));
+        const double peg = heights_of(part, parts).ceiling - heights_of(0, parts).ceiling;
+        return moved(inner_wall(is_leaf(part, parts)), {-way, peg});
+    }
+
     LoopRecord loop(int part, int parts) const {
         LoopRecord made;
         made.place = opening_.place;
@@ -261,8 +287,7 @@ private:
             inner_portal(is_last ? far_name_ : part_name(part + 1, parts), !is_last && is_leaf(part + 1, parts));
         if (is_first) back.middle = opening_.wall.middle;
         if (is_last && opening_.to) link(on, near_link(), far_link());
-        const WallRecord side = inner_wall(is_leaf(part, parts));
-        made.walls = {checked(back), side, checked(on), side};
+        made.walls = {checked(back), side(part, parts, true), checked(on), side(part, parts, false)};
         return made;
     }
 
@@ -287,7 +312,7 @@ std::size_t cut(MapFile& map, const Gap& gap, WallRecord portal, TextPlace place
         loop.vertex_places.insert(loop.vertex_places.begin() + std::ptrdiff_t(index), place);
         loop.walls.insert(loop.walls.begin() + std::ptrdiff_t(index), std::move(wall));
     };
-    if (has_after) insert(at + 1, gap.end, loop.walls[at]);
+    if (has_after) insert(at + 1, gap.end, rest_of(loop.walls[at], way_along(loop, at, gap.end)));
     if (has_before)
         insert(at + 1, gap.begin, std::move(portal));
     else

@@ -10,7 +10,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::string_view kShape = "expected \"NAME [SU,SV [OU,OV]]\"";
+constexpr std::string_view kShape = "expected \"NAME [SU,SV [OU,OV] [OUm,OVm]]\"";
 
 /// Takes the next word off the front of the text. A comma ends a word and is one by itself.
 std::string_view take_word(std::string_view& text) {
@@ -35,13 +35,18 @@ std::string_view take_name(std::string_view& text) {
 
 Error bad_spec(std::string what) { return {"", std::move(what)}; }
 
-Result<Vec2> take_pair(std::string_view& text, std::string_view what) {
+constexpr std::string_view kMetres = "m";
+
+/// unit: what follows each of the two numbers, maybe nothing
+Result<Vec2> take_pair(std::string_view& text, std::string_view what, std::string_view unit = "") {
     Vec2 pair;
     for (double* number : {&pair.x, &pair.y}) {
         const std::string_view word = take_word(text);
-        const auto value = parse_number(word);
+        const auto value =
+            word.ends_with(unit) ? parse_number(word.substr(0, word.size() - unit.size())) : std::nullopt;
         if (!value)
-            return bad_spec(std::string(kShape) + ": " + std::string(what) + " is a pair of numbers, found " +
+            return bad_spec(std::string(kShape) + ": " + std::string(what) + " is a pair of numbers" +
+                            (unit.empty() ? "" : " with '" + std::string(unit) + "' behind each") + ", found " +
                             (word.empty() ? "the end" : in_quotes(word)));
         *number = *value;
         if (number == &pair.x && take_word(text) != ",")
@@ -73,12 +78,26 @@ Result<void> take_tile(std::string_view& text, TextureSpec& spec) {
     return {};
 }
 
+bool is_offset(Vec2 offset) {
+    return std::abs(offset.x) <= kMaxTextureOffset && std::abs(offset.y) <= kMaxTextureOffset;
+}
+
+bool is_in_metres(std::string_view text) { return take_word(text).ends_with(kMetres); }
+
 Result<void> take_offset(std::string_view& text, TextureSpec& spec) {
     const Result<Vec2> offset = take_pair(text, "OU,OV");
     if (!offset) return offset.error();
     spec.offset_tx = offset.value();
-    if (std::abs(spec.offset_tx.x) <= kMaxTextureOffset && std::abs(spec.offset_tx.y) <= kMaxTextureOffset) return {};
+    if (is_offset(spec.offset_tx)) return {};
     return bad_spec("OU and OV are texels: expected at most 2^20, found " + number_pair(spec.offset_tx));
+}
+
+Result<void> take_offset_in_metres(std::string_view& text, TextureSpec& spec) {
+    const Result<Vec2> offset = take_pair(text, "OUm,OVm", kMetres);
+    if (!offset) return offset.error();
+    spec.move_by(offset.value());
+    if (is_offset(offset.value())) return {};
+    return bad_spec("OUm and OVm are metres: expected at most 2^20, found " + number_pair(offset.value()));
 }
 
 }  // namespace
@@ -91,16 +110,21 @@ Result<TextureSpec> parse_texture_spec(std::string_view text) {
     if (only_blanks(text)) return spec;
     if (const Result<void> valid = take_tile(text, spec); !valid.ok()) return valid.error();
     if (only_blanks(text)) return spec;
-    if (const Result<void> valid = take_offset(text, spec); !valid.ok()) return valid.error();
+    if (!is_in_metres(text))
+        if (const Result<void> valid = take_offset(text, spec); !valid.ok()) return valid.error();
+    if (is_in_metres(text))
+        if (const Result<void> valid = take_offset_in_metres(text, spec); !valid.ok()) return valid.error();
     if (!only_blanks(text)) return bad_spec(std::string(kShape) + ", found more behind it");
     return spec;
 }
 
 std::string to_text(const TextureSpec& spec) {
     std::string text = spec.name;
-    const bool has_offset = !(spec.offset_tx == Vec2{});
+    const bool has_texels = spec.offset_tx != Vec2{}, has_metres = bool(spec.offset_m);
     if (spec.tile_m) text += " " + number_pair(*spec.tile_m);
-    if (has_offset) text += (spec.tile_m ? " " : " - ") + number_pair(spec.offset_tx);
+    if (!spec.tile_m && (has_texels || has_metres)) text += " -";
+    if (has_texels) text += " " + number_pair(spec.offset_tx);
+    if (has_metres) text += " " + number_text(spec.offset_m->x) + "m," + number_text(spec.offset_m->y) + "m";
     return text;
 }
 

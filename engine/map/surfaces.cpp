@@ -74,7 +74,8 @@ struct SurfaceMaker {
         s.texture = spec->name == "-" ? TextureId() : textures.find(spec->name);
         const Texture& texture = textures[s.texture];
         s.tile_m = tile(*spec, texture);
-        s.offset_tiles = {spec->offset_tx.x / texture.width, spec->offset_tx.y / texture.height};
+        s.offset_tiles = {spec->offset_tx.x / texture.width + spec->moved_m().x / s.tile_m.x,
+                          spec->offset_tx.y / texture.height + spec->moved_m().y / s.tile_m.y};
         return s;
     }
 };
@@ -150,6 +151,9 @@ void lay_flat(Draft& draft, SurfaceList& surfaces, const SectorDraft& sector, co
                                    : SurfaceMaker{draft.textures, record.scroll, record.size, draft.file.size};
     Surface surface = maker.surface(record.texture, Peg::ceiling);
     flat.sky = record.parallax;
+    if (flat.sky && record.texture && record.texture->offset_m)
+        draft.error(record.texture->place, "metres-on-sky",
+                    "a sky is not so many metres wide; give the offset in texels, without 'm'");
     if (flat.sky && is_tutorial(draft)) lay_tutorial_sky(surface);
     flat.surface = surfaces.add(surface);
     flat.carries = record.carries;

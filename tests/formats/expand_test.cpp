@@ -7,6 +7,7 @@
 #include "formats/findings.h"
 #include "formats/map_toml.h"
 #include "formats/text_parts.h"
+#include "formats/texture_spec.h"
 
 namespace enfilade {
 namespace {
@@ -188,6 +189,11 @@ TEST(Opening, IsStairs) {
         EXPECT_EQ(step.ceiling.z, 3 + 0.5 * i);
     }
     EXPECT_EQ(behind(sector(map, "stairs 2").loops[0]), "stairs 1 - stairs 3 -");
+    const std::vector<WallRecord>&second = sector(map, "stairs 2").loops[0].walls,
+          &last = sector(map, "stairs 3").loops[0].walls;
+    EXPECT_EQ(second[1].texture->moved_m(), second[3].texture->moved_m()) << "in the middle: as far from either end";
+    EXPECT_LT(last[1].texture->moved_m().x, second[1].texture->moved_m().x);
+    EXPECT_EQ(last[3].texture->moved_m(), (Vec2{0, 1})) << "as much as its ceiling is higher than the first";
 }
 
 TEST(Opening, LeadsElsewhereThereAndBack) {
@@ -224,6 +230,17 @@ TEST(Opening, MayCutWhatAnotherLeft) {
         read_sound(kTwoRooms + "at = [4, 1]\nwidth = 1\n[[openings]]\nbetween = [\"hall\", \"yard\"]\n" +
                    "at = [4, 3]\nwidth = 1\n");
     EXPECT_EQ(behind(map.sectors[0].loops[0]), "- - hall-yard - hall-yard (2) - - -");
+}
+
+TEST(Opening, LetsThePictureOfTheWallGoOnOverItAndBehindIt) {
+    const MapFile map = read_sound(kTwoRooms + "at = [4, 1]\nwidth = 1\nupper = \"oak\"\n[[openings]]\n" +
+                                   "between = [\"hall\", \"yard\"]\nat = [4, 3]\nwidth = 1\n");
+    const std::vector<WallRecord>& walls = map.sectors[0].loops[0].walls;
+    std::vector<std::string> pictures;
+    for (std::size_t i = 1; i <= 5; ++i) pictures.push_back(to_text(*walls[i].texture));
+    EXPECT_THAT(pictures,
+                ElementsAre("brick", "brick - -0.5m,0m", "brick - -1.5m,0m", "brick - -2.5m,0m", "brick - -3.5m,0m"));
+    EXPECT_EQ(to_text(*walls[2].upper), "oak") << "a picture of its own begins with the opening";
 }
 
 TEST(Opening, IsExactOnSlantingWallsWhereTheGridIs) {

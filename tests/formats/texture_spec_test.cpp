@@ -35,6 +35,9 @@ INSTANTIATE_TEST_SUITE_P(Shapes, GoodSpec,
                                          SpecCase{"A 1,1 -3,4.5", {"A", Vec2{1, 1}, {-3, 4.5}, {}}},
                                          SpecCase{" \tA  1 , 1\t3 ,4 ", {"A", Vec2{1, 1}, {3, 4}, {}}},
                                          SpecCase{"A - 3,4", {"A", {}, {3, 4}, {}}},
+                                         SpecCase{"A 1,1 -1.5m,0m", {"A", Vec2{1, 1}, {}, {}, Vec2{-1.5, 0}}},
+                                         SpecCase{"A 1,1 3,4 1e1m , 2m", {"A", Vec2{1, 1}, {3, 4}, {}, Vec2{10, 2}}},
+                                         SpecCase{"A - 2m,0m", {"A", {}, {}, {}, Vec2{2, 0}}},
                                          SpecCase{"a/b,c", {"a/b,c", {}, {}, {}}}, SpecCase{"..a", {"..a", {}, {}, {}}},
                                          SpecCase{"é漢", {"é漢", {}, {}, {}}}));
 
@@ -45,17 +48,25 @@ TEST_P(BadSpec, IsRefused) { EXPECT_FALSE(parse_texture_spec(GetParam()).ok()); 
 INSTANTIATE_TEST_SUITE_P(Shapes, BadSpec,
                          testing::Values("", "  ", "A 1", "A 1,", "A ,1", "A 1 1", "A 1,1,1", "A 1,1 2", "A 1,1 2,",
                                          "A 1,1 2,2 3", "A 1,1 2,2 3,3", "A -", "A - -", "A x,y", "A nan,1", "A inf,1",
-                                         "A 0,1", "A 1,0", "A 1e9,1", "A 1e-9,1", "A 1,1 1e9,0", "../a", "a/../b",
-                                         "a/..", "/a", "a\x01", "A 0x1,1"));
+                                         "A 0,1", "A 1,0", "A 1e9,1", "A 1e-9,1", "A 1,1 1e9,0", "A 1,1 1m",
+                                         "A 1,1 1m,", "A 1,1 1m,1", "A 1,1 1,1m", "A 1m,1m", "A 1,1 m,m",
+                                         "A 1,1 1mm,1m", "A 1,1 1m,1m 1,1", "A 1,1 1m,1m 1m,1m", "A 1,1 1e9m,0m",
+                                         "../a", "a/../b", "a/..", "/a", "a\x01", "A 0x1,1"));
 
 TEST(TextureSpec, SaysWhichPairIsHalf) {
     EXPECT_EQ(parse_texture_spec("A 1,1 2").error().what,
-              "expected \"NAME [SU,SV [OU,OV]]\": OU,OV is a pair, the second number is missing");
+              "expected \"NAME [SU,SV [OU,OV] [OUm,OVm]]\": OU,OV is a pair, the second number is missing");
 }
 
 TEST(TextureSpec, SaysWhatItFoundInsteadOfANumber) {
     EXPECT_EQ(parse_texture_spec("A 1,b").error().what,
-              "expected \"NAME [SU,SV [OU,OV]]\": SU,SV is a pair of numbers, found 'b'");
+              "expected \"NAME [SU,SV [OU,OV] [OUm,OVm]]\": SU,SV is a pair of numbers, found 'b'");
+}
+
+TEST(TextureSpec, SaysWhereMetresAreMissing) {
+    EXPECT_EQ(
+        parse_texture_spec("A 1,1 2m,3").error().what,
+        "expected \"NAME [SU,SV [OU,OV] [OUm,OVm]]\": OUm,OVm is a pair of numbers with 'm' behind each, found '3'");
 }
 
 }  // namespace

@@ -55,6 +55,13 @@ TEST(Surface, KeepsTheFractionOfItsOffsetInTiles) {
     EXPECT_EQ(first_surface(textured({"brick", {}, {64 * 1000 + 32, -64}, {}})).offset_tiles, (Vec2{0.5, 0}));
 }
 
+TEST(Surface, GoesOnAfterMetresWhateverItsTile) {
+    EXPECT_EQ(first_surface(textured({"brick", Vec2{2, 4}, {16, 0}, {}, Vec2{-0.5, 1}})).offset_tiles, (Vec2{0, 0.25}));
+    WallRecord wall = textured({"brick", {}, {}, {}, Vec2{-0.5, 0}});
+    wall.size = 32;
+    EXPECT_EQ(first_surface(wall).offset_tiles, (Vec2{0.75, 0}));
+}
+
 TEST(Surface, MirrorsWithANegativeTile) {
     EXPECT_EQ(first_surface(textured({"brick", Vec2{-1, 1}, {}, {}})).tile_m, (Vec2{-1, 1}));
 }
