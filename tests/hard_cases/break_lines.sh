@@ -52,8 +52,11 @@ build() {
     (cd "$tree" && cmake --build --preset release --target $(sed 's/ .*//; s/.*\///; s/$/_tests/' "$1")) >"$folder/build.log" 2>&1
 }
 
-# Runs such lines and prints the test that failed first, if any: of a program that crashed, the one that ran.
+# Runs such lines and prints the test that failed first, if any: of a program that crashed, or took more than 15 minutes
+# or 8 GB, the one that ran.
 first_failed() {
+    # shellcheck disable=SC3045 # dash and bash have it
+    ulimit -v 8000000
     while read -r program tests; do
         status=0
         timeout 900 "$tree/build/release/tests/${program}_tests" --gtest_filter="$tests" >"$folder/said" 2>&1 </dev/null || status=$?
