@@ -114,6 +114,33 @@ TEST(House, NoInstructionApproximates) { EXPECT_THAT(complaints(sources(), check
 
 TEST(House, WordsReachTheTerminalByOneWay) { EXPECT_THAT(complaints(sources(), check_printing), IsEmpty()); }
 
+/// How many lines of the text are this one, whatever their indentation.
+int count_lines(const std::string& text, const std::string& wanted) {
+    int count = 0;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        count += line.find_first_not_of(' ') != std::string::npos && line.substr(line.find_first_not_of(' ')) == wanted;
+    return count;
+}
+
+/// hard_cases/break_lines.sh breaks lines of the source, and can only break those that are there.
+TEST(House, EachLineThatIsBrokenOnPurposeIsThereOnce) {
+    const auto list = files_under({"tests/hard_cases/broken_lines.txt"});
+    ASSERT_EQ(list.size(), 1u);
+    std::istringstream lines(list[0].text);
+    std::string file;
+    int tried = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("= ")) std::getline(lines, file);
+        if (!line.starts_with("- ")) continue;
+        const auto broken = files_under({file});
+        ASSERT_EQ(broken.size(), 1u) << file;
+        EXPECT_EQ(count_lines(broken[0].text, line.substr(2)), 1) << file << ": " << line;
+        ++tried;
+    }
+    EXPECT_GE(tried, 60);
+}
+
 // hard case D4
 TEST(House, SimulationStateUsesOnlyOurOwnTrigonometry) { EXPECT_THAT(complaints(sources(), check_libm), IsEmpty()); }
 
