@@ -33,13 +33,40 @@ includes() {
     grep -o '^#include "[^"]*"' $sources | sed 's|^engine/||; s|:#include "| |; s|"$||'
 }
 
+# The headers that whoever uses the engine or its test library gets to read: what those two begin with leads to.
+public_headers() {
+    includes | awk '
+        { behind[$1] = behind[$1] " " $2 }
+        $1 ~ /^(enfilade|testing\/.*)\.h$/ { waiting[$1] }
+        END {
+            do {
+                more = 0
+                for (header in waiting) {
+                    if (header in seen) continue
+                    seen[header]
+                    more = 1
+                    count = split(behind[header], next_ones)
+                    for (i = 1; i <= count; ++i) waiting[next_ones[i]]
+                }
+            } while (more)
+            for (header in seen) print "engine/" header
+        }'
+}
+
+# How many of the lines of these files are comments, and how many have one.
+comment_share() {
+    cat "$@" | awk '/^ *\/\// { ++comments } /\/\// { ++commented } /[^ ]/ { ++lines }
+        END { printf "%d %% of lines are comments, %d %% have one\n", 100 * comments / lines, 100 * commented / lines }'
+}
+
 printf 'files: '
 for file in $sources; do wc -l <"$file"; done | spread
 printf 'functions of more than one line: '
 function_lengths | spread
 # shellcheck disable=SC2086 # file names
-printf 'comments in headers: %s %% of lines\n' \
-    "$(cat $headers | awk '/^ *\/\// { ++comments } /[^ ]/ { ++lines } END { print int(100 * comments / lines) }')"
+printf 'headers: %s, ' "$(echo $headers | wc -w)" && comment_share $headers
+# shellcheck disable=SC2046 # file names
+printf 'public headers: %s, ' "$(public_headers | wc -l)" && comment_share $(public_headers)
 
 circles=$(includes | grep '^[^ ]*\.h ' | tsort 2>&1 >/dev/null | grep -c 'input contains a loop' || :)
 echo "circles of includes: $circles"
