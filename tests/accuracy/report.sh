@@ -1,8 +1,9 @@
 #!/bin/sh
 # Writes the report beside this script: what accuracy costs in time. `report.sh BUILD_FOLDER`: with the programs built
-# there (ninja enfilade wadconv texel_rows). Two maps of FreeDoom are among the scenes where it is installed. Counts
+# there (ninja enfilade wadconv texel_rows peer_views). Two maps of FreeDoom are among the scenes where it is installed. Counts
 # instructions where valgrind is installed and draws the pictures where gnuplot is; that takes up to an hour, and
 # `report.sh BUILD_FOLDER --resume` goes on where it was cut off. Times mean something on a machine left alone.
+# PEER_VIEWS may name a folder with pictures by dsda-doom, as tests/wadconv/freedoom/peer_views.cpp wants them.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -70,4 +71,12 @@ TEXT
     "$build/engine/app/enfilade" accuracy "$maps/rooms.toml" "$maps/quarter_turn.toml" --export "$work/truth"
     score_of column
     score_of stencil
+    [ -z "${PEER_VIEWS:-}" ] || cat <<TEXT
+
+dsda-doom's software renderer, of levels of FreeDoom, 1280 x 800 pixels, most without things, beside the column renderer:
+blocks of 8 x 8 pixels are alike where their mean colours are within 12 of 255. It is measured by
+\`tests/wadconv/freedoom/peer_views\`.
+
+$("$build/tests/wadconv/freedoom/peer_views" "$PEER_VIEWS")
+TEXT
 } >>"$here/README.md"

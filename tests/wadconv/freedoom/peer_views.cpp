@@ -4,9 +4,10 @@
 //                         FOLDER/frames/E1M1_0120.png the picture of row 120, counted from 0, without things
 //                         FOLDER/frames/E1M1_0120_things.png the same with those of skill 4
 //
-// Prints for each picture which share of its blocks is alike, and the mean; exits with 1 where one of them, or the
-// mean, is below its bound. Fields of view are 90 degrees, the picture is not stretched. Lights have not begun to
-// change, as when a level has just been entered.
+// Prints a table in Markdown: for each picture which share of its blocks is alike, and how far theirs and ours are from
+// 64 rays for each pixel, mixed in linear light. Exits with 1 where a share, or their mean, is below its bound. Fields
+// of view are 90 degrees, the picture is not stretched. Lights have not begun to change, as when a level has just been
+// entered.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,10 +16,11 @@
 #include <map>
 #include <optional>
 
+#include "app/accuracy/errors.h"
 #include "formats/png.h"
 #include "formats/views_csv.h"
 #include "math/vec.h"
-#include "render/column/column_renderer.h"
+#include "render/choice/renderer.h"
 #include "space/trace.h"
 #include "wadconv/freedoom/wads.h"
 #include "world/snapshot.h"
@@ -55,7 +57,7 @@ bool are_alike(const Mean& a, const Mean& b) {
 }
 
 /// The share of blocks that are alike [%].
-double likeness(const Frame& ours, const Image& theirs) {
+double alike_share(const Frame& ours, const Frame& theirs) {
     int alike = 0, blocks = 0;
     for (int y = 0; y + kBlock <= ours.height; y += kBlock)
         for (int x = 0; x + kBlock <= ours.width; x += kBlock, ++blocks)
@@ -88,19 +90,50 @@ std::optional<Walk> load_walk(const std::string& folder, const std::string& map)
     return walk;
 }
 
-std::optional<double> compare_picture(const Walk& walk, const std::string& path, std::size_t row, bool with_things) {
+/// How near a picture comes to what is truly seen there.
+struct Nearness {
+    double noise = 0, likeness = 0;  ///< peak signal to noise [dB]; structural similarity, at most 1
+};
+
+Nearness nearness(const Frame& truth, const Frame& picture) {
+    return {signal_to_noise(squared_change(truth, picture), truth.pixels.size()),
+            structural_similarity(truth, picture)};
+}
+
+struct Comparison {
+    double alike = 0;  ///< blocks [%]
+    Nearness theirs, ours;
+};
+
+Frame frame_of(const Image& image) {
+    Frame frame;
+    frame.resize(static_cast<int>(image.width), static_cast<int>(image.height));
+    frame.pixels = image.pixels;
+    return frame;
+}
+
+std::optional<Frame> drawn(const Walk& walk, const Snapshot& snapshot, const View& view, int samples, Frame frame) {
+    RendererChoice choice;
+    choice.dials.samples = samples;
+    const auto renderer = make_renderer(choice, *walk.loaded.map, walk.loaded.textures);
+    if (!renderer.ok() || !renderer.value()->render(frame, nullptr, snapshot, view).ok()) return {};
+    return frame;
+}
+
+std::optional<Comparison> compare_picture(const Walk& walk, const std::string& path, std::size_t row,
+                                          bool with_things) {
     const auto bytes = read_file(path);
     if (!bytes || row >= walk.views.size()) return {};
-    const auto theirs = read_png(bytes.value());
-    if (!theirs) return {};
+    const auto image = read_png(bytes.value());
+    if (!image) return {};
     const View view = view_of(*walk.loaded.map, walk.views[row]);
     if (!view.sector) return {};
-    Frame frame;
-    frame.resize(static_cast<int>(theirs.value().width), static_cast<int>(theirs.value().height));
     Snapshot snapshot = at_rest(*walk.loaded.map);
     leave_out({!with_things, true}, snapshot);
-    ColumnRenderer(*walk.loaded.map, walk.loaded.textures).render(frame, nullptr, snapshot, view);
-    return likeness(frame, theirs.value());
+    const Frame theirs = frame_of(image.value());
+    const auto ours = drawn(walk, snapshot, view, 1, theirs), truth = drawn(walk, snapshot, view, kMostSamples, theirs);
+    if (!ours || !truth) return {};
+    return Comparison{alike_share(*ours, theirs), nearness(*truth, theirs), nearness(*truth, *ours)};
 }
 
 /// What a picture's file is called says what it shows.
@@ -130,23 +163,40 @@ std::vector<Shown> pictures_in(const std::string& folder) {
     return pictures;
 }
 
+void print_row(const char* name, const Comparison& compared) {
+    std::printf("| %s | %.2f | %.2f | %.4f | %.2f | %.4f |\n", name, compared.alike, compared.theirs.noise,
+                compared.theirs.likeness, compared.ours.noise, compared.ours.likeness);
+}
+
+void add(Comparison& sum, const Comparison& one, double part) {
+    sum.alike += one.alike * part;
+    for (auto [to, from] : {std::pair{&sum.theirs, &one.theirs}, std::pair{&sum.ours, &one.ours}}) {
+        to->noise += from->noise * part;
+        to->likeness += from->likeness * part;
+    }
+}
+
 /// True where every picture, and their mean, is alike enough.
 bool compare_folder(const std::string& folder) {
     std::map<std::string, std::optional<Walk>> walks;
     bool all_alike = true;
-    double sum = 0;
+    Comparison mean;
     const std::vector<Shown> pictures = pictures_in(folder + "/frames");
+    std::printf(
+        "| picture | alike [%%] | their noise [dB] | likeness | our noise [dB] | likeness "
+        "|\n|---|---|---|---|---|---|\n");
     for (const auto& [stem, map, row, with_things] : pictures) {
         if (!walks.contains(map)) walks[map] = load_walk(folder, map);
         const std::string path = folder + "/frames/" + stem + ".png";
-        const auto share = walks[map] ? compare_picture(*walks[map], path, row, with_things) : std::nullopt;
-        std::printf("%s: %s\n", stem.c_str(), share ? (std::to_string(*share) + " %").c_str() : "cannot be compared");
-        all_alike = all_alike && share && *share >= kBound;
-        sum += share.value_or(0);
+        const auto compared = walks[map] ? compare_picture(*walks[map], path, row, with_things) : std::nullopt;
+        all_alike = all_alike && compared && compared->alike >= kBound;
+        if (!compared) std::printf("| %s | cannot be compared | | | | |\n", stem.c_str());
+        if (!compared) continue;
+        print_row(stem.c_str(), *compared);
+        add(mean, *compared, 1 / static_cast<double>(pictures.size()));
     }
-    const double mean = sum / static_cast<double>(pictures.size());
-    std::printf("mean: %f %%\n", mean);
-    return all_alike && mean >= kMeanBound;
+    print_row("mean", mean);
+    return all_alike && mean.alike >= kMeanBound;
 }
 
 }  // namespace
