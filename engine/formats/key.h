@@ -43,6 +43,8 @@ template <class Record>
 struct KeyList {
     std::string_view record;
     std::span<const Key<Record>> keys;
+    /// Where a key that this record has not is at home, for those that are often looked for here; null or "": nothing.
+    std::string_view (*home_of)(std::string_view key) = nullptr;
 };
 
 /// The keys of a kind of record, in the order they are written. Defined once for each, beside its keys.
@@ -58,8 +60,10 @@ template <class Record>
 std::string_view unknown_key(Reading& reading, const TomlEntry& entry, const KeyList<Record>& list) {
     std::vector<std::string_view> known;
     for (const Key<Record>& key : list.keys) known.push_back(key.name);
+    const std::string home(list.home_of ? list.home_of(entry.key) : "");
     reading.error(entry.key_place, "unknown-key",
-                  std::string(list.record) + " has no key " + in_quotes(entry.key) + suggestion(entry.key, known));
+                  std::string(list.record) + " has no key " + in_quotes(entry.key) +
+                      (home.empty() ? suggestion(entry.key, known) : "; " + home));
     return nearest_word(entry.key, known);
 }
 

@@ -72,6 +72,17 @@ public:
         return opening_.leaf && opening_.top ? kFramedParts : 1;
     }
 
+    /// Notes what of it lies above or below a room that it leads out of: that part leads nowhere.
+    void look_past_rooms() const {
+        for (const SectorRecord* room : {near_, far_}) {
+            if (room == far_ && opening_.to) continue;  // there, heights are counted from the other floor
+            if (opening_.top && *opening_.top > room->ceiling.z)
+                warn("top", *opening_.top, "above the ceiling", *room, room->ceiling.z);
+            if (opening_.bottom && *opening_.bottom < room->floor.z)
+                warn("bottom", *opening_.bottom, "below the floor", *room, room->floor.z);
+        }
+    }
+
     /// False where its sectors would have no height.
     bool has_height(int parts) const {
         for (int i = 0; i < parts; ++i)
@@ -119,6 +130,14 @@ public:
     }
 
 private:
+    void warn(std::string_view key, double z, std::string_view where, const SectorRecord& room, double flat) const {
+        if (reading_.is_full()) return;
+        reading_.findings.push_back({key_place(opening_, key), Severity::warning, "opening-past-room",
+                                     in_quotes(key) + ", " + number_text(z) + " m, is " + std::string(where) +
+                                         " of sector " + in_quotes(room.name) + ", " + number_text(flat) +
+                                         " m: what is beyond it leads nowhere"});
+    }
+
     const LoopRecord& loop_of(WallIndex at) const { return map_.sectors[at.sector].loops[at.loop]; }
     const WallRecord& wall(WallIndex at) const { return loop_of(at).walls[at.wall]; }
 
@@ -377,6 +396,7 @@ private:
         const OpeningCut made(reading_, map_, opening, name, *gaps);
         const auto parts = made.parts();
         if (!parts || !made.has_height(*parts)) return false;
+        made.look_past_rooms();
         if (!expansion_.take(std::size_t(*parts + 1) * made.weight(), opening.place)) return false;
         const std::vector<SectorRecord> between = made.sectors(*parts);
         const WallRecord near_portal = made.near_portal(*parts), far_portal = made.far_portal(*parts);

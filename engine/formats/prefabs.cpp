@@ -232,7 +232,8 @@ PrefabFiles::File* PrefabFiles::find(const PrefabRecord& prefab) {
             place, "no-prefab",
             "expected a map file in the map's folder: " +
                 (bytes.ok() ? "all prefabs together have more than " + std::to_string(kMostPrefabBytes >> 20) + " MiB"
-                            : bytes.error().text()));
+                            : bytes.error().text() +
+                                  "; those that come with Enfilade are in its maps/prefabs, copy one to there"));
         return nullptr;
     }
     open_.push_back(prefab.file);

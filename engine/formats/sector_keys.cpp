@@ -98,7 +98,10 @@ constexpr KeyList<FlatRecord> kFlatList{"a floor or ceiling", kFlatKeys};
 constexpr KeyList<FlatLayerRecord> kFlatLayerList{"a layer", kFlatLayerKeys};
 constexpr KeyList<PanelRecord> kPanelList{"a panel", kPanelKeys};
 constexpr KeyList<DoomRecord> kDoomList{"'doom'", kDoomKeys};
-constexpr KeyList<SectorRecord> kSectorList{"a sector", kSectorKeys};
+constexpr KeyList<SectorRecord> kSectorList{
+    "a sector", kSectorKeys, [](std::string_view key) -> std::string_view {
+        return key == "v" || key == "walls" ? "write it under a line [[sectors.loops]] of its own" : "";
+    }};
 
 // The keys of walls and loops.
 

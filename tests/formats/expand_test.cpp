@@ -243,6 +243,20 @@ TEST(Opening, LetsThePictureOfTheWallGoOnOverItAndBehindIt) {
     EXPECT_EQ(to_text(*walls[2].upper), "oak") << "a picture of its own begins with the opening";
 }
 
+TEST(Sector, SaysWhereItsCornersAreWritten) {
+    const auto findings = read_map("format = 1\n[[sectors]]\nname = \"a\"\nv = [0, 0,  4, 0,  4, 4]\n").findings;
+    ASSERT_FALSE(findings.empty());
+    EXPECT_EQ(findings.back().sentence, "a sector has no key 'v'; write it under a line [[sectors.loops]] of its own");
+}
+
+TEST(Opening, TellsWhatOfItLeadsNowhere) {
+    EXPECT_THAT(codes_and_places(read_map(kTwoRooms + "width = 1\ntop = 3\nbottom = 0.5\n").findings), IsEmpty());
+    EXPECT_THAT(codes_and_places(read_map(kTwoRooms + "width = 1\ntop = 3.5\n").findings),
+                ElementsAre("opening-past-room 16:7"));
+    EXPECT_THAT(codes_and_places(read_map(kTwoRooms + "width = 1\ntop = 3\nbottom = 0.25\n").findings),
+                ElementsAre("opening-past-room 17:10"));
+}
+
 TEST(Opening, IsExactOnSlantingWallsWhereTheGridIs) {
     const std::string slanting = R"(format = 1
 [[sectors]]
