@@ -16,9 +16,32 @@ say() { printf 'fuzz: %s\n' "$*" >&2; }
 
 targets() { (cd "$kept" && echo *); }
 
+# What the bytes of a target are.
+meaning() {
+    case $1 in
+        hashes) echo "recorded frames" ;;
+        map) echo "a map, read, built, checked, drawn and walked in" ;;
+        png) echo "a picture" ;;
+        save) echo "a saved game" ;;
+        script) echo "a flythrough's script" ;;
+        tape) echo "a recorded walk" ;;
+        texture) echo "the text that names a picture, its size and offset" ;;
+        toml) echo "TOML, read by both readers" ;;
+        views) echo "a list of views" ;;
+        wad) echo "an archive of Doom" ;;
+        wav) echo "a sound" ;;
+        world) echo "choices of which a legal world is made, that everything runs in" ;;
+    esac
+}
+
+list() {
+    echo "usage: ./run fuzz TARGET SECONDS; targets, and what their bytes are:"
+    for target in $(targets); do printf '  %-8s %s\n' "$target" "$(meaning "$target")"; done
+}
+
 usage() {
     say "$*"
-    say "usage: ./run fuzz TARGET SECONDS; targets: $(targets)"
+    list >&2
     exit 2
 }
 
@@ -29,8 +52,8 @@ choose() {
     program=$build/tests/fuzz/fuzz_$target
     out=$top/out/fuzz/$target
     mkdir -p "$out/corpus" "$out/findings"
-    [ -f "$build/build.ninja" ] || (cd "$top" && cmake --preset fuzz) >&2
-    cmake --build "$build" --target "fuzz_$target" >&2
+    [ -f "$build/build.ninja" ] || { (cd "$top" && cmake --preset fuzz) >&2 && say "compiling: some minutes this time"; }
+    NINJA_STATUS='[%f of %t, %p after %e s] ' cmake --build "$build" --target "fuzz_$target" >&2
     "$program" --words | sort -u >"$out/words"
 }
 
@@ -49,6 +72,7 @@ fuzz() {
         -rss_limit_mb=$most_megabytes -malloc_limit_mb=$most_megabytes_at_once -print_final_stats=1 "$out/corpus" "$kept/$target" || status=$?
     findings | comm -13 "$out/before" - | sed "s|^\.|to see it again: $program $out/findings|" >&2
     rm "$out/before"
+    [ "$status" -ne 0 ] || say "nothing was found; the next run goes on from what this one tried"
     return $status
 }
 
@@ -65,6 +89,7 @@ keep() {
 }
 
 case ${1:-} in
+    '') list ;;
     keep) keep "${2:-}" "${3:-}" ;;
     *) fuzz "${1:-}" "${2:-}" ;;
 esac
