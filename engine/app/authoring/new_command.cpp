@@ -21,19 +21,10 @@ constexpr const char* kFirstMap =
 format = 1
 name = {1}
 textures = {2}
-player = {{ sector = "room", x = 1, y = 1.5 }}
-
-# A door between the two rooms: it cuts both walls, and what lies between them is its frame.
-openings = [
-  {{ between = ["room", "yard"], width = 1, top = 2.25, leaf = "door 1,2", texture = "reveal 1,1" }},
-]
-
-lights = [
-  {{ x = 1, y = 0.5, z = 2.25, color = "#ffc070", reach = 5 }},
-]
+player = {{ sector = "hall", x = 1, y = 1.5 }}
 
 [[sectors]]
-name = "room"
+name = "hall"
 rect = [0, 0,  4, 3]
 wall = {{ texture = "plaster_ochre 2,2" }}
 floor = {{ z = 0, texture = "boards 2,2" }}
@@ -46,6 +37,21 @@ rect = [4.25, -1,  9, 4]
 wall = {{ texture = "brick 2,2" }}
 floor = {{ z = 0, texture = "cobbles 2,2" }}
 ceiling = {{ z = 4, texture = "sky_day 1,1.2", parallax = true }}
+
+# A door between the two rooms: it cuts both walls, and what lies between them is its frame.
+[[openings]]
+between = ["hall", "yard"]
+width = 1
+top = 2.25
+leaf = "door 1,2"
+texture = "reveal 1,1"
+
+[[lights]]
+x = 1
+y = 0.5
+z = 2.25
+color = "#ffc070"
+reach = 5
 )";
 
 bool is_same_folder(const fs::path& a, const fs::path& b) {
