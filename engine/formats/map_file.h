@@ -59,6 +59,12 @@ struct WallRecord {
     std::optional<DoomRecord> doom;
     TextPlace place;
     KeyPlaces places{};
+
+    /// As if the wall had begun elsewhere: metres.x further on, metres.y higher.
+    void move_pictures(Vec2 metres) {
+        for (auto* spec : {&texture, &upper, &lower})
+            if (*spec) (*spec)->move_by(metres);
+    }
     bool operator==(const WallRecord&) const = default;
 };
 

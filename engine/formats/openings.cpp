@@ -23,8 +23,7 @@ constexpr std::size_t kUsualNames = 256;
 constexpr int kMostSuggestions = 16;
 
 WallRecord moved(WallRecord wall, Vec2 metres) {
-    for (auto* spec : {&wall.texture, &wall.upper, &wall.lower})
-        if (*spec) (*spec)->move_by(metres);
+    wall.move_pictures(metres);
     return wall;
 }
 

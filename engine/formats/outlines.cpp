@@ -1,6 +1,7 @@
 // Loops in short: rectangles and polygons become corners, and one wall stands for all that say nothing.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "formats/expand.h"
 #include "formats/map_keys.h"
@@ -104,7 +105,17 @@ bool stands_for_many(Reading& reading, const WallRecord& wall) {
     return true;
 }
 
-/// The walls that say nothing become copies of `common`.
+/// From where the loop begins to each of its corners [m].
+std::vector<double> ways_round(const LoopRecord& loop) {
+    std::vector<double> ways{0};
+    for (std::size_t i = 1; i < loop.vertices.size(); ++i) {
+        const Vec2 side = loop.vertices[i] - loop.vertices[i - 1];
+        ways.push_back(ways.back() + std::sqrt(dot(side, side)));
+    }
+    return ways;
+}
+
+/// The walls that say nothing become copies of `common`. Round a polygon their pictures go on from one to the next.
 void spread(Reading& reading, Expansion& expansion, const WallRecord& common, LoopRecord& loop) {
     const bool are_given = loop.places.has("walls");
     const std::size_t count =
@@ -113,13 +124,15 @@ void spread(Reading& reading, Expansion& expansion, const WallRecord& common, Lo
         loop.is_whole = false;
         return;
     }
-    if (!are_given) loop.walls.assign(count, common);
-    for (WallRecord& wall : loop.walls)
-        if (are_given && says_nothing(wall)) {
-            const TextPlace place = wall.place;
-            wall = common;
-            wall.place = place;
-        }
+    if (!are_given) loop.walls.resize(count);
+    const std::vector<double> ways = loop.places.has("polygon") ? ways_round(loop) : std::vector<double>();
+    for (std::size_t i = 0; i < loop.walls.size(); ++i) {
+        if (!says_nothing(loop.walls[i])) continue;
+        const TextPlace place = are_given ? loop.walls[i].place : common.place;
+        loop.walls[i] = common;
+        loop.walls[i].place = place;
+        if (i < ways.size()) loop.walls[i].move_pictures({-ways[i], 0});
+    }
 }
 
 /// Whether there are walls for the corners; if not, it is noted, unless that was to be expected.

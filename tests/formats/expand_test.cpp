@@ -1,6 +1,7 @@
 // What an author writes once: rectangles, polygons, walls of many, openings and prefabs become plain loops and sectors.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <ctime>
 #include <map>
 
@@ -79,6 +80,15 @@ rect = [1, 1,  2, 2]
     EXPECT_EQ(corners(map.sectors[0].loops[1]), "1,2 2,2 2,1 1,1");
     for (const LoopRecord& loop : map.sectors[0].loops)
         for (const WallRecord& wall : loop.walls) EXPECT_EQ(wall.texture->name, "brick");
+}
+
+TEST(Polygon, LetsThePictureOfItsWallGoOnRoundTheCorners) {
+    const MapFile map = read_sound(
+        "format = 1\n[[sectors]]\nname = \"t\"\npolygon = { x = 0, y = 0, radius = 5, corners = 4 }\n"
+        "wall = { texture = \"brick\" }\n[[sectors.loops]]\nrect = [-1, -1,  1, 1]\n");
+    const std::vector<WallRecord>& walls = map.sectors[0].loops[0].walls;
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(walls[i].texture->moved_m().x, -i * 5 * std::sqrt(2), 1e-12);
+    for (const WallRecord& wall : map.sectors[0].loops[1].walls) EXPECT_EQ(wall.texture->moved_m(), Vec2{});
 }
 
 TEST(Polygon, HasItsCornersOnTheGrid) {
