@@ -184,15 +184,17 @@ TEST_P(LodgeWithASlip, NamesTheAuthorsLine) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, LodgeWithASlip,
-    ::testing::Values(
-        Slip{"[\"hall\", \"gallery\"]", "[\"hall\", \"galery\"]", "unknown-sector"},
-        Slip{"at = [0, 2.5]", "at = [0.5, 2.5]", "opening-off-wall"},
-        Slip{"at = [0, 2.5]", "at = [0, 5.75]", "opening-beyond-wall"}, Slip{"steps = 7", "stepz = 7", "unknown-key"},
-        Slip{"rect = [8.25, 0,  13.25, 6]", "rect = [8.25, 0,  13.25]", "wrong-type"},
-        Slip{"wall = { texture = \"salon_green 1.75,3.5\" }", "wall = { texture = \"salon_gren 1.75,3.5\" }", "missing-texture"},
-        Slip{"corners = 8", "corners = 2", "out-of-range"}, Slip{"do = \"door\"", "do = \"dor\"", "unknown-word"},
-        Slip{"at = [-4.75, 0.5] }", "at = [-4.75, 0.5], tunr = 90 }", "unknown-key"},
-        Slip{"leaf = \"door 1,2\", top = 0.75", "leaf = \"door 1\", top = 0.75", "bad-texture-spec"}));
+    ::testing::Values(Slip{"[\"hall\", \"gallery\"]", "[\"hall\", \"galery\"]", "unknown-sector"},
+                      Slip{"at = [0, 2.5]", "at = [0.5, 2.5]", "opening-off-wall"},
+                      Slip{"at = [0, 2.5]", "at = [0, 5.75]", "opening-beyond-wall"},
+                      Slip{"steps = 7", "stepz = 7", "unknown-key"},
+                      Slip{"rect = [8.25, 0,  13.25, 6]", "rect = [8.25, 0,  13.25]", "wrong-type"},
+                      Slip{"wall = { texture = \"salon_green 1.75,3.5\" }",
+                           "wall = { texture = \"salon_gren 1.75,3.5\" }", "missing-texture"},
+                      Slip{"corners = 8", "corners = 2", "out-of-range"},
+                      Slip{"do = \"door\"", "do = \"dor\"", "unknown-word"},
+                      Slip{"at = [-4.75, 0.5] }", "at = [-4.75, 0.5], tunr = 90 }", "unknown-key"},
+                      Slip{"leaf = \"door 1,2\", top = 0.75", "leaf = \"door 1\", top = 0.75", "bad-texture-spec"}));
 
 }  // namespace
 }  // namespace enfilade
