@@ -24,12 +24,21 @@ Segment facing(const Panel& panel, Vec2 eye);
 /// one, or both lie on one line. Exact: they never cross, so one of them lies wholly on one side of the other's line.
 bool is_nearer(const Segment& a, const Segment& b);
 
-/// Whether two inverse depths in one column differ enough to tell which wall is nearer. Rounding leaves them good to
-/// about 2^-50 of their size; closer ties (walls that share a vertex) are rare enough to be settled exactly. Two
+/// How far rounding may take the inverse depth of a wall in a column from the true one [1/m]. Of a wall that is seen
+/// almost on edge it is a small difference of large numbers, and good for nothing near its end.
+/// cross: of the wall's ends [m^2], which are in view space; 0 yields infinity.
+inline double inverse_depth_doubt(Vec2 left_v, Vec2 right_v, double cross, double slope) {
+    constexpr double kRounding = 0x1p-50;  // of each way: turned into view space, multiplied and subtracted
+    const double ways = std::fabs(left_v.x) + std::fabs(left_v.y) + std::fabs(right_v.x) + std::fabs(right_v.y);
+    return kRounding * (1 + std::fabs(slope)) * ways / cross;
+}
+
+/// Whether two inverse depths in one column differ enough to tell which wall is nearer: by more than both are in doubt,
+/// and than a part of their size. Closer ties (walls that share a vertex) are rare enough to be settled exactly. Two
 /// infinities do not tell.
-inline bool are_telling(double inverse_depth, double other) {
+inline bool are_telling(double inverse_depth, double other, double doubt) {
     constexpr double kTrusted = 0x1p-40;
-    return std::fabs(inverse_depth - other) > kTrusted * other;
+    return std::fabs(inverse_depth - other) > kTrusted * other + doubt;
 }
 
 /// True where `wall`, which faces the eye and shares a column with `entry`, lies beyond `entry`, the wall of the same

@@ -82,10 +82,13 @@ void PanelColumns::move_to(int x) {
 }
 
 bool PanelColumns::is_before_wall(const RoomView& view, const PanelBoard& board, int x) const {
-    const Wall& wall = view.scene.map[view.nearest.wall(view.nearest.at(x)).wall];
+    const ProjectedWall& wall = view.nearest.wall(view.nearest.at(x));
+    const double slope = view.scene.screen.slopes[x];
     const double to_wall = view.nearest.inverse_depth_at(view.scene.screen, x);
-    const double to_panel = inverse_depth(board.place, view.scene.screen.slopes[x]);
-    return are_telling(to_panel, to_wall) ? to_panel > to_wall : is_nearer(board.facing, wall);
+    const double to_panel = inverse_depth(board.place, slope);
+    const double doubt = inverse_depth_doubt(board.place, slope) + inverse_depth_doubt(wall, slope);
+    return are_telling(to_panel, to_wall, doubt) ? to_panel > to_wall
+                                                 : is_nearer(board.facing, view.scene.map[wall.wall]);
 }
 
 std::span<const PanelColumns::PanelColumn> PanelColumns::at(const RoomView& view, int x) {

@@ -52,6 +52,11 @@ inline double edge_span(const ProjectedWall& w, double slope) { return edge(w.le
 /// 1 / depth at slope s: linear in s, infinite where the eye is on the wall's line.
 inline double inverse_depth(const ProjectedWall& w, double slope) { return edge_span(w, slope) * w.inverse_cross; }
 
+/// How far rounding may take it from the true one [1/m].
+inline double inverse_depth_doubt(const ProjectedWall& w, double slope) {
+    return inverse_depth_doubt(w.left_v, w.right_v, w.cross, slope);
+}
+
 /// Exact up to rounding, and never outside the wall however grazing the look.
 WallHit hit(const ProjectedWall& wall, double slope);
 

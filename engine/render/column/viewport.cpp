@@ -106,7 +106,8 @@ bool NearestWalls::is_nearer_in(const Map& map, const RayTables& screen, int can
     const double slope = screen.slopes[static_cast<std::size_t>((shared.begin + shared.end) / 2)];
     const ProjectedWall &a = wall(candidate), &b = wall(shared.wall);
     const double inverse = inverse_depth(a, slope), other = inverse_depth(b, slope);
-    return are_telling(inverse, other) ? inverse > other : is_nearer(map[a.wall], map[b.wall]);
+    const double doubt = inverse_depth_doubt(a, slope) + inverse_depth_doubt(b, slope);
+    return are_telling(inverse, other, doubt) ? inverse > other : is_nearer(map[a.wall], map[b.wall]);
 }
 
 void NearestWalls::find_lost(const Map& map, const RayTables& screen, const Viewport& viewport, const Pose& pose) {

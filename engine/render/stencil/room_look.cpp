@@ -117,7 +117,7 @@ void RoomLook::stand_in(const Pose& pose, int x) {
         before->end = wall.end;
     else
         walls_.push_back(wall);
-    nearest_[index_of(x)] = {static_cast<int>(walls_.size()) - 1, wall.inverse_depth(slope)};
+    nearest_[index_of(x)] = {static_cast<int>(walls_.size()) - 1, wall.inverse_depth(slope), wall.doubt(slope)};
 }
 
 void RoomLook::offer(const WallOnScreen& wall) {
@@ -126,14 +126,16 @@ void RoomLook::offer(const WallOnScreen& wall) {
     for (int x = std::max(sure.begin, visit_->window.begin); x < end; ++x) {
         Nearest& nearest = nearest_[index_of(x)];
         if (visit_->window.at(x).is_closed()) continue;
-        const double inverse = inverse_depths(wall, screen_, x).least;
-        if (is_nearer_at(wall, inverse, nearest)) nearest = {static_cast<int>(walls_.size()) - 1, inverse};
+        const Nearest offered{static_cast<int>(walls_.size()) - 1, inverse_depths(wall, screen_, x).least,
+                              wall.doubt(screen_.slopes[static_cast<std::size_t>(x)])};
+        if (is_nearer_at(wall, offered, nearest)) nearest = offered;
     }
 }
 
-bool RoomLook::is_nearer_at(const WallOnScreen& wall, double inverse, const Nearest& other) const {
+bool RoomLook::is_nearer_at(const WallOnScreen& wall, const Nearest& offered, const Nearest& other) const {
     if (other.place == kNothing) return true;
-    if (screen_.has_ranges || are_telling(inverse, other.inverse_depth)) return inverse > other.inverse_depth;
+    if (screen_.has_ranges || are_telling(offered.inverse_depth, other.inverse_depth, offered.doubt + other.doubt))
+        return offered.inverse_depth > other.inverse_depth;
     return is_nearer(map_[wall.wall], map_[walls_[static_cast<std::size_t>(other.place)].wall]);
 }
 

@@ -68,6 +68,7 @@ public:
         return place == kNothing ? WallId() : walls_[static_cast<std::size_t>(place)].wall;
     }
     double inverse_depth_at(int x) const { return nearest_[index_of(x)].inverse_depth; }
+    double doubt_at(int x) const { return nearest_[index_of(x)].doubt; }
 
     /// Adds every run of columns that meet one wall first, as that wall in these columns; a column beside whose middle
     /// the wall's line vanishes on its own, as the wall is in its middle. Not of ranges.
@@ -82,13 +83,14 @@ private:
     struct Nearest {
         int place = kNothing;  ///< in walls_
         double inverse_depth = 0;
+        double doubt = 0;  ///< how far rounding may take it from the true one [1/m]
     };
 
     std::size_t index_of(int x) const { return static_cast<std::size_t>(x - visit_->window.begin); }
     void offer(const WallOnScreen& wall);
     void find_stand_ins(const Pose& pose);
     void stand_in(const Pose& pose, int x);
-    bool is_nearer_at(const WallOnScreen& wall, double inverse, const Nearest& other) const;
+    bool is_nearer_at(const WallOnScreen& wall, const Nearest& offered, const Nearest& other) const;
     void add_run(std::vector<WallOnScreen>& met, int place, int begin, int end) const;
     bool may_meet(const WallOnScreen& portal, double inverse, int x) const;
     OpenRows rows_behind(const WallOnScreen& portal, const RelativeHeights& opening, int x) const;

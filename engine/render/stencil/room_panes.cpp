@@ -105,8 +105,10 @@ bool RoomPanes::is_before_wall(const RoomLook& room, const PaneBoard& panel, int
     const WallId wall = room.nearest_at(x);
     if (wall.is_none()) return true;
     const double to_wall = room.inverse_depth_at(x);
-    const double to_panel = place_of(panel.pane).inverse_depth(screen_.slopes[static_cast<std::size_t>(x)]);
-    return are_telling(to_panel, to_wall) ? to_panel > to_wall : is_nearer(panel.facing, input_.map[wall]);
+    const double slope = screen_.slopes[static_cast<std::size_t>(x)];
+    const double to_panel = place_of(panel.pane).inverse_depth(slope);
+    const double doubt = place_of(panel.pane).doubt(slope) + room.doubt_at(x);
+    return are_telling(to_panel, to_wall, doubt) ? to_panel > to_wall : is_nearer(panel.facing, input_.map[wall]);
 }
 
 /// The boards of run_ in the columns [begin, end), in which all of them are met.

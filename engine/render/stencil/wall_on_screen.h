@@ -71,6 +71,9 @@ struct WallOnScreen {
     /// 1 / depth, linear in the slope; finite but beyond all bounds where the eye is on the wall's line [1/m].
     double inverse_depth(double slope) const;
 
+    /// How far rounding may take it from the true one [1/m].
+    double doubt(double slope) const { return inverse_depth_doubt(left_v, right_v, cross, slope); }
+
     double nearest() const;  ///< bounds of its depth anywhere [m], >= 0
     double farthest() const;
 };
