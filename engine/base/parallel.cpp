@@ -69,18 +69,6 @@ private:
     bool are_known_;
 };
 
-/// Whether something happens while one looks for it again and again, for as long as falling asleep and being woken
-/// would take. Others may have the core in between.
-template <class Happened>
-bool happens_soon(Happened happened) {
-    constexpr int kLooks = 200;  // of 0.3 us and more
-    for (int i = 0; i < kLooks; ++i) {
-        if (happened()) return true;
-        std::this_thread::yield();
-    }
-    return false;
-}
-
 /// The helpers of a pool, and the work that they share with its owner.
 class ThreadPool::Crew {
 public:
@@ -115,11 +103,7 @@ public:
         work.help(0);
         std::unique_lock held(mutex_);
         work_ = nullptr;
-        const auto is_done = [this] { return busy_ == 0; };
-        held.unlock();
-        if (happens_soon(is_done)) return;
-        held.lock();
-        ends_.wait(held, is_done);
+        ends_.wait(held, [this] { return busy_ == 0; });
     }
 
 private:
@@ -127,9 +111,8 @@ private:
     void serve(std::size_t worker) {
         const Cores cores;
         std::uint64_t last = 0;
+        std::unique_lock held(mutex_);
         for (;;) {
-            happens_soon([&] { return is_over_ || number_ != last; });
-            std::unique_lock held(mutex_);
             begins_.wait(held, [&] { return is_over_ || (work_ && number_ != last); });
             if (is_over_) return;
             last = number_;
@@ -147,13 +130,13 @@ private:
         }
     }
 
-    std::mutex mutex_;  ///< held to change all that follows but the helpers themselves, and to read what is not atomic
+    std::mutex mutex_;  ///< held for all that follows but the helpers themselves
     std::condition_variable begins_, ends_;
-    Work* work_ = nullptr;                   ///< in which helpers may join
-    std::atomic<std::uint64_t> number_ = 0;  ///< of the work, so that nobody joins twice
-    std::atomic<std::size_t> busy_ = 0;      ///< helpers at work
-    int owner_core_ = -1;                    ///< that the work was begun on
-    std::atomic<bool> is_over_ = false;
+    Work* work_ = nullptr;      ///< in which helpers may join
+    std::uint64_t number_ = 0;  ///< of the work, so that nobody joins twice
+    std::size_t busy_ = 0;      ///< helpers at work
+    int owner_core_ = -1;       ///< that the work was begun on
+    bool is_over_ = false;
     std::vector<std::jthread> helpers_;  ///< the last member: they end before what they use
 };
 
