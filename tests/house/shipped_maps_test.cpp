@@ -12,8 +12,8 @@
 namespace enfilade {
 namespace {
 
-/// Offsets are written in thousandths of a texel, and places that move by steps of the grid less than this [tiles].
-constexpr double kAsGoodAsOn = 0.01;
+/// Authors round offsets to whole texels: where a picture is off by less than one, it goes on [texels].
+constexpr double kOneTexel = 1;
 
 std::vector<std::string> shipped_maps() {
     std::vector<std::string> paths;
@@ -42,13 +42,13 @@ double gap(const Surface& picture, double length, const Surface& next) {
     return std::fabs(missing - std::round(missing));
 }
 
-/// How often a picture begins anew along straight walls, and "map: first wall" of each, of all that could go on.
+/// Where pictures begin anew along straight walls.
 struct Breaks {
-    int tried = 0;
-    std::vector<std::string> found;
+    int tried = 0;                   ///< pairs of walls that show one picture
+    std::vector<std::string> found;  ///< "map: sector -> sector"
 };
 
-void look_along(const Map& map, const std::string& name, Breaks& breaks) {
+void look_along(const Map& map, const TextureSet& textures, const std::string& name, Breaks& breaks) {
     std::multimap<std::pair<double, double>, const Wall*> from;
     for (const Wall& wall : map.walls) from.emplace(std::pair{wall.a.x, wall.a.y}, &wall);
     for (const Wall& wall : map.walls) {
@@ -58,7 +58,7 @@ void look_along(const Map& map, const std::string& name, Breaks& breaks) {
             if (!here.texture || here.texture != there.texture || here.tile_m != there.tile_m) continue;
             if (!is_straight_on(wall, *next->second)) continue;
             ++breaks.tried;
-            if (gap(here, wall.length, there) > kAsGoodAsOn)
+            if (gap(here, wall.length, there) * textures[here.texture].width > kOneTexel)
                 breaks.found.push_back(name + ": " + map[wall.sector].name + " -> " + map[next->second->sector].name);
         }
     }
@@ -70,7 +70,7 @@ TEST(ShippedMaps, LetPicturesGoOnAlongStraightWalls) {
         const LoadedMap loaded = load_map(path, {}, read_file);
         ASSERT_TRUE(loaded.map) << path;
         if (path.ends_with("/tutorial.toml")) continue;  // looks as the tutorial's own program draws it
-        look_along(*loaded.map, std::filesystem::path(path).stem().string(), breaks);
+        look_along(*loaded.map, loaded.textures, std::filesystem::path(path).stem().string(), breaks);
     }
     std::string list;
     for (const std::string& line : breaks.found) list += line + "\n";
