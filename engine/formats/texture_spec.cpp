@@ -49,7 +49,9 @@ Result<Vec2> take_pair(std::string_view& text, std::string_view what, std::strin
                             (unit.empty() ? "" : " with '" + std::string(unit) + "' behind each") + ", found " +
                             (word.empty() ? "the end" : in_quotes(word)));
         *number = *value;
-        if (number == &pair.x && take_word(text) != ",")
+        const std::string_view behind = number == &pair.x ? take_word(text) : ",";
+        if (behind == kMetres) return bad_spec("expected 'm' right behind its number, found a blank between them");
+        if (behind != ",")
             return bad_spec(std::string(kShape) + ": " + std::string(what) +
                             " is a pair, the second number is missing");
     }

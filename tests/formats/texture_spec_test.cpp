@@ -63,6 +63,11 @@ TEST(TextureSpec, SaysWhatItFoundInsteadOfANumber) {
               "expected \"NAME [SU,SV [OU,OV] [OUm,OVm]]\": SU,SV is a pair of numbers, found 'b'");
 }
 
+TEST(TextureSpec, SaysThatNoBlankIsBeforeTheMetres) {
+    EXPECT_EQ(parse_texture_spec("A 1,1 -2.5 m,0m").error().what,
+              "expected 'm' right behind its number, found a blank between them");
+}
+
 TEST(TextureSpec, SaysWhereMetresAreMissing) {
     EXPECT_EQ(
         parse_texture_spec("A 1,1 2m,3").error().what,
