@@ -8,6 +8,7 @@
 
 #include "hard_cases/comparison.h"
 #include "map/load.h"
+#include "support/shipped_maps.h"
 
 namespace enfilade::test {
 namespace {
@@ -15,14 +16,6 @@ namespace {
 /// Poses of each kind and size: 200 in a long run; fewer show nearly as much in CI.
 const int kPoses = std::getenv("ENFILADE_LONG") ? 200 : 60;
 constexpr PictureSize kAuthoredEven{320, 200}, kAuthoredOdd{117, 83};  ///< an odd side has a ray exactly along the look
-
-std::vector<std::string> authored_maps() {
-    std::vector<std::string> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(ENFILADE_SOURCE_DIR "/maps"))
-        if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
-    std::sort(paths.begin(), paths.end());
-    return paths;
-}
 
 class AuthoredMap : public testing::TestWithParam<std::string> {
 protected:
@@ -61,7 +54,7 @@ std::string stem(const testing::TestParamInfo<std::string>& info) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Maps, AuthoredMap, testing::ValuesIn(authored_maps()), stem);
+INSTANTIATE_TEST_SUITE_P(Maps, AuthoredMap, testing::ValuesIn(shipped_maps()), stem);
 
 }  // namespace
 }  // namespace enfilade::test

@@ -8,20 +8,13 @@
 
 #include "base/files.h"
 #include "map/load.h"
+#include "support/shipped_maps.h"
 
 namespace enfilade {
 namespace {
 
 /// Authors round offsets to whole texels: where a picture is off by less than one, it goes on [texels].
 constexpr double kOneTexel = 1;
-
-std::vector<std::string> shipped_maps() {
-    std::vector<std::string> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(ENFILADE_SOURCE_DIR "/maps"))
-        if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
-    std::ranges::sort(paths);
-    return paths;
-}
 
 /// What a wall shows below the ceiling; a portal into a room that is as high shows nothing.
 const Surface& uppermost(const Map& map, const Wall& wall) {
@@ -66,7 +59,7 @@ void look_along(const Map& map, const TextureSet& textures, const std::string& n
 
 TEST(ShippedMaps, LetPicturesGoOnAlongStraightWalls) {
     Breaks breaks;
-    for (const std::string& path : shipped_maps()) {
+    for (const std::string& path : test::shipped_maps()) {
         const LoadedMap loaded = load_map(path, {}, read_file);
         ASSERT_TRUE(loaded.map) << path;
         if (path.ends_with("/tutorial.toml")) continue;  // looks as the tutorial's own program draws it

@@ -5,12 +5,14 @@
 
 #include "app/cli/program.h"
 #include "formats/map_toml.h"
+#include "support/shipped_maps.h"
 
 namespace enfilade {
 namespace {
 
 using test::Ended;
 using test::Program;
+using test::shipped_maps;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -21,13 +23,6 @@ const std::string kLodge = kMaps + "lodge.toml";
 std::string text_in(const std::string& path) {
     const auto bytes = read_file(path);
     return bytes.ok() ? std::string(as_text(bytes.value())) : "";
-}
-
-std::vector<std::string> shipped_maps() {
-    std::vector<std::string> paths;
-    for (const std::string& name : list_folder(kMaps))
-        if (name.ends_with(".toml")) paths.push_back(kMaps + name);
-    return paths;
 }
 
 /// What the reader makes of a map in maps/, but for the places.

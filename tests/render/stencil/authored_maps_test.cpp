@@ -11,6 +11,7 @@
 #include "map/load.h"
 #include "render/stencil/agreement.h"
 #include "support/map_builder.h"
+#include "support/shipped_maps.h"
 
 namespace enfilade::test {
 namespace {
@@ -26,11 +27,9 @@ struct Sample {
 const bool kIsLong = std::getenv("ENFILADE_LONG") != nullptr;
 const Sample kSample = kIsLong ? Sample{100, 100, {640, 400}} : Sample{20, 2, {320, 200}};
 
-std::vector<std::string> authored_maps() {
+std::vector<std::string> names_of_maps() {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(ENFILADE_SOURCE_DIR "/maps"))
-        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
+    for (const std::string& path : test::shipped_maps()) names.push_back(std::filesystem::path(path).stem().string());
     return names;
 }
 
@@ -67,7 +66,7 @@ std::string name_of_map(const testing::TestParamInfo<std::string>& info) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Maps, StencilMap, testing::ValuesIn(authored_maps()), name_of_map);
+INSTANTIATE_TEST_SUITE_P(Maps, StencilMap, testing::ValuesIn(names_of_maps()), name_of_map);
 
 class StencilScene : public testing::TestWithParam<NamedScene> {};
 
