@@ -147,6 +147,25 @@ TEST(Reach, FindsAWallThatOnlyShowsItsEndAroundACorner) {
     EXPECT_THAT(reach(map, {kNearRoom, {6.5, 6}}, 1).walls, IsEmpty());
 }
 
+// A portal that lets nobody out, but in: what is open goes all the way round the corner and comes back into the room,
+// whose own look does not show that wall.
+TEST(Reach, FindsTheEndOfAClosedWallThatTurnsItsBackWhereAllElseRoundItsCornerIsOpen) {
+    MapFile file =
+        map_of({room("yard", {{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 4}, {0, 4}}), box_room("hut", 0, 4, 4, 8)});
+    join_all(file);
+    const Map map = built(file);
+    const WallId open(3u), closed(4u);  // (4, 8) to (4, 4), (4, 4) to (0, 4)
+    const auto reached_from = [&](Vec2 p) {
+        return reach(map, {kNearRoom, p}, 0.5, [&](WallId id, const Rigid&) { return id != closed; });
+    };
+    const Reach found = reached_from({4.125, 4.25});
+    ASSERT_THAT(walls_of(found), testing::ElementsAre(closed));
+    EXPECT_EQ(found.walls[0].stretch.a, (Vec2{4, 4}));
+    EXPECT_EQ(found.walls[0].stretch.b, (Vec2{4, 4}));
+    EXPECT_TRUE(overlaps(found, map[open].behind));
+    EXPECT_THAT(reached_from({4.125, 4.75}).walls, IsEmpty());
+}
+
 TEST(Reach, CountsARefusedPortalAsAWall) {
     MapFile file = map_of({box_room("a", 0, 0, 4, 4), box_room("b", 4, 0, 8, 4)});
     join_all(file);

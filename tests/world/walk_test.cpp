@@ -11,6 +11,7 @@
 #include "world/body.h"
 #include "world/door_and_link.h"
 #include "world/game.h"
+#include "world/player_fault.h"
 
 namespace enfilade {
 namespace {
@@ -376,6 +377,41 @@ TEST(WalkCost, WhereManyRoomsMeetFollowsTheRoomsOnceEach) {
         const Dearest most = dearest_walk(map, speed);
         EXPECT_LE(most.walls_a_query, (kParts + 1) * (3 * kParts / kSectors) + kParts * kParts) << speed;
         EXPECT_LE(most.queries, 2) << speed << ": nothing is in the way";
+    }
+}
+
+/// A hall, a narrow lintel before the corner where four rooms meet, twice around it: above it to the north "over",
+/// which leads on to a step, to the south "beyond". Who is under the lintel is too high for the step.
+MapFile lintel_before_a_double_corner() {
+    constexpr double kLintel = 1.0 / 64, kCeiling = 4, kStep = 0.5;
+    const double x = 4 - kLintel;
+    MapFile file =
+        map_of({room("hall", {{0, -4}, {x, -4}, {x, 4}, {0, 4}}, 0, kCeiling),
+                room("lintel", {{x, -4}, {4, -4}, {4, 0}, {4, 4}, {x, 4}}, 0, kStep + kStandingHeight - 0.125),
+                room("over", {{100, -4}, {104, -4}, {104, 4}, {100, 4}, {100, 0}}, 0, kCeiling),
+                room("step", {{96, -4}, {100, -4}, {100, 0}, {100, 4}, {96, 4}}, kStep, kCeiling),
+                room("beyond", {{4, -4}, {8, -4}, {8, 4}, {4, 4}, {4, 0}}, 0, kCeiling)});
+    join(file, "hall", "lintel", {x, -4}, {x, 4});
+    link(file, "lintel", {4, -4}, {4, 0}, "over", {100, 0}, {100, -4});
+    join(file, "step", "over", {100, 0}, {100, 4});
+    link(file, "step", {100, -4}, {100, 0}, "beyond", {4, 0}, {4, -4});
+    wall(file, "step", {100, -4}, {100, 0}).rise = 0;
+    join(file, "lintel", "beyond", {4, 0}, {4, 4});
+    return file;
+}
+
+// The step is touched around the corner only, so nothing but the ceiling that one would come under forbids it.
+// hard case C20
+TEST(Walk, ComesUnderNoCeilingThatIsTooLowForAStepRoundTheCorner) {
+    for (double y = -0.25; y <= 0.25; y += 0.03125) {
+        MapFile file = lintel_before_a_double_corner();
+        place_player(file, "hall", {3, y}, kEyeOnFloor);
+        Game game(file);
+        PlayerWatch watch;
+        for (int tick = 0; tick < 120; ++tick) {
+            game.hold(kForward);
+            ASSERT_EQ(watch.fault_of(game.map, game.world), "") << "from y = " << y << ", tick " << tick;
+        }
     }
 }
 
