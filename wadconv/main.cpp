@@ -15,6 +15,7 @@ namespace {
 using namespace enfilade::wadconv;
 
 constexpr const char* kName = "wadconv";
+constexpr int kMostThreads = 1024;
 
 void complain(const std::string& what) { enfilade::fail(kName, {"", what}); }
 
@@ -49,11 +50,11 @@ int run_command_line(int argc, char** argv) {
         ->required();
     app.add_option("--jobs", options.jobs, "Threads to use; one for each core if not given")
         ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+        ->check([](const std::string& text) { return enfilade::range_fault(text, 1, kMostThreads); });
     app.add_flag("--strict", options.strict, "Refuse maps in which something had to be guessed");
     app.add_flag("--open-doors", options.convert.open_doors, "Raise every closed door, so that all can be walked");
     app.add_flag("--verbose", is_verbose, "Print the whole report, map by map, not only its totals");
-    app.set_version_flag("--version", std::string(kName) + " " ENFILADE_VERSION);
+    app.set_version_flag("--version", std::string(kName) + " " ENFILADE_VERSION, "Print the version and exit");
     app.footer(
         "Example:\n  wadconv /usr/share/games/doom/freedoom2.wad --map MAP01 --out levels\nExit status: 0 all "
         "converted, "

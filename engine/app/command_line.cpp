@@ -1,6 +1,5 @@
 // The command line as a whole. Besides the options of authors and of accuracy the only file that knows CLI11: reading
-// its headers
-// takes longer than compiling the rest of a command.
+// its headers takes longer than compiling the rest of a command.
 #include "app/commands.h"
 
 #include <fmt/format.h>
@@ -32,13 +31,7 @@ constexpr int kMostThreads = 256, kMostFramesBetween = 1'000'000, kMostRounds = 
 
 /// A finite number from low to high. CLI11's own Range lets NaN through.
 CLI::Validator number_within(double low, double high) {
-    return CLI::Validator(
-        [=](std::string& text) -> std::string {
-            const auto number = parse_number(text);
-            if (number && *number >= low && *number <= high) return {};
-            return fmt::format("expected a number from {} to {}; found {}", low, high, in_quotes(text));
-        },
-        "");
+    return CLI::Validator([=](std::string& text) { return range_fault(text, low, high); }, "");
 }
 
 void declare_textures(CLI::App& command, std::vector<std::string>& folders) {
@@ -180,7 +173,7 @@ void declare_pictures(CLI::App& command, RenderRequest& request) {
         ->type_name("DEG")
         ->check(number_within(kMinFov, kMaxFov));
     declare_true_pitch(command, request.true_pitch);
-    command.add_option("--roll", request.roll_degrees, "With --true-pitch: lean the head to its right")
+    command.add_option("--roll", request.roll_degrees, "Lean the head to its right")
         ->type_name("DEG")
         ->check(number_within(-360, 360))
         ->needs("--true-pitch");
@@ -407,7 +400,7 @@ bool has_display() {
 
 int run_command_line(int argc, const char* const* argv) {
     CLI::App app("Rooms, portals and doorways that lead where they should not: a Doom-style engine.", "enfilade");
-    app.set_version_flag("--version", "enfilade " ENFILADE_VERSION);
+    app.set_version_flag("--version", "enfilade " ENFILADE_VERSION, "Print the version and exit");
     app.require_subcommand(0, 1);
     app.footer("`enfilade COMMAND --help` tells more about each. Exit status: 0 done, 1 failed, 2 wrong usage.");
     PlayRequest play;

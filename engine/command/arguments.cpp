@@ -1,6 +1,10 @@
 #include "command/arguments.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <memory>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -41,6 +45,40 @@ std::string fault_text(const CLI::App& program, const CLI::ParseError& error, co
     return lacks_command ? about_command("") : error.what();
 }
 
+/// Help in whole sentences, where CLI11 would put its own marks between an option and what it takes.
+class SentenceFormatter : public CLI::Formatter {
+    std::string make_option_opts(const CLI::Option* option) const override {
+        std::string what = option->get_positional() ? "" : option->get_type_name();
+        if (!what.empty()) what.insert(0, " ");
+        return what + (option->get_expected_max() > 1 ? " ..." : "");
+    }
+
+    std::string make_option_desc(const CLI::Option* option) const override {
+        std::vector<std::string> sentences;
+        if (option->get_required() && !option->get_positional()) sentences.push_back("needed");
+        if (!option->get_needs().empty()) sentences.push_back("only with " + names_of(option->get_needs()));
+        if (!option->get_excludes().empty()) sentences.push_back("not with " + names_of(option->get_excludes()));
+        std::string text = option->get_description();
+        for (const std::string& sentence : sentences) text += "; " + sentence;
+        return text;
+    }
+
+    /// "--record, --merge", in the order of the alphabet.
+    static std::string names_of(const std::set<CLI::Option*>& options) {
+        std::set<std::string> names;
+        for (const CLI::Option* option : options) names.insert(option->get_name());
+        std::string text;
+        for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+        return text;
+    }
+};
+
+void explain_in_sentences(CLI::App& program) {
+    const auto formatter = std::make_shared<SentenceFormatter>();
+    program.formatter(formatter);
+    for (CLI::App* command : program.get_subcommands({})) command->formatter(formatter);
+}
+
 /// As it is typed: "enfilade render".
 std::string name_of(const CLI::App& command) {
     const CLI::App* const program = command.get_parent();
@@ -49,6 +87,12 @@ std::string name_of(const CLI::App& command) {
 
 }  // namespace
 
+std::string range_fault(std::string_view text, double low, double high) {
+    const auto number = parse_number(text);
+    if (number && *number >= low && *number <= high) return {};
+    return fmt::format("expected a number from {} to {}; found {}", low, high, in_quotes(text));
+}
+
 int fail(const std::string& program, const Error& error) {
     print_text(stderr, program + ": " + error.text() + "\n");
     return kFailed;
@@ -56,6 +100,7 @@ int fail(const std::string& program, const Error& error) {
 
 std::optional<int> read_arguments(CLI::App& program, int argc, const char* const* argv,
                                   const AboutCommand& about_command) {
+    explain_in_sentences(program);
     try {
         program.parse(argc, argv);
         return {};

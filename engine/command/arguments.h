@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
 
@@ -20,6 +21,9 @@ inline constexpr int kUsage = 2;   ///< the command line itself makes no sense
 
 /// Prints "PROGRAM: error" and gives kFailed.
 int fail(const std::string& program, const Error& error);
+
+/// What is wrong with a text that is to be a finite number from low to high; empty: nothing.
+std::string range_fault(std::string_view text, double low, double high);
 
 /// What is said of a first word that is none of the program's commands; of an empty one, where there is no command.
 using AboutCommand = std::function<std::string(const std::string& word)>;

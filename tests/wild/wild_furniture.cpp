@@ -48,6 +48,7 @@ TriggerRecord any_trigger(const WorldPlan& plan, Activation on, Choices& choices
     trigger.speed = choices.between(0.5, 12);
     trigger.wait = choices.between(0, 2);
     trigger.step = choices.between(-0.5, 1);
+    if (trigger.step == 0) trigger.step = 1;  // no rule allows level stairs
     trigger.crushes = choices.one_in(3);
     trigger.once = choices.one_in(4);
     if (choices.one_in(4)) trigger.sound = "hum";
