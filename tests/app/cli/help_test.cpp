@@ -75,6 +75,17 @@ TEST(Help, SeesAnOptionWithoutATest) {
     EXPECT_THAT(untested({"--size", "--no-such-option"}, "\"render\""), ::testing::ElementsAre("--no-such-option"));
 }
 
+TEST(Help, SpeaksInWordsNotInThoseOfTheLibraryThatReadsOptions) {
+    const testing::Matcher<std::string> kIsPlain =
+        Not(testing::ContainsRegex("REQUIRED|TEXT|INT|UINT|FLOAT|Excludes:|Needs:| in \\["));
+    for (const std::string& command : commands()) EXPECT_THAT(Program().run({command, "--help"}).out, kIsPlain);
+    EXPECT_THAT(Program().run_other(WADCONV_PROGRAM, {"--help"}).out, kIsPlain);
+    const std::string fly = Program().run({"fly", "--help"}).out;
+    EXPECT_THAT(fly, testing::ContainsRegex("\n  --record  .*; not with --check, --merge\n"));
+    EXPECT_THAT(Program().run({"render", "--help"}).out, testing::ContainsRegex("\n  --sector .*; only with --view\n"));
+    EXPECT_THAT(Program().run({"draw", "--help"}).out, testing::ContainsRegex("\n  --out .*; needed\n"));
+}
+
 TEST(Help, HasAManualPageForEveryCommand) {
     const std::string pages = text_of(kTop + "engine/install/CMakeLists.txt");
     for (const std::string& command : commands()) EXPECT_THAT(pages, HasSubstr(" enfilade-" + command)) << command;
