@@ -83,14 +83,6 @@ namespace {
 
 double ms(double ns) { return ns * 1e-6; }
 
-/// As RFC 4180 has it.
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
 /// All frames of one subject.
 struct SubjectSum {
     double frames = 0, minimum_ns = 0, median_ns = 0, pixels = 0, walls = 0, runs = 0, viewports = 0;

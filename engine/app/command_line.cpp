@@ -191,6 +191,10 @@ void declare_pictures(CLI::App& command, RenderRequest& request) {
         ->required();
     command.add_option("--ids", request.ids, "The same for pictures of 24-bit surface ids, red the high byte")
         ->type_name("FILE.png|DIR");
+    command
+        .add_option("--id-list", request.id_list,
+                    "What the ids stand for: id,surface,sector,place, the place in the map's file")
+        ->type_name("FILE.csv");
     command.add_option("--timing", request.timing, "How long each view took to draw: view,ns")->type_name("FILE.csv");
 }
 

@@ -35,7 +35,7 @@ struct RenderRequest {
     std::vector<std::string> texture_folders;
     int skill = kUsualSkill;
     LeftOut left_out;
-    std::string out, ids, timing, from_above, from_behind;
+    std::string out, ids, id_list, timing, from_above, from_behind;
     Talk talk = Talk::usual;
     std::vector<std::string> at;
     double reach_m = kUsualReach;

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
+#include <filesystem>
 #include <memory>
 
 #include "app/messages.h"
@@ -30,10 +30,18 @@ struct PictureTools {
     Result<void> done;
 };
 
-/// Where a job puts pictures, by argument; those that are not wanted are empty.
-std::array<std::pair<const char*, std::string>, 4> picture_outputs(const PictureJob& job) {
+/// Where a job puts what, by argument; what is not wanted is empty.
+using Outputs = std::vector<std::pair<const char*, std::string>>;
+
+Outputs picture_outputs(const PictureJob& job) {
     return {
-        {{"--out", job.out}, {"--ids", job.ids}, {"--from-above", job.from_above}, {"--from-behind", job.from_behind}}};
+        {"--out", job.out}, {"--ids", job.ids}, {"--from-above", job.from_above}, {"--from-behind", job.from_behind}};
+}
+
+Outputs all_outputs(const PictureJob& job) {
+    Outputs all = picture_outputs(job);
+    all.insert(all.end(), {{"--id-list", job.id_list}, {"--timing", job.timing}});
+    return all;
 }
 
 class Drawing {
@@ -136,20 +144,33 @@ private:
 
 }  // namespace
 
-Result<void> check_outputs(const PictureJob& job) {
-    const auto outputs = picture_outputs(job);
+namespace {
+
+Result<void> check_places(const PictureJob& job) {
+    const Outputs outputs = all_outputs(job);
     const auto is_standard_output = [](const auto& output) { return output.second == "-"; };
-    if (std::ranges::count_if(outputs, is_standard_output) + (job.timing == "-") + !job.at.empty() > 1)
-        return Error{"",
-                     "only one of --out, --ids, --from-above, --from-behind and --timing can be '-', standard output, "
-                     "and none with --at, which tells there what it finds"};
-    if (job.reach_m != kUsualReach && job.from_above.empty() && job.from_behind.empty())
-        return Error{"--reach", "needs --from-above or --from-behind, whose pictures it is about"};
+    if (std::ranges::count_if(outputs, is_standard_output) + !job.at.empty() > 1)
+        return Error{
+            "",
+            "only one of --out, --ids, --id-list, --from-above, --from-behind and --timing can be '-', standard "
+            "output, and none with --at, which tells there what it finds"};
     for (const auto& [argument, path] : outputs) {
         const auto is_same = [&p = path](const auto& output) { return output.second == p; };
-        if (!path.empty() && path != "-" && std::ranges::count_if(outputs, is_same) > 1)
-            return Error{argument, fmt::format("{} is given twice; each kind of picture needs a place of its own",
-                                               in_quotes(path))};
+        const bool is_place = !path.empty() && path != "-" && !std::filesystem::is_other(path);
+        if (is_place && std::ranges::count_if(outputs, is_same) > 1)
+            return Error{argument,
+                         fmt::format("{} is given twice; each output needs a place of its own", in_quotes(path))};
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> check_outputs(const PictureJob& job) {
+    if (const Result<void> valid = check_places(job); !valid.ok()) return valid.error();
+    if (job.reach_m != kUsualReach && job.from_above.empty() && job.from_behind.empty())
+        return Error{"--reach", "needs --from-above or --from-behind, whose pictures it is about"};
+    for (const auto& [argument, path] : picture_outputs(job)) {
         if (names_film(path) && !names_picture(path))
             return Error{argument, "render writes pictures; `enfilade fly` writes films"};
         const std::size_t count = job.views.size();

@@ -26,6 +26,7 @@ struct PictureJob {
     Talk talk = Talk::usual;
     std::string out;               ///< a .png file for the one view, or a folder for 000000.png onward
     std::string ids;               ///< the same for pictures of surface ids
+    std::string id_list;           ///< a CSV file of what the ids stand for
     std::string timing;            ///< a CSV file `view,ns`
     std::string from_above;        ///< the same as `out` for pictures of the view from outside
     std::string from_behind;       ///< and for those

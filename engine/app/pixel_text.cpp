@@ -111,4 +111,14 @@ std::string pixel_text(const OpenMap& map, const Snapshot& snapshot, const Pixel
                        texel_text(shown, map.textures, facts.texel), place_text(shown, path, places));
 }
 
+std::string surfaces_csv(const Map& map, const Snapshot& snapshot, const std::string& path, const MapPlaces& places) {
+    std::string csv = "id,surface,sector,place\n";
+    for (PixelSurface id = kNothing + 1; const auto owner = owner_of(map, id); ++id) {
+        const ShownSurface shown{map, snapshot, *owner};
+        csv += fmt::format("{},{},{},{}\n", id, csv_field(surface_text(shown)), csv_field(map[shown.sector()].name),
+                           csv_field(place_text(shown, path, places)));
+    }
+    return csv + fmt::format("{},the end of a chain of links,,\n", kRecursionEnd);
+}
+
 }  // namespace enfilade

@@ -22,4 +22,9 @@ struct PixelOf {
 std::string pixel_text(const OpenMap& map, const Snapshot& snapshot, const PixelOf& pixel, const std::string& path,
                        const MapPlaces& places);
 
+/// What the numbers of pictures of surface ids stand for: CSV with the header id,surface,sector,place and a row for
+/// each surface that the map has, also where nothing is to be seen of it, in the words of pixel_text(). Ends in a line
+/// end.
+std::string surfaces_csv(const Map& map, const Snapshot& snapshot, const std::string& path, const MapPlaces& places);
+
 }  // namespace enfilade

@@ -36,6 +36,7 @@ Result<PictureJob> job_of(const RenderRequest& request) {
     job.talk = request.talk;
     job.out = request.out;
     job.ids = request.ids;
+    job.id_list = request.id_list;
     job.timing = request.timing;
     for (const std::string& text : request.at) {
         const auto pixel = parse_pixel(text, job.size);
@@ -88,20 +89,33 @@ void mention_hidden_eyes(const Map& map, const RenderRequest& request, const std
     if (count > 1) print_text(stderr, fmt::format("{}: note: {} more like it\n", request.views, count - 1));
 }
 
+MapPlaces places_in_file(const RenderRequest& request) {
+    const auto text = read_file(request.map);
+    return text.ok() ? places_in(as_text(text.value()), request.skill, request.map, read_file) : MapPlaces();
+}
+
+Snapshot shown_in(const PictureJob& job, const Map& map) {
+    Snapshot snapshot = snapshot_at(map, job.time_s);
+    leave_out(job.left_out, snapshot);
+    return snapshot;
+}
+
 /// "120,80: floor of sector 'hall' …", with the view's number before it where there are several.
 void tell_pixels(const OpenMap& map, const PictureJob& job, const RenderRequest& request) {
     if (job.at.empty()) return;
-    Snapshot snapshot = snapshot_at(map.map, job.time_s);
-    leave_out(job.left_out, snapshot);
-    const auto text = read_file(request.map);
-    const MapPlaces places =
-        text.ok() ? places_in(as_text(text.value()), request.skill, request.map, read_file) : MapPlaces();
+    const Snapshot snapshot = shown_in(job, map.map);
+    const MapPlaces places = places_in_file(request);
     for (std::size_t i = 0; i < job.views.size(); ++i)
         for (const auto [x, y] : job.at) {
             const PixelOf pixel{job.views[i], job.size.width, job.size.height, x, y};
             print_text(stdout, fmt::format("{}{},{}: {}\n", job.views.size() > 1 ? fmt::format("view {}: ", i) : "", x,
                                            y, pixel_text(map, snapshot, pixel, request.map, places)));
         }
+}
+
+Result<void> list_surfaces(const OpenMap& map, const PictureJob& job, const RenderRequest& request) {
+    if (job.id_list.empty()) return {};
+    return write_file(job.id_list, surfaces_csv(map.map, shown_in(job, map.map), request.map, places_in_file(request)));
 }
 
 }  // namespace
@@ -129,6 +143,7 @@ int run_render(const RenderRequest& request) {
     if (const Result<void> valid = check_outputs(job.value()); !valid.ok()) return refuse_usage(valid.error());
     if (request.talk == Talk::usual) mention_hidden_eyes(map->map, request, places, job.value().views);
     if (const Result<void> done = draw_pictures(*map, job.value()); !done.ok()) return fail(done.error());
+    if (const Result<void> done = list_surfaces(*map, job.value(), request); !done.ok()) return fail(done.error());
     tell_pixels(*map, job.value(), request);
     return kDone;
 }

@@ -73,6 +73,9 @@ std::string counted(std::size_t count, std::string_view noun);
 /// "nan", "inf", hexadecimals and what is too large for a double.
 std::optional<double> parse_number(std::string_view text);
 
+/// A text as a field of CSV: in double quotes where it must be. After RFC 4180 (Shafranovich, 2005).
+std::string csv_field(std::string_view text);
+
 /// A TOML string in quotes, everything escaped that must be; bytes that are not UTF-8 become U+FFFD.
 std::string string_text(std::string_view text);
 

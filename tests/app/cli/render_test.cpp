@@ -109,7 +109,7 @@ TEST_F(Render, DrawsViewsFromOutside) {
 TEST_F(Render, RefusesOutsideViewsThatCannotBe) {
     const Ended twice = render({"--out", "-", "--from-above", "-"});
     EXPECT_EQ(twice.exit_code, 2);
-    EXPECT_THAT(twice.err, HasSubstr("only one of --out, --ids, --from-above, --from-behind and --timing"));
+    EXPECT_THAT(twice.err, HasSubstr("only one of --out, --ids, --id-list, --from-above, --from-behind and --timing"));
     program_.write("views.csv", "x,y,z,yaw,pitch\n2,3,1.5,0,0\n2,3,1.5,9,0\n");
     const Ended many = render({"--views", "views.csv", "--out", "all", "--from-behind", "one.png"});
     EXPECT_EQ(many.exit_code, 2);
@@ -183,6 +183,19 @@ TEST_F(Render, WritesSurfaceIdsThatBothRenderersAgreeOn) {
     render({"--view", "2.3,3.1,1.4,7,0", "--out", "a.png", "--ids", "reference.png", "--renderer", "reference"});
     EXPECT_EQ(picture("column.png").pixels, picture("reference.png").pixels);
     EXPECT_EQ(picture("column.png").pixels.front(), 0xFF020000u);  // the hall's ceiling is 2, in blue
+}
+
+TEST_F(Render, ListsWhatSurfaceIdsStandFor) {
+    const Ended ended = render({"--out", "a.png", "--ids", "ids.png", "--id-list", "ids.csv"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    const std::string list = program_.text("ids.csv");
+    EXPECT_THAT(
+        list, ::testing::StartsWith("id,surface,sector,place\n1,floor,hall,map.toml:13\n2,ceiling,hall,map.toml:14\n"));
+    EXPECT_THAT(list, HasSubstr("\n5,wall 0,hall,map.toml:18\n"));
+    EXPECT_THAT(list, ::testing::EndsWith("\n16777215,the end of a chain of links,,\n"));
+    const Ended twice = render({"--out", "a.png", "--id-list", "t.csv", "--timing", "t.csv"});
+    EXPECT_EQ(twice.exit_code, 2);
+    EXPECT_THAT(twice.err, HasSubstr("'t.csv' is given twice"));
 }
 
 TEST_F(Render, WritesHowLongEachViewTook) {
