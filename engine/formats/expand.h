@@ -122,7 +122,7 @@ public:
 private:
     const WallRecord& record(WallIndex wall) const;
     bool is_too_much(const OpeningRecord& opening, std::size_t walls);
-    std::optional<WallIndex> wall_at(std::size_t sector, Vec2 point, TextPlace place);
+    std::optional<WallIndex> wall_at(std::size_t sector, Vec2 point, double width, TextPlace place);
     bool may_open(const Gap& gap, TextPlace place);
     std::optional<TwoGaps> facing(const OpeningRecord& opening, std::size_t near_sector, std::size_t far_sector);
     std::optional<Gap> opposite(const OpeningRecord& opening, const Gap& near, std::size_t far_sector);

@@ -27,6 +27,7 @@ struct GridPoint {
     bool operator==(const GridPoint&) const = default;
 };
 
+GridPoint operator+(GridPoint a, GridPoint b) { return {a.x + b.x, a.y + b.y}; }
 GridPoint operator-(GridPoint a, GridPoint b) { return {a.x - b.x, a.y - b.y}; }
 std::int64_t dot(GridPoint a, GridPoint b) { return a.x * b.x + a.y * b.y; }
 std::int64_t cross(GridPoint a, GridPoint b) { return a.x * b.y - a.y * b.x; }
@@ -92,6 +93,26 @@ std::size_t walls_of(const SectorRecord& sector) {
     return count;
 }
 
+/// Whether a point lies inside a sector and on none of its walls: rays to the right of it cross an odd number of them.
+bool is_inside(const SectorRecord& sector, GridPoint p) {
+    bool inside = false, on_wall = false;
+    for_walls(sector, 0, [&](WallIndex, const WallLine& wall) {
+        const GridPoint b = wall.a + wall.along;
+        on_wall = on_wall || (wall.side(p) == 0 && dot(p - wall.a, p - b) <= 0);
+        if ((wall.a.y <= p.y) != (b.y <= p.y)) inside ^= (wall.side(p) > 0) == (b.y < wall.a.y);
+    });
+    return inside && !on_wall;
+}
+
+/// A corner of one of the sectors that lies inside the other.
+std::optional<Vec2> corner_in_both(const SectorRecord& a, const SectorRecord& b) {
+    for (const auto& [of, in] : {std::pair{&a, &b}, std::pair{&b, &a}})
+        for (const LoopRecord& loop : of->loops)
+            for (const Vec2 corner : loop.vertices)
+                if (is_inside(*in, GridPoint::of(corner))) return corner;
+    return {};
+}
+
 /// The stretch of a wall before another one that faces it, in its own steps.
 struct FacingStretch {
     WallIndex near, far;
@@ -117,7 +138,7 @@ bool GapFinder::is_too_much(const OpeningRecord& opening, std::size_t walls) {
     return true;
 }
 
-std::optional<WallIndex> GapFinder::wall_at(std::size_t sector, Vec2 point, TextPlace place) {
+std::optional<WallIndex> GapFinder::wall_at(std::size_t sector, Vec2 point, double width, TextPlace place) {
     const GridPoint p = GridPoint::of(point);
     std::optional<WallIndex> nearest;
     WallLine line;
@@ -135,9 +156,11 @@ std::optional<WallIndex> GapFinder::wall_at(std::size_t sector, Vec2 point, Text
     if (nearest && least < 1) return nearest;
     std::string sentence =
         "expected a point on a wall of sector " + in_quotes(map_.sectors[sector].name) + ", found " + point_text(point);
-    if (nearest)
-        sentence += ", " + metres(least) + " from the nearest, " + wall_text(line) + "; move it to " +
-                    point_text(line.at(std::clamp(line.steps_to(p), 0.0, line.length_steps())));
+    if (nearest) sentence += ", " + metres(least) + " from the nearest, " + wall_text(line);
+    const double half = width / kVertexGrid / 2;
+    if (nearest && 2 * half <= line.length_steps())
+        sentence +=
+            "; move it to " + point_text(line.at(std::clamp(line.steps_to(p), half, line.length_steps() - half)));
     reading_.error(place, "opening-off-wall", sentence);
     return {};
 }
@@ -175,7 +198,7 @@ bool GapFinder::may_open(const Gap& gap, TextPlace place) {
 
 std::optional<Gap> GapFinder::around(const OpeningRecord& opening, std::size_t sector, Vec2 middle, TextPlace place) {
     if (is_too_much(opening, walls_of(map_.sectors[sector]))) return {};
-    const auto wall = wall_at(sector, middle, place);
+    const auto wall = wall_at(sector, middle, *opening.width, place);
     if (!wall) return {};
     const WallLine line = WallLine::of(map_.sectors[sector].loops[wall->loop], wall->wall);
     const double at = line.steps_to(GridPoint::of(middle)), half = *opening.width / kVertexGrid / 2;
@@ -202,11 +225,16 @@ std::optional<Gap> GapFinder::opposite(const OpeningRecord& opening, const Gap& 
                       touches ? near.begin : wall.at(wall.steps_to(end))};
     });
     if (nearest && !may_open(*nearest, key_place(opening, "at"))) return {};
-    if (!nearest)
+    const std::string where = "the opening from " + point_text(near.begin) + " to " + point_text(near.end);
+    if (!nearest && is_inside(far, GridPoint::of((near.begin + near.end) * 0.5)))
         reading_.error(key_place(opening, "at"), "opening-faces-nothing",
-                       "no wall of sector " + in_quotes(far.name) + " lies parallel before the opening from " +
-                           point_text(near.begin) + " to " + point_text(near.end) + " over its whole width; move it, " +
-                           "make it narrower, or give 'to' for a doorway that leads elsewhere");
+                       where + " lies inside sector " + in_quotes(far.name) +
+                           ": the two rooms overlap; move one of them, or move the opening");
+    else if (!nearest)
+        reading_.error(key_place(opening, "at"), "opening-faces-nothing",
+                       "no wall of sector " + in_quotes(far.name) + " lies parallel before " + where +
+                           " over its whole width; move it, make it narrower, or give 'to' for a doorway that leads "
+                           "elsewhere");
     return nearest;
 }
 
@@ -232,15 +260,19 @@ std::optional<TwoGaps> GapFinder::facing(const OpeningRecord& opening, std::size
         });
     });
     const std::string rooms = "sectors " + in_quotes(near.name) + " and " + in_quotes(far.name);
-    if (best.size() != 1) {
-        reading_.error(
-            opening.place, best.empty() ? "opening-faces-nothing" : "opening-unclear",
-            best.empty()
-                ? "no walls of " + rooms + " face each other" + (opening.width ? " over " + metres(width) : "") +
-                      "; give 'at' and 'to' for a doorway that leads elsewhere"
-                : "walls of " + rooms + " face each other in several places, as at " +
-                      point_text(best[0].line.at((best[0].begin + best[0].end) / 2)) + " and " +
-                      point_text(best[1].line.at((best[1].begin + best[1].end) / 2)) + "; say which by 'at'");
+    if (best.empty()) {
+        const auto common = corner_in_both(near, far);
+        reading_.error(opening.place, "opening-faces-nothing",
+                       "no walls of " + rooms + " face each other" + (opening.width ? " over " + metres(width) : "") +
+                           (common ? ": the two overlap, as at " + point_text(*common) + "; move one of them"
+                                   : "; give 'at' and 'to' for a doorway that leads elsewhere"));
+        return {};
+    }
+    if (best.size() > 1) {
+        reading_.error(opening.place, "opening-unclear",
+                       "walls of " + rooms + " face each other in several places, as at " +
+                           point_text(best[0].line.at((best[0].begin + best[0].end) / 2)) + " and " +
+                           point_text(best[1].line.at((best[1].begin + best[1].end) / 2)) + "; say which by 'at'");
         return {};
     }
     const FacingStretch& stretch = best.front();

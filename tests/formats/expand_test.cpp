@@ -301,6 +301,32 @@ TEST(Opening, WithAFaultBlamesNobodyElse) {
     EXPECT_THAT(codes_and_places(reading.findings), ElementsAre("opening-off-wall 15:6"));
 }
 
+TEST(Opening, OffItsWallIsToldToMoveToWhereItFits) {
+    const auto sentence = [](const std::string& opening) {
+        return read_map(kTwoRooms + opening).findings.at(0).sentence;
+    };
+    EXPECT_THAT(sentence("at = [3.875, 0.25]\nwidth = 1\n"), HasSubstr("(4, 0) to (4, 4); move it to (4, 0.5)"));
+    EXPECT_THAT(sentence("at = [4.25, 4]\nwidth = 1\n"), HasSubstr("(4, 0) to (4, 4); move it to (4, 3.5)"));
+    EXPECT_THAT(sentence("at = [3.5, 2]\nwidth = 1\n"), HasSubstr("(4, 0) to (4, 4); move it to (4, 2)"));
+    EXPECT_THAT(sentence("at = [3.5, 2]\nwidth = 5\n"), Not(HasSubstr("move it")));
+}
+
+TEST(Opening, OfRoomsThatOverlapSaysSo) {
+    const auto sentence = [](const std::string& far, const std::string& more) {
+        const std::string hall = "format = 1\n[[sectors]]\nname = \"hall\"\nrect = [0, 0,  4, 4]\nwall = {}\n";
+        const std::string yard = "[[sectors]]\nname = \"yard\"\nrect = [" + far + "]\nwall = {}\n";
+        const MapReading reading = read_map(hall + yard + "[[openings]]\nbetween = [\"hall\", \"yard\"]\n" + more);
+        return reading.findings.empty() ? "" : reading.findings[0].sentence;
+    };
+    EXPECT_THAT(sentence("3.5, 1,  8, 3", "at = [4, 2]\nwidth = 1\n"),
+                HasSubstr("lies inside sector 'yard': the two rooms"));
+    EXPECT_THAT(sentence("3.5, 1,  8, 3", "width = 1\n"),
+                HasSubstr("the two overlap, as at (3.5, 1); move one of them"));
+    EXPECT_THAT(sentence("4.5, 5,  8, 8", "width = 1\n"), HasSubstr("face each other over 1 m; give 'at' and 'to'"));
+    EXPECT_THAT(sentence("4.5, 0,  8, 4", "at = [2, 0]\nwidth = 1\n"), HasSubstr("lies parallel before the opening"));
+    EXPECT_EQ(sentence("4, 1,  8, 3", "width = 1\n"), "");
+}
+
 TEST(Opening, OfOneRoomOrThreeIsRefusedAndNotCut) {
     const std::string head = "format = 1\n[[sectors]]\nname = \"hall\"\nrect = [0, 0,  4, 4]\nwall = {}\n";
     for (const char* rooms : {"[]", "[\"hall\"]", "[\"hall\", \"hall\", \"hall\"]"}) {
