@@ -37,6 +37,7 @@ struct Box {
     bool meets(const Box& other) const {
         return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
     }
+    double area() const { return (high.x - low.x) * (high.y - low.y); }
     Vec2 middle() const { return (low + high) * 0.5; }
 };
 
@@ -115,6 +116,93 @@ private:
     std::vector<Box> boxes_;
 };
 
+/// What is written on a drawing, the most important first.
+enum class Importance : std::uint8_t { name, trigger, link, small_name, number };
+
+struct Label {
+    Importance importance;
+    Vec2 at;           ///< the middle of its line of writing [px]
+    double size = 11;  ///< of the letters [px]
+    std::string look;  ///< as SVG says it
+    std::string text;
+    std::string second;  ///< a line below it; empty: none
+};
+
+constexpr const char *kBold = "font-weight=\"bold\"", *kGrey = "fill=\"#606060\"", *kOrange = "fill=\"#c05000\"";
+
+/// Puts labels where they hide no others: what is important first, near the place it is about, or nowhere.
+class Labels {
+public:
+    void add(Label label) {
+        if (!label.text.empty()) waiting_.push_back(std::move(label));
+    }
+
+    /// All that have a place, as SVG; those that are added later go beside them.
+    std::string placed() {
+        std::ranges::stable_sort(waiting_, {}, &Label::importance);
+        std::string svg;
+        for (Label& label : waiting_)
+            if (find_place(label)) {
+                svg += line_of(label, 0, label.look, label.text);
+                if (!label.second.empty()) svg += line_of(label, label.size, kGrey, label.second);
+            }
+        waiting_.clear();
+        return svg;
+    }
+
+private:
+    static constexpr double kCell = 64;     ///< of the sheet, in which labels are looked for [px]
+    static constexpr double kLetter = 0.6;  ///< the mean width of a letter in sizes of it
+
+    static std::string line_of(const Label& label, double below, const std::string& look, const std::string& text) {
+        return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"middle\" {}>{}</text>\n",
+                           label.at.x, label.at.y + below, label.size, look, escaped(text));
+    }
+
+    static auto letters_in(const std::string& text) {
+        return std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+    }
+
+    static Box box_of(const Label& label) {
+        const auto letters = std::max(letters_in(label.text), letters_in(label.second));
+        const double half = static_cast<double>(letters) * label.size * kLetter / 2;
+        const double below = (label.second.empty() ? 0.2 : 1.2) * label.size;
+        return {{label.at.x - half, label.at.y - 0.8 * label.size}, {label.at.x + half, label.at.y + below}};
+    }
+
+    /// Numbers stand beside their walls or nowhere, and names of small rooms in them or beside them.
+    static int most_lines_aside(Importance importance) {
+        if (importance == Importance::number) return 0;
+        return importance == Importance::small_name ? 1 : 3;
+    }
+
+    /// Moves the label up and down by whole lines until it hides nothing.
+    bool find_place(Label& label) {
+        const Vec2 wanted = label.at;
+        for (int lines = 0; lines <= most_lines_aside(label.importance); ++lines)
+            for (const double way : {1.0, -1.0}) {
+                label.at = wanted + Vec2{0, way * lines * label.size * 1.1};
+                if (take(box_of(label))) return true;
+            }
+        return false;
+    }
+
+    /// Whether no label was there; then one is.
+    bool take(const Box& box) {
+        std::vector<std::vector<Box>*> touched;
+        for (double y = std::floor(box.low.y / kCell); y <= box.high.y / kCell; ++y)
+            for (double x = std::floor(box.low.x / kCell); x <= box.high.x / kCell; ++x)
+                touched.push_back(&cells_[{x, y}]);
+        for (const std::vector<Box>* cell : touched)
+            if (std::ranges::any_of(*cell, [&](const Box& other) { return other.meets(box); })) return false;
+        for (std::vector<Box>* cell : touched) cell->push_back(box);
+        return true;
+    }
+
+    std::vector<Label> waiting_;
+    std::map<std::pair<double, double>, std::vector<Box>> cells_;
+};
+
 std::string triggers_text(const std::vector<TriggerRecord>& triggers) {
     std::string text;
     for (const TriggerRecord& trigger : triggers) {
@@ -170,8 +258,11 @@ private:
             if (drawings_.of(i) == root) sectors.push_back(i);
         for (const std::size_t i : sectors) ground(map_.sectors[i]);
         for (const std::size_t i : sectors) walls(map_.sectors[i]);
+        // Of rooms within rooms, the inner one has its name in its middle.
+        std::ranges::stable_sort(sectors, {}, [&](std::size_t i) { return box_of(map_.sectors[i]).area(); });
         for (const std::size_t i : sectors) words(map_.sectors[i]);
         inhabitants();
+        text_ += labels_.placed();
         left_ += width;
         width_ = std::max(width_, left_);
         row_height_ = std::max(row_height_, height);
@@ -242,19 +333,13 @@ private:
         const double length = std::sqrt(dot(along, along));
         if (length * scale_ < 12) return;
         const Vec2 inside = right_of(along) * (8 / (length * scale_)), middle = (a + b) * 0.5 + inside;
-        if (has_number)
-            add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"8\" fill=\"#808080\" text-anchor=\"middle\">{}</text>",
-                x(middle.x), y(middle.y) + 3, i);
         const Vec2 outside = (a + b) * 0.5 - inside * 1.5;
-        if (!wall.via.empty())
-            add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"9\" fill=\"#c000c0\" text-anchor=\"middle\">→ {}</text>",
-                x(outside.x), y(outside.y) + 3, escaped(wall.next));
-        if (!triggers.empty())
-            add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"9\" fill=\"#c05000\" text-anchor=\"middle\">{}</text>",
-                x(outside.x), y(outside.y) + 3, escaped(triggers));
+        if (has_number) label(Importance::number, middle, 3, 8, kGrey, std::to_string(i));
+        if (!wall.via.empty()) label(Importance::link, outside, 3, 9, "fill=\"#c000c0\"", "→ " + wall.next);
+        label(Importance::trigger, outside, 3, 9, kOrange, triggers);
     }
 
-    /// Names stand where there is room: small sectors, as steps, only tell theirs to who points at them.
+    /// Names stand where there is room; others, as those of steps, are told to who points at the sector.
     void words(const SectorRecord& sector) {
         const Box box = box_of(sector);
         const Vec2 size = box.high - box.low;
@@ -262,14 +347,20 @@ private:
         if (box.is_empty() || (std::max(size.x, size.y) * scale_ < 30 && triggers.empty())) return;
         const Vec2 middle = box.middle();
         const bool is_small = std::min(size.x, size.y) * scale_ < 40;
-        add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-size=\"{}\" font-weight=\"bold\">{}</text>",
-            x(middle.x), y(middle.y), is_small ? 8 : 12, escaped(sector.name));
-        if (!is_small)
-            add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" fill=\"#606060\">{} to {} m</text>",
-                x(middle.x), y(middle.y) + 13, number_text(sector.floor.z), number_text(sector.ceiling.z));
-        if (!triggers.empty())
-            add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-size=\"9\" fill=\"#c05000\">{}</text>",
-                x(middle.x), y(middle.y) + (is_small ? 10 : 25), escaped(triggers));
+        if (is_small) {
+            label(Importance::small_name, middle, 3, 8, kBold, sector.name);
+            label(Importance::trigger, middle, 12, 9, kOrange, triggers);
+        } else {
+            label(Importance::name, middle, 0, 12, kBold, sector.name,
+                  number_text(sector.floor.z) + " to " + number_text(sector.ceiling.z) + " m");
+            label(Importance::trigger, middle, 25, 9, kOrange, triggers);
+        }
+    }
+
+    /// below : how far the line of writing is below the point [px]
+    void label(Importance importance, Vec2 point, double below, double size, const char* look, std::string text,
+               std::string second = {}) {
+        labels_.add({importance, {x(point.x), y(point.y) + below}, size, look, std::move(text), std::move(second)});
     }
 
     bool is_here(Vec2 p) const {
@@ -333,6 +424,7 @@ private:
     const MapFile& map_;
     Drawings drawings_;
     std::string text_;
+    Labels labels_;
     Box box_;
     double scale_ = kScale, left_ = 0, top_ = 0, row_top_ = 0, row_height_ = 0, width_ = 0;
 };

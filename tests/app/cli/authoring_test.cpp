@@ -1,7 +1,9 @@
 // The commands for authors of maps, from outside: new, expand, fmt, draw; and what is said about a line that is wrong.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <regex>
 
 #include "app/cli/program.h"
 #include "formats/map_toml.h"
@@ -143,6 +145,38 @@ TEST(Draw, DrawsEveryMapThatCame) {
         EXPECT_EQ(ended.exit_code, 0) << path;
         EXPECT_TRUE(ended.out.ends_with("</svg>\n")) << path;
     }
+}
+
+/// Where a word of a plan is written [px].
+struct WrittenWord {
+    std::string text;
+    double left, right, top, bottom;
+};
+
+std::vector<WrittenWord> words_of(const std::string& svg) {
+    static const std::regex text(
+        "<text x=\"([-0-9.]+)\" y=\"([-0-9.]+)\" font-size=\"([0-9]+)\" text-anchor=[^>]*>([^<]*)<");
+    std::vector<WrittenWord> words;
+    for (std::sregex_iterator it(svg.begin(), svg.end(), text), end; it != end; ++it) {
+        const double x = std::stod((*it)[1]), y = std::stod((*it)[2]), size = std::stod((*it)[3]);
+        const double half = 0.25 * size * static_cast<double>((*it)[4].length());  // narrow letters
+        words.push_back({(*it)[4], x - half, x + half, y - 0.7 * size, y});
+    }
+    return words;
+}
+
+TEST(Draw, WritesNoWordOverAnother) {
+    std::size_t count = 0;
+    for (const std::string& path : shipped_maps()) {
+        std::vector<WrittenWord> words = words_of(Program().run({"draw", path, "--out", "-"}).out);
+        count += words.size();
+        std::ranges::sort(words, {}, &WrittenWord::left);
+        for (std::size_t i = 0; i < words.size(); ++i)
+            for (std::size_t k = i + 1; k < words.size() && words[k].left < words[i].right; ++k)
+                EXPECT_FALSE(words[i].top < words[k].bottom && words[k].top < words[i].bottom)
+                    << path << ": " << words[i].text << ", " << words[k].text;
+    }
+    EXPECT_GT(count, 1000u);
 }
 
 TEST(Draw, EscapesNames) {
