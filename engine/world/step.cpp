@@ -171,6 +171,12 @@ void look(Player& player, const TickInput& input) {
     player.pitch_steps = static_cast<std::int32_t>(std::clamp<std::int64_t>(pitch, -kMaxPitchSteps, kMaxPitchSteps));
 }
 
+/// Whether a wall holds the body; the exit of a one-way portal holds nobody who stands in it.
+bool is_held(const Instant& now, const Body& body) {
+    const Reach found = around(now, body);
+    return std::ranges::any_of(found.walls, [&](const ReachedWall& wall) { return !is_one_way_exit(now.map, wall); });
+}
+
 /// Grows or shrinks towards the height asked for, as far as the ceiling and the portals that the body is in let it.
 void stand_or_crouch(const Instant& now, Player& player, bool crouch) {
     const Body body = body_of(now, player);
@@ -180,6 +186,11 @@ void stand_or_crouch(const Instant& now, Player& player, bool crouch) {
         EnteredPortals entered;
         static_cast<void>(around(now, body, &entered));
         grown = std::clamp(height_in(now, body, entered), player.height, grown);
+    } else if (grown < player.height) {
+        // Who is low enough for the way back of the exit one stands in has to fit behind it, too.
+        Body lower = body;
+        lower.height = grown;
+        if (is_held(now, lower) && !is_held(now, body)) grown = player.height;
     }
     player.height = std::clamp(body.ceiling_z - player.feet_z, 0.0, grown);
 }
