@@ -7,6 +7,7 @@
 #include "app/accuracy/entries.h"
 #include "app/accuracy/light_error.h"
 #include "app/accuracy/motion.h"
+#include "app/accuracy/portal_error.h"
 #include "app/accuracy/report.h"
 #include "app/child_program.h"
 #include "app/commands.h"
@@ -117,26 +118,31 @@ struct Besides {
     std::vector<LightErrorRow> light;
     std::vector<DriftRow> drifts;
     std::vector<CrossingRow> crossings;
+    Result<std::vector<PortalErrorRow>> portals;  ///< an error where there is no OpenGL
 };
 
 Result<Besides> measure_besides(const AccuracyRequest& request) {
     const AccuracyPlan plan = plan_of(request.quick);
     const MotionPlan motion = request.quick ? MotionPlan{10'000, 20'000, 3} : MotionPlan();
-    Besides besides{{}, measure_drift(motion), measure_crossings(motion)};
+    Besides besides{{}, measure_drift(motion), measure_crossings(motion), std::vector<PortalErrorRow>()};
+    std::vector<OpenMap> maps;
     for (const std::string& path : maps_of(request)) {
-        const auto map = open_map(path, request.texture_folders, {});
+        auto map = open_map(path, request.texture_folders, {});
         ENFILADE_CHECK(map);  // it was measured
         auto rows = measure_light_grids(scene_name(path), *map, poses_in(map->map, PoseKind::random, plan.timed, kSeed),
                                         plan.width, plan.height);
         if (!rows.ok()) return rows.error();
         besides.light.insert(besides.light.end(), rows.value().begin(), rows.value().end());
+        maps.push_back(std::move(*map));
     }
+    besides.portals = measure_portals(
+        maps, request.quick ? PortalPlan{4, plan.width, plan.height, 1} : PortalPlan{100, plan.width, plan.height, 3});
     return besides;
 }
 
 std::string whole_page(const AccuracyRun& run, const std::vector<AccuracyScene>& scenes, const Besides& besides) {
-    return accuracy_page(scenes, run.command) + light_page(besides.light) + "\n## Motion\n\n" +
-           motion_page(besides.drifts, besides.crossings);
+    return accuracy_page(scenes, run.command) + light_page(besides.light) + portal_page(besides.portals) +
+           "\n## Motion\n\n" + motion_page(besides.drifts, besides.crossings);
 }
 
 Result<void> write_report(const AccuracyRequest& request, const std::string& page,
@@ -258,6 +264,9 @@ Result<void> measure_accuracy(const AccuracyRequest& request) {
     if (const Result<void> valid = check_promises(scenes.value()); !valid.ok()) return valid.error();
     if (const Result<void> valid = check_motion(besides.value().drifts, besides.value().crossings); !valid.ok())
         return valid.error();
+    if (besides.value().portals.ok())
+        if (const Result<void> valid = check_portals(besides.value().portals.value()); !valid.ok())
+            return valid.error();
     return request.verify.empty() ? Result<void>() : verify(request.verify, scenes.value());
 }
 

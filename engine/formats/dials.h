@@ -43,6 +43,15 @@ enum class LightSteps : std::uint8_t {
     bands,   ///< in Doom's 32
 };
 
+/// How what a graphics card draws is told apart by distance, and cut off at portals.
+enum class PortalMethod : std::uint8_t {
+    exact,      ///< walls are put in order by the CPU, and nothing is cut off: the default
+    plane24,    ///< by depths of 24 bits, cut off at the portal's plane
+    plane32,    ///< by depths of 32 bits, nearer ones the finer
+    oblique24,  ///< by a projection whose near plane is the portal's, depths of 24 bits
+    oblique32,  ///< the same, of 32 bits
+};
+
 /// Most columns or rows between two exact positions.
 inline constexpr int kMostSpan = 64;
 
@@ -60,7 +69,7 @@ inline constexpr int kUsualLightPoints = 4;
 inline constexpr int kMostLightPoints = 64;
 
 /// The default is exact. Dials of positions are about walls, steps, floors and ceilings; skies, things and other
-/// pictures with holes stay exact. What a pixel belongs to is exact with all of them.
+/// pictures with holes stay exact. What a pixel belongs to is exact with all of them but `portals`.
 struct Dials {
     /// The promise: no texel of a surface is off by more than this, along either side of its picture [texels], 0..64.
     /// 0 is exact: nothing is spent. Where it allows, neighbouring columns show the same texels, which is drawn once.
@@ -77,6 +86,9 @@ struct Dials {
     /// Places along a metre of a surface at which the light of lamps is worked out; between them it goes on evenly.
     /// 1..kMostLightPoints. Time and memory grow with its square.
     int light_grid = kUsualLightPoints;
+    /// What most engines do that draw portals by a depth and a stencil buffer, to see what it costs. Not with a true
+    /// pitch.
+    PortalMethod portals = PortalMethod::exact;
     int links = kMostLinks;  ///< links looked through in one chain, 0..kMostLinks; never more than the map says
 
     bool operator==(const Dials&) const = default;
@@ -96,8 +108,8 @@ inline constexpr double kMostTexelError = 64;
 /// was expected; dials then stay as they were.
 Result<void> set_accuracy(Dials& dials, std::string_view text);
 
-/// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light, light_grid or links. An error, without a
-/// place, where there is no such dial, or it has no such value; dials then stay as they were.
+/// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light, light_grid, portals or links. An error,
+/// without a place, where there is no such dial, or it has no such value; dials then stay as they were.
 Result<void> set_dial(Dials& dials, std::string_view text);
 
 /// What set_dial() would be given to get from the default to these, with blanks between: "span=8 number=float"; and

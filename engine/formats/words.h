@@ -183,6 +183,17 @@ constexpr std::string_view to_word(LightSteps value) {
     return {};
 }
 
+constexpr std::string_view to_word(PortalMethod value) {
+    switch (value) {
+        case PortalMethod::exact: return "exact";
+        case PortalMethod::plane24: return "plane24";
+        case PortalMethod::plane32: return "plane32";
+        case PortalMethod::oblique24: return "oblique24";
+        case PortalMethod::oblique32: return "oblique32";
+    }
+    return {};
+}
+
 /// A type whose values are words in files.
 template <class T>
 concept Word = std::is_enum_v<T> && requires(T value) { to_word(value); };

@@ -56,6 +56,8 @@ TEST(SetDial, SetsEachDialAndNoOther) {
     set("light=bands");
     expected.light_grid = 64;
     set("light_grid=64");
+    expected.portals = PortalMethod::oblique24;
+    set("portals=oblique24");
     expected.links = 0;
     set("links=0");
 }
@@ -70,6 +72,8 @@ TEST(SetDial, SaysWhatADialMayBe) {
               "expected number=double, float, fixed, vanilla; found 'number=half'");
     EXPECT_EQ(set_dial(dials, "sampling=cubic").error().what,
               "expected sampling=nearest, mip, bilinear, trilinear; found 'sampling=cubic'");
+    EXPECT_EQ(set_dial(dials, "portals=near").error().what,
+              "expected portals=exact, plane24, plane32, oblique24, oblique32; found 'portals=near'");
     EXPECT_EQ(set_dial(dials, "smaples=2").error().what,
               "expected NAME=VALUE, as in span=8; found 'smaples=2'; did you mean 'samples'?");
     EXPECT_THAT(set_dial(dials, "span").error().what, HasSubstr("found 'span'"));

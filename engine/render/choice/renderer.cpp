@@ -119,7 +119,8 @@ Result<std::unique_ptr<Renderer>> make_stencil(const RendererChoice& choice, con
                                                const TextureSet& textures) {
     auto context = choice.open_gl();
     if (!context.ok()) return context.error();
-    auto renderer = StencilRenderer::make(std::move(context).value(), map, textures, choice.dials.light_grid);
+    auto renderer =
+        StencilRenderer::make(std::move(context).value(), map, textures, choice.dials.light_grid, choice.dials.portals);
     if (!renderer.ok()) return renderer.error();
     return std::unique_ptr<Renderer>(std::make_unique<Stencil>(std::move(renderer).value()));
 }
@@ -237,22 +238,40 @@ Result<RendererKind> parse_renderer(const std::string& name) {
 std::string name_of(RendererKind kind) { return std::string(to_word(kind)); }
 
 Dials dials_for(RendererKind kind, const Dials& dials) {
-    if (kind == RendererKind::column) return dials;
     Dials some;
+    if (kind == RendererKind::column) {
+        some = dials;
+        some.portals = PortalMethod::exact;
+        return some;
+    }
     some.samples = dials.samples;
     some.light = dials.light;
     some.light_grid = dials.light_grid;
     some.links = dials.links;
     if (kind == RendererKind::reference) some.sampling = dials.sampling;
+    if (kind == RendererKind::stencil) some.portals = dials.portals;
     return some;
 }
 
+namespace {
+
+std::string names_of_dials(RendererKind kind) {
+    switch (kind) {
+        case RendererKind::column: return "accuracy, span, number, sampling, samples, light, light_grid and links";
+        case RendererKind::stencil:
+            return "samples, light, light_grid, portals and links; the column renderer has more";
+        case RendererKind::reference:
+            return "sampling, samples, light, light_grid and links; the column renderer has more";
+    }
+    return {};
+}
+
+}  // namespace
+
 Result<void> check_dials(RendererKind kind, const Dials& dials) {
     if (dials != dials_for(kind, dials))
-        return Error{"", "the " + name_of(kind) + " renderer cannot draw by " + to_text(dials) +
-                             "; it has the dials samples, light, light_grid" +
-                             (kind == RendererKind::reference ? ", links and sampling" : " and links") +
-                             ", and the column renderer has all"};
+        return Error{"", "the " + name_of(kind) + " renderer cannot draw by " + to_text(dials) + "; it has the dials " +
+                             names_of_dials(kind)};
     if (dials.texel_error > 0 && (dials.span > 1 || dials.number != NumberKind::real64))
         return Error{"", "an accuracy is a promise that span and number would break; expected it without them, found " +
                              to_text(dials)};

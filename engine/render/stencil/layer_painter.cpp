@@ -72,20 +72,21 @@ Result<void> LayerPainter::prepare() {
     return {};
 }
 
-Result<void> LayerPainter::prepare_for(const Mesh& mesh, bool is_tilted) {
-    programs_ = &all_programs_[is_tilted];
+Result<void> LayerPainter::prepare_for(const Mesh& mesh, Placing placing) {
+    programs_ = &all_programs_[static_cast<std::size_t>(placing)];
     if (programs_->masks.program.id() == 0)
-        if (const Result<void> done = build(programs_->masks, is_tilted); !done.ok()) return done.error();
+        if (const Result<void> done = build(programs_->masks, placing); !done.ok()) return done.error();
     for (std::size_t kind = 0; kind < kKinds; ++kind)
         if (mesh.has(static_cast<Kind>(kind)) && programs_->surfaces[kind].program.id() == 0)
-            if (const Result<void> done = build(programs_->surfaces[kind], static_cast<Kind>(kind), is_tilted);
+            if (const Result<void> done = build(programs_->surfaces[kind], static_cast<Kind>(kind), placing);
                 !done.ok())
                 return done.error();
     return {};
 }
 
 void LayerPainter::paint(RenderTarget& target, const DrawInput& scene, const Plan& plan, const Mesh& mesh,
-                         const std::vector<LayerRanges>& ranges, bool with_facts) {
+                         const std::vector<LayerRanges>& ranges, const std::vector<SpaceLens>& lenses,
+                         bool with_facts) {
     draws_ = 0;
     upload(mesh);
     set_uniforms(scene);
@@ -95,7 +96,10 @@ void LayerPainter::paint(RenderTarget& target, const DrawInput& scene, const Pla
     glDisable(GL_CULL_FACE);
     glDisable(GL_DITHER);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    paint_layer({target, scene, plan, ranges, mesh.sheet(), with_facts}, 0, 0);
+    if (!lenses.empty()) glEnable(GL_CLIP_DISTANCE0);
+    paint_layer({target, scene, plan, ranges, lenses, mesh.sheet(), with_facts}, 0, 0);
+    if (!lenses.empty()) glDisable(GL_CLIP_DISTANCE0);
+    if (!lenses.empty()) glDisable(GL_DEPTH_CLAMP);
 }
 
 void LayerPainter::upload(const Mesh& mesh) {
@@ -161,6 +165,7 @@ void LayerPainter::paint_surfaces(const PaintJob& job, const Layer& layer, const
         const SurfaceProgram& program = programs_->surfaces[kind];
         glUseProgram(program.program.id());
         set_entry(program, job, layer);
+        use_lens(program.lens, job, layer);
         draw(range);
     }
 }
@@ -172,9 +177,23 @@ void LayerPainter::use_layer(const Layer& layer, int level) {
     at_level(level, GL_KEEP);
 }
 
+void LayerPainter::use_lens(const LensUniforms& uniforms, const PaintJob& job, const Layer& layer) {
+    if (job.lenses.empty()) return;
+    const SpaceLens& lens = job.lenses[static_cast<std::size_t>(&layer - job.plan.layers.data())];
+    glUniform3fv(uniforms.picture, 1, lens.picture.data());
+    glUniform4fv(uniforms.depth_row, 1, lens.depth_row.data());
+    glUniform4fv(uniforms.clip, 1, lens.clip.data());
+    if (lens.clips_at_near_plane)
+        glDisable(GL_DEPTH_CLAMP);
+    else
+        glEnable(GL_DEPTH_CLAMP);
+}
+
 /// is_far: behind everything, instead of where the portal is.
-void LayerPainter::use_masks(bool is_far) const {
+void LayerPainter::use_masks(const PaintJob& job, const Layer& layer, bool is_far) const {
     glUseProgram(programs_->masks.program.id());
+    use_lens(programs_->masks.lens, job, layer);
+    if (!job.lenses.empty()) glEnable(GL_DEPTH_CLAMP);  // whoever is nearer to a portal than the near plane sees it
     depth_range(is_far ? 0 : 1);
 }
 
@@ -191,7 +210,7 @@ void LayerPainter::look_through(const PaintJob& job, const Layer& layer, const L
 void LayerPainter::count_on_from_one(const PaintJob& job, const Layer& layer) {
     job.target.keep_levels();
     use_layer(layer, kDeepestLevel);
-    use_masks(false);
+    use_masks(job, layer, false);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDisable(GL_DEPTH_TEST);
     glStencilFunc(GL_NOTEQUAL, kDeepestLevel, 0xFF);
@@ -208,7 +227,7 @@ void LayerPainter::count_on_from_one(const PaintJob& job, const Layer& layer) {
 void LayerPainter::look_through(const PaintJob& job, const Layer& layer, const Exit& exit, const IndexRange& opening,
                                 int level) {
     use_layer(layer, level);
-    use_masks(false);
+    use_masks(job, layer, false);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     // Mark: what of the portal is not hidden rises by one level.
     glDepthMask(GL_FALSE);
@@ -219,14 +238,14 @@ void LayerPainter::look_through(const PaintJob& job, const Layer& layer, const E
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_ALWAYS);
     at_level(level + 1, GL_KEEP);
-    use_masks(true);
+    use_masks(job, layer, true);
     draw(opening);
-    use_masks(false);
+    use_masks(job, layer, false);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     paint_layer(job, exit.layer, level + 1);
     // Restore: the portal's own depth, and the level it had.
     use_layer(layer, level);
-    use_masks(false);
+    use_masks(job, layer, false);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_ALWAYS);
     at_level(level + 1, GL_DECR);
@@ -238,8 +257,12 @@ void LayerPainter::paint_panes(const PaintJob& job, const Layer& layer, const La
     use_layer(layer, level);
     const SurfaceProgram& program = programs_->surfaces[ranges.panes.kind];
     glUseProgram(program.program.id());
+    use_lens(program.lens, job, layer);
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
+    // In space, what hangs on a wall is brought before it by a slope and a step, as is usual.
+    if (!job.lenses.empty()) glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1, 1);
     // Facts first, of what hides more than half of what is behind; then colours, mixed.
     if (job.with_facts) {
         job.target.write_facts();
@@ -251,6 +274,7 @@ void LayerPainter::paint_panes(const PaintJob& job, const Layer& layer, const La
     glEnable(GL_BLEND);
     draw(ranges.panes.range);
     glDisable(GL_BLEND);
+    glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void LayerPainter::draw(const IndexRange& range) {

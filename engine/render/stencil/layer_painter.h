@@ -13,6 +13,7 @@
 #include "base/result.h"
 #include "render/frame.h"
 #include "render/stencil/gl_object.h"
+#include "render/stencil/in_space.h"
 #include "render/stencil/mesh.h"
 #include "render/stencil/shaders.h"
 
@@ -20,9 +21,13 @@ namespace enfilade::stencil {
 
 // What is drawn into: colours, facts, depth and stencil, away from any window.
 
-/// A framebuffer with 8-bit colours, 8 bits of stencil, depth as a float and, where they are wanted, facts.
+/// A framebuffer with 8-bit colours, 8 bits of stencil, depth as a float or in 24 bits and, where they are wanted,
+/// facts.
 class RenderTarget {
 public:
+    /// Before it is prepared for the first time: 24 instead of 32.
+    void use_24_bits_of_depth();
+
     /// Makes it fit the picture and binds it, with room to keep the levels aside that often.
     /// An error where the graphics card has no such buffers.
     Result<void> prepare(int width, int height, bool with_facts, std::size_t kept = 0);
@@ -59,6 +64,7 @@ private:
 
     GlFramebuffer framebuffer_;
     GlRenderbuffer color_, facts_, depth_stencil_;
+    GLenum depth_format_ = GL_DEPTH32F_STENCIL8;
     std::deque<KeptLevels> kept_;
     std::size_t kept_now_ = 0;  ///< how many of them hold levels
     int width_ = 0, height_ = 0;
@@ -71,11 +77,12 @@ public:
     Result<void> prepare();
 
     /// Compiles the programs that the mesh needs and no frame before needed.
-    Result<void> prepare_for(const Mesh& mesh, bool is_tilted);
+    Result<void> prepare_for(const Mesh& mesh, Placing placing);
 
     /// Draws all layers into the target, which is prepared and cleared. Everything was prepared, records uploaded.
+    /// lenses : by layer where polygons are in space; else none
     void paint(RenderTarget& target, const DrawInput& scene, const Plan& plan, const Mesh& mesh,
-               const std::vector<LayerRanges>& ranges, bool with_facts);
+               const std::vector<LayerRanges>& ranges, const std::vector<SpaceLens>& lenses, bool with_facts);
 
     std::size_t draws() const { return draws_; }
 
@@ -85,13 +92,15 @@ private:
         const DrawInput& scene;
         const Plan& plan;
         const std::vector<LayerRanges>& ranges;
+        const std::vector<SpaceLens>& lenses;
         IndexRange sheet;
         bool with_facts;
     };
 
     void upload(const Mesh& mesh);
     void set_uniforms(const DrawInput& scene) const;
-    void use_masks(bool is_far) const;
+    void use_masks(const PaintJob& job, const Layer& layer, bool is_far) const;
+    static void use_lens(const LensUniforms& uniforms, const PaintJob& job, const Layer& layer);
     void set_uniforms(const SurfaceProgram& program, const DrawInput& scene) const;
     void paint_surfaces(const PaintJob& job, const Layer& layer, const LayerRanges& ranges);
     void set_entry(const SurfaceProgram& program, const PaintJob& job, const Layer& layer);
@@ -108,7 +117,7 @@ private:
         std::array<SurfaceProgram, kKinds> surfaces;
         MaskProgram masks;
     };
-    std::array<Programs, 2> all_programs_;    ///< upright, tilted
+    std::array<Programs, kPlacings> all_programs_;
     Programs* programs_ = &all_programs_[0];  ///< of this picture
     GlVertexArray vertex_array_;
     GlBuffer vertices_, indices_;

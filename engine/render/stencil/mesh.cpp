@@ -23,6 +23,17 @@ void Mesh::add_sheet() {
     indices_.insert(indices_.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
 }
 
+void Mesh::add_polygon(std::initializer_list<SpacePoint> corners, const PaintParams& params) {
+    const auto first = static_cast<std::uint32_t>(vertices_.size());
+    for (const SpacePoint& corner : corners) {
+        MeshVertex& vertex =
+            vertices_.emplace_back(static_cast<float>(corner.v.x), static_cast<float>(corner.up), params);
+        vertex.params.order = static_cast<float>(corner.v.y);
+    }
+    for (std::uint32_t i = 2; i < corners.size(); ++i)
+        indices_.insert(indices_.end(), {first, first + i - 1, first + i});
+}
+
 namespace {
 
 constexpr double kEverything = std::numeric_limits<double>::infinity();

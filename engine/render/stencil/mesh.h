@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "render/stencil/paint_params.h"
@@ -14,6 +15,13 @@ namespace enfilade::stencil {
 struct MeshVertex {
     float x = 0, y = 0;  ///< in the picture, -1..1, y down
     PaintParams params;
+};
+
+/// A corner in space (in_space.h): x to the right of the eye and y ahead, and how far above it [m]. A vertex of it has
+/// what is above in its y, and ahead in the order of its params.
+struct SpacePoint {
+    Vec2 v;
+    double up = 0;
 };
 
 /// Indices [begin, end) of a mesh: whole triangles.
@@ -37,6 +45,9 @@ public:
     /// nothing where there is no such part.
     void add_strip(const RayField& rays, const WallOnScreen& wall, const RelativeHeights& heights,
                    const PaintParams& params);
+
+    /// A convex polygon in space.
+    void add_polygon(std::initializer_list<SpacePoint> corners, const PaintParams& params);
 
     /// All of the picture, without PaintParams. Once for each picture.
     void add_sheet();

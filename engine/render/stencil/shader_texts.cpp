@@ -26,8 +26,22 @@ flat out vec4 c;
 flat out uvec4 what;
 flat out vec3 left_edge;
 flat out vec3 right_edge;
-void main() {
+#ifdef IN_SPACE
+uniform vec3 lens;       // per right, per up, per ahead of the rows
+uniform vec4 depth_row;  // of right, up, ahead and 1: as clip, of which what is positive is kept
+uniform vec4 clip;
+void place_vertex() {
+    vec4 point = vec4(position, in_place.w, 1.0);
+    gl_Position = vec4(point.x * lens.x, point.y * lens.y + point.z * lens.z, dot(depth_row, point), point.z);
+    gl_ClipDistance[0] = dot(clip, point);
+}
+#else
+void place_vertex() {
     gl_Position = vec4(position, 2.0 * in_place.w - 1.0, 1.0);  // exact, and the same all over the polygon
+}
+#endif
+void main() {
+    place_vertex();
     place = in_place;
     line = in_line;
     bounds = in_bounds;

@@ -64,13 +64,18 @@ std::string parts_of(Kind kind) {
     return parts;
 }
 
-std::string parts_of(bool is_tilted) { return is_tilted ? part("TILTED") : ""; }
+std::string parts_of(Placing placing) {
+    return placing == Placing::tilted ? part("TILTED") : placing == Placing::in_space ? part("IN_SPACE") : "";
+}
+
+LensUniforms lens_uniforms(const GlProgram& program) {
+    return {uniform(program, "lens"), uniform(program, "depth_row"), uniform(program, "clip")};
+}
 
 }  // namespace
 
-Result<void> build(SurfaceProgram& surface, Kind kind, bool is_tilted) {
-    if (const Result<void> done = link(surface.program, parts_of(is_tilted) + parts_of(kind), kSurfaceShader);
-        !done.ok())
+Result<void> build(SurfaceProgram& surface, Kind kind, Placing placing) {
+    if (const Result<void> done = link(surface.program, parts_of(placing) + parts_of(kind), kSurfaceShader); !done.ok())
         return done.error();
     surface.entry = uniform(surface.program, "entry");
     surface.entry_span = uniform(surface.program, "entry_span");
@@ -83,9 +88,14 @@ Result<void> build(SurfaceProgram& surface, Kind kind, bool is_tilted) {
     surface.records = uniform(surface.program, "records");
     surface.color_numbers = uniform(surface.program, "color_numbers");
     surface.color_table = uniform(surface.program, "color_table");
+    surface.lens = lens_uniforms(surface.program);
     return {};
 }
 
-Result<void> build(MaskProgram& mask, bool is_tilted) { return link(mask.program, parts_of(is_tilted), kMaskShader); }
+Result<void> build(MaskProgram& mask, Placing placing) {
+    if (const Result<void> done = link(mask.program, parts_of(placing), kMaskShader); !done.ok()) return done.error();
+    mask.lens = lens_uniforms(mask.program);
+    return {};
+}
 
 }  // namespace enfilade::stencil

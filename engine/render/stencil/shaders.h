@@ -6,6 +6,19 @@
 
 namespace enfilade::stencil {
 
+/// How the vertices of a picture's polygons are put into it.
+enum class Placing : std::uint8_t {
+    upright,   ///< they are where they are drawn
+    tilted,    ///< the same, and each pixel asks which wall it shows
+    in_space,  ///< they are in space (in_space.h)
+};
+inline constexpr std::size_t kPlacings = 3;
+
+/// Where points in space are told how they are placed (SpaceLens).
+struct LensUniforms {
+    GLint picture = -1, depth_row = -1, clip = -1;
+};
+
 /// Draws surfaces: colours to output 0, facts (id, depth, texel) to output 1.
 struct SurfaceProgram {
     GlProgram program;
@@ -18,22 +31,24 @@ struct SurfaceProgram {
     GLint texels = -1;
     GLint records = -1;                          ///< where there is more to know than PaintParams
     GLint color_numbers = -1, color_table = -1;  ///< where pictures may go by one
+    LensUniforms lens;
 };
 
 /// Draws only depth: for masks.
 struct MaskProgram {
     GlProgram program;
+    LensUniforms lens;
 };
 
-/// Compile them for the current context, for upright or tilted pictures. An error says what the driver said.
-Result<void> build(SurfaceProgram& surface, Kind kind, bool is_tilted);
-Result<void> build(MaskProgram& mask, bool is_tilted);
+/// Compile them for the current context. An error says what the driver said.
+Result<void> build(SurfaceProgram& surface, Kind kind, Placing placing);
+Result<void> build(MaskProgram& mask, Placing placing);
 
 // What the graphics card is told to do, in OpenGL's shading language; put together by shaders.cpp.
 //
-// A program has the parts that were defined for it, and nothing else: TILTED pictures; surfaces that are WALLS, FLATS,
-// SKIES or COLORS, in SMOOTH or CLASSIC light or either, LIT by lamps, BY_TABLE of colours, WITH_HOLES; LAYERED_SKY;
-// WITH_RECORDS where LIT or LAYERED_SKY.
+// A program has the parts that were defined for it, and nothing else: TILTED pictures, or polygons IN_SPACE; surfaces
+// that are WALLS, FLATS, SKIES or COLORS, in SMOOTH or CLASSIC light or either, LIT by lamps, BY_TABLE of colours,
+// WITH_HOLES; LAYERED_SKY; WITH_RECORDS where LIT or LAYERED_SKY.
 
 extern const char* const kVertexShader;
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "render/stencil/in_space.h"
 #include "render/stencil/layer_painter.h"
 #include "render/stencil/panorama.h"
 #include "space/tiling.h"
@@ -28,16 +29,20 @@ struct StencilRenderer::State {
     Mesh mesh;
     LightGrids lights;
     MapFacts facts;
+    PortalMethod portals;
+    Ground ground;  ///< where they are not exact
     StencilCounts counts;
     std::vector<SeenRoom> rooms;  ///< of the last frame
     bool was_tilted = false;      ///< the last frame
 
-    State(std::unique_ptr<GlContext> drawn_by, const Map& of, const TextureSet& pictures, int light_points_per_m)
+    State(std::unique_ptr<GlContext> drawn_by, const Map& of, const TextureSet& pictures, int light_points_per_m,
+          PortalMethod method)
         : map(of),
           textures(pictures),
           context(std::move(drawn_by)),
           lights(of, light_points_per_m),
-          facts{overlapping_sectors(of)} {}
+          facts{overlapping_sectors(of)},
+          portals(method) {}
 
     ~State() {
         if (!context->make_current().ok()) static_cast<void>(objects.release());  // they were lost with the context
@@ -46,6 +51,8 @@ struct StencilRenderer::State {
     }
 
     Result<void> prepare();
+    /// For portals that are not exact.
+    Result<void> prepare_depths();
     /// Into the target; what it holds of the picture is in the result.
     Result<GlPicture> draw(int width, int height, bool with_facts, const Snapshot& snapshot, const View& view);
     Result<void> draw(Frame& frame, FrameFacts* frame_facts, const Snapshot& snapshot, const View& view);
@@ -54,7 +61,7 @@ struct StencilRenderer::State {
 namespace {
 
 /// OpenGL ES 3.0 and OpenGL 3.3 as epoxy counts versions.
-constexpr int kLeastEs = 30, kLeastDesktop = 33;
+constexpr int kLeastEs = 30, kLeastDesktop = 33, kClipControl = 45;
 
 Result<void> check_version() {
     const int version = epoxy_gl_version();
@@ -78,10 +85,29 @@ Result<void> gl_failure() {
 
 }  // namespace
 
+Result<void> StencilRenderer::State::prepare_depths() {
+    if (portals == PortalMethod::exact) return {};
+    if (!epoxy_is_desktop_gl())
+        return Error{"stencil renderer",
+                     "the dial portals needs OpenGL, and this graphics card or its driver has "
+                     "OpenGL ES"};
+    if (has_24_bits(portals)) {
+        objects->target.use_24_bits_of_depth();
+        return {};
+    }
+    if (epoxy_gl_version() < kClipControl && !epoxy_has_gl_extension("GL_ARB_clip_control"))
+        return Error{"stencil renderer",
+                     "depths of 32 bits need OpenGL 4.5 or ARB_clip_control, which this graphics card "
+                     "or its driver has not; those of 24 bits do not"};
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    return {};
+}
+
 /// In the current context.
 Result<void> StencilRenderer::State::prepare() {
     if (const Result<void> done = check_version(); !done.ok()) return done.error();
     objects = std::make_unique<Objects>();
+    if (const Result<void> done = prepare_depths(); !done.ok()) return done.error();
     if (const Result<void> done = objects->painter.prepare(); !done.ok()) return done.error();
     if (const Result<void> done = objects->target.prepare(1, 1, false); !done.ok()) return done.error();
     if (const Result<void> done = objects->store.hold(textures); !done.ok()) return done.error();
@@ -90,6 +116,9 @@ Result<void> StencilRenderer::State::prepare() {
 
 Result<GlPicture> StencilRenderer::State::draw(int width, int height, bool with_facts, const Snapshot& snapshot,
                                                const View& view) {
+    const bool is_in_space = portals != PortalMethod::exact;
+    if (is_in_space && view.tilt)
+        return Error{"stencil renderer", "the dial portals has no true pitch; leave out one of the two"};
     const Projection projection(view, width, height);
     const RayField rays(view, projection);
     const Screen screen = view.tilt ? panorama_screen() : Screen(projection);
@@ -100,12 +129,17 @@ Result<GlPicture> StencilRenderer::State::draw(int width, int height, bool with_
         return done.error();
     objects->records.clear();
     const DrawInput scene{input, objects->store, screen, rays, objects->records, lights.where_lit()};
+    const Placing placing = is_in_space ? Placing::in_space : rays.is_tilted ? Placing::tilted : Placing::upright;
     mesh.clear();
-    const std::vector<LayerRanges> ranges = build_mesh(mesh, scene, plan);
+    const std::vector<LayerRanges> ranges =
+        is_in_space ? build_mesh_in_space(mesh, scene, plan, ground) : build_mesh(mesh, scene, plan);
+    std::vector<SpaceLens> lenses;
+    for (std::size_t i = 0; is_in_space && i < plan.layers.size(); ++i)
+        lenses.push_back(lens_of(plan.layers[i], rays, portals));
     if (const Result<void> done = objects->records.upload(); !done.ok()) return done.error();
-    if (const Result<void> done = objects->painter.prepare_for(mesh, rays.is_tilted); !done.ok()) return done.error();
+    if (const Result<void> done = objects->painter.prepare_for(mesh, placing); !done.ok()) return done.error();
     objects->target.clear();
-    objects->painter.paint(objects->target, scene, plan, mesh, ranges, with_facts);
+    objects->painter.paint(objects->target, scene, plan, mesh, ranges, lenses, with_facts);
     counts = {plan.layers.size(),     0,           plan.rooms.size(), plan.cut, objects->painter.draws(),
               mesh.index_count() / 3, plan.deepest};
     for (const Layer& layer : plan.layers) counts.sectors += layer.sectors.size();
@@ -128,8 +162,9 @@ StencilRenderer::StencilRenderer(std::unique_ptr<State> state) : state_(std::mov
 StencilRenderer::~StencilRenderer() = default;
 
 Result<std::unique_ptr<StencilRenderer>> StencilRenderer::make(std::unique_ptr<GlContext> context, const Map& map,
-                                                               const TextureSet& textures, int light_points_per_m) {
-    auto state = std::make_unique<State>(std::move(context), map, textures, light_points_per_m);
+                                                               const TextureSet& textures, int light_points_per_m,
+                                                               PortalMethod portals) {
+    auto state = std::make_unique<State>(std::move(context), map, textures, light_points_per_m, portals);
     if (const Result<void> done = state->context->make_current(); !done.ok()) return done.error();
     const Result<void> prepared = state->prepare();
     state->context->release();

@@ -15,7 +15,8 @@
 // rounding, and depth becomes worse in proportion as the eye comes nearer to the plane, until, where portals matter
 // most, there is none. Nor has depth to tell walls apart: the depth buffer holds ranks, upright through how many
 // portals a wall is seen, tilted its place in the order of a sweep round the eye (tilted.h), so that walls through the
-// very eye, or a millimetre apart at 10 km, are in the order that was found exactly. What 24 bits of depth would tell
+// very eye, or a millimetre apart at 10 km, are in the order that was found exactly. The dial `portals` draws by the
+// classic ways, to see what they cost (in_space.h). What 24 bits of depth would tell
 // apart, in a picture 90 degrees wide before a portal that is square to the view (one that slants is up to 1.4 times
 // worse; tests/render/stencil/near_plane_test.cpp):
 //
@@ -65,14 +66,16 @@ struct StencilViewport {
 class StencilRenderer {
 public:
     /// map, textures: outlive it. An error where the context is too old or has no stencil buffer, or the graphics card
-    /// has no room for the pictures. light_points_per_m: of LightGrids. Cost: the pictures' texels, and
-    /// overlapping_sectors().
+    /// has no room for the pictures. light_points_per_m: of LightGrids. portals: exact, or another way to see what it
+    /// costs (in_space.h). Cost: the pictures' texels, and overlapping_sectors().
     static Result<std::unique_ptr<StencilRenderer>> make(std::unique_ptr<GlContext> context, const Map& map,
                                                          const TextureSet& textures,
-                                                         int light_points_per_m = kUsualLightPoints);
+                                                         int light_points_per_m = kUsualLightPoints,
+                                                         PortalMethod portals = PortalMethod::exact);
     ~StencilRenderer();
 
-    /// Draws the whole picture. An error where the context was lost or the graphics card has no room.
+    /// Draws the whole picture. An error where the context was lost or the graphics card has no room, or where the
+    /// view is tilted and portals are not exact.
     /// The picture is copied out of the graphics card: 4 MB at 1280 x 800, half a millisecond by Mesa's llvmpipe.
     ///
     /// frame    : its size is the picture's; every pixel is set

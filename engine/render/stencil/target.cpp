@@ -17,12 +17,10 @@ void give_storage(GlRenderbuffer& buffer, GLenum format, int width, int height, 
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.id());
 }
 
-constexpr GLenum kDepthStencil = GL_DEPTH32F_STENCIL8;
-
 Result<void> no_buffers(int width, int height) {
     return Error{"stencil renderer",
-                 "expected a picture with 8 bits of stencil and a depth buffer of floats; this graphics card or its "
-                 "driver has none of " +
+                 "expected a picture with 8 bits of stencil and a depth buffer; this graphics card or its driver has "
+                 "none of " +
                      std::to_string(width) + "x" + std::to_string(height) + " pixels"};
 }
 
@@ -32,6 +30,8 @@ void write_to(GLenum first, GLenum second) {
 }
 
 }  // namespace
+
+void RenderTarget::use_24_bits_of_depth() { depth_format_ = GL_DEPTH24_STENCIL8; }
 
 Result<void> RenderTarget::prepare(int width, int height, bool with_facts, std::size_t kept) {
     framebuffer_.create();
@@ -56,7 +56,7 @@ Result<void> RenderTarget::make(int width, int height, bool with_facts) {
                                              " pixels a side, which is what this graphics card can draw; found " +
                                              std::to_string(width) + "x" + std::to_string(height)};
     give_storage(color_, GL_RGBA8, width, height, kColor);
-    give_storage(depth_stencil_, kDepthStencil, width, height, GL_DEPTH_STENCIL_ATTACHMENT);
+    give_storage(depth_stencil_, depth_format_, width, height, GL_DEPTH_STENCIL_ATTACHMENT);
     if (with_facts) give_storage(facts_, GL_RGBA32UI, width, height, kFacts);
     if (!with_facts) glFramebufferRenderbuffer(GL_FRAMEBUFFER, kFacts, GL_RENDERBUFFER, 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return no_buffers(width, height);
@@ -70,7 +70,7 @@ Result<void> RenderTarget::make_kept() {
     KeptLevels& kept = kept_.emplace_back();
     kept.framebuffer.create();
     glBindFramebuffer(GL_FRAMEBUFFER, kept.framebuffer.id());
-    give_storage(kept.depth_stencil, kDepthStencil, width_, height_, GL_DEPTH_STENCIL_ATTACHMENT);
+    give_storage(kept.depth_stencil, depth_format_, width_, height_, GL_DEPTH_STENCIL_ATTACHMENT);
     write_to(GL_NONE, GL_NONE);
     glReadBuffer(GL_NONE);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return {};
