@@ -23,7 +23,7 @@ Finding error_at(TextPlace place, std::string code, std::string sentence) {
 
 std::string numbered(std::size_t leg) { return "leg " + std::to_string(leg + 1); }
 
-std::string point_text(Vec2 p) {
+std::string rounded_text(Vec2 p) {
     const auto metres = [](double x) {
         std::string text = std::to_string(std::round(x * 1000) / 1000);
         text.erase(text.find_last_not_of('0') + 1);
@@ -124,7 +124,7 @@ private:
         if (pose.place.sector && contains(map_, pose.place.sector, pose.place.point)) return pose;
         return fail(record.place, "start-outside",
                     "expected a start inside " + (record.sector.empty() ? "the map" : in_quotes(record.sector)) +
-                        "; found " + point_text(pose.place.point));
+                        "; found " + rounded_text(pose.place.point));
     }
 
     static std::int64_t turn_of_leg(const LegRecord& record, Angle yaw, Vec2 end) {
@@ -139,7 +139,7 @@ private:
         if (way.stopped)
             return fail(script_.legs[number].place, "leg-blocked",
                         numbered(number) + " runs into a wall of " + in_quotes(map_[map_[way.stopped].sector].name) +
-                            " near " + point_text(way.end.point) + " on its way to " + point_text(leg.to));
+                            " near " + rounded_text(way.end.point) + " on its way to " + rounded_text(leg.to));
         return pose_within(map_, leg, 1);
     }
 
@@ -149,7 +149,7 @@ private:
         const SectorId sector = contains(map_, stay, leg.to) ? stay : locate(map_, leg.to);
         if (!sector)
             return fail(script_.legs[number].place, "cut-outside",
-                        numbered(number) + " jumps to " + point_text(leg.to) + ", which is in no sector");
+                        numbered(number) + " jumps to " + rounded_text(leg.to) + ", which is in no sector");
         const Angle yaw = leg.from.yaw + Angle{static_cast<std::uint32_t>(leg.turn_steps)};
         return CameraPose{{sector, leg.to}, leg.to_z, yaw, leg.to_pitch_degrees};
     }

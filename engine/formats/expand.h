@@ -117,12 +117,18 @@ public:
     /// The gaps of an opening between sectors with these indices, or none with a finding.
     std::optional<TwoGaps> find(const OpeningRecord& opening, std::size_t near_sector, std::size_t far_sector);
     /// The gap of a link around a point of the sector's walls, at whose place `place` findings are noted.
-    std::optional<Gap> around(const OpeningRecord& opening, std::size_t sector, Vec2 middle, TextPlace place);
+    /// facing: the sector that it is to be opposite to; none: it leads elsewhere
+    std::optional<Gap> around(const OpeningRecord& opening, std::size_t sector, Vec2 middle,
+                              std::optional<std::size_t> facing, TextPlace place);
 
 private:
     const WallRecord& record(WallIndex wall) const;
     bool is_too_much(const OpeningRecord& opening, std::size_t walls);
-    std::optional<WallIndex> wall_at(std::size_t sector, Vec2 point, double width, TextPlace place);
+    std::optional<Vec2> fitting_place(std::size_t sector, Vec2 point, double width,
+                                      std::optional<std::size_t> facing) const;
+    std::optional<WallIndex> wall_at(std::size_t sector, Vec2 point, double width, std::optional<std::size_t> facing,
+                                     TextPlace place);
+    bool is_taken(WallIndex wall) const;
     bool may_open(const Gap& gap, TextPlace place);
     std::optional<TwoGaps> facing(const OpeningRecord& opening, std::size_t near_sector, std::size_t far_sector);
     std::optional<Gap> opposite(const OpeningRecord& opening, const Gap& near, std::size_t far_sector);

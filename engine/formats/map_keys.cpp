@@ -1,6 +1,7 @@
 #include "formats/map_keys.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "formats/text_parts.h"
 
@@ -44,6 +45,7 @@ std::size_t tables_in(TomlNode array) {
 }
 
 void needs_format_1(Reading& reading, const TomlEntry& entry) {
+    if (std::exchange(reading.lacks_format, true)) return;  // what mends one mends all
     reading.error(entry.key_place, "needs-format-1",
                   in_quotes(entry.key) + " belongs to the enfilade dialect; put 'format = 1' at the top of the file");
 }

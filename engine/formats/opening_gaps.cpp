@@ -70,8 +70,6 @@ struct WallLine {
 
 std::string metres(double steps) { return number_text(std::round(steps * kVertexGrid * 1000) / 1000) + " m"; }
 
-std::string point_text(Vec2 p) { return "(" + number_text(p.x) + ", " + number_text(p.y) + ")"; }
-
 std::string wall_text(const WallLine& line) {
     return "the wall from " + point_text(line.at(0)) + " to " + point_text(line.at(line.length_steps()));
 }
@@ -104,13 +102,19 @@ bool is_inside(const SectorRecord& sector, GridPoint p) {
     return inside && !on_wall;
 }
 
-/// A corner of one of the sectors that lies inside the other.
-std::optional<Vec2> corner_in_both(const SectorRecord& a, const SectorRecord& b) {
+/// A corner, or the middle of a wall, of one of the sectors that lies inside the other.
+std::optional<Vec2> point_in_both(const SectorRecord& a, const SectorRecord& b) {
+    std::optional<Vec2> found;
+    const auto look = [&](const SectorRecord& in, Vec2 point) {
+        if (!found && is_inside(in, GridPoint::of(point))) found = point;
+    };
     for (const auto& [of, in] : {std::pair{&a, &b}, std::pair{&b, &a}})
         for (const LoopRecord& loop : of->loops)
-            for (const Vec2 corner : loop.vertices)
-                if (is_inside(*in, GridPoint::of(corner))) return corner;
-    return {};
+            for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
+                look(*in, loop.vertices[i]);
+                look(*in, (loop.vertices[i] + loop.vertices[(i + 1) % loop.vertices.size()]) * 0.5);
+            }
+    return found;
 }
 
 /// The stretch of a wall before another one that faces it, in its own steps.
@@ -127,6 +131,9 @@ const WallRecord& GapFinder::record(WallIndex wall) const {
     return map_.sectors[wall.sector].loops[wall.loop].walls[wall.wall];
 }
 
+/// Open already, or a place that a link leads to.
+bool GapFinder::is_taken(WallIndex wall) const { return !record(wall).next.empty() || !record(wall).name.empty(); }
+
 bool GapFinder::is_too_much(const OpeningRecord& opening, std::size_t walls) {
     const bool was_noted = looked_at_ > kMostLookedAt;
     looked_at_ += walls;
@@ -138,7 +145,37 @@ bool GapFinder::is_too_much(const OpeningRecord& opening, std::size_t walls) {
     return true;
 }
 
-std::optional<WallIndex> GapFinder::wall_at(std::size_t sector, Vec2 point, double width, TextPlace place) {
+/// The place nearest to a point where a wall of the sector that is not taken has room for the width, and a wall of the
+/// sector that it is to face, if any, lies before all of it.
+std::optional<Vec2> GapFinder::fitting_place(std::size_t sector, Vec2 point, double width,
+                                             std::optional<std::size_t> facing) const {
+    const GridPoint p = GridPoint::of(point);
+    const double half = width / kVertexGrid / 2;
+    std::optional<Vec2> best;
+    double least = std::numeric_limits<double>::max();
+    const auto offer = [&](const WallLine& line, double begin, double end) {
+        if (end - begin < 2 * half) return;
+        const Vec2 place = line.at(std::clamp(line.steps_to(p), begin + half, end - half));
+        const GridPoint to_it = GridPoint::of(place) - p;
+        const auto distance = static_cast<double>(dot(to_it, to_it));
+        if (distance >= least) return;
+        least = distance;
+        best = place;
+    };
+    for_walls(map_.sectors[sector], sector, [&](WallIndex index, const WallLine& line) {
+        if (is_taken(index) || line.square == 0) return;
+        if (!facing) return offer(line, 0, line.length_steps());
+        for_walls(map_.sectors[*facing], *facing, [&](WallIndex other, const WallLine& wall) {
+            if (!is_taken(other) && line.faces(wall) && line.side(wall.a) <= 0)
+                offer(line, std::max(0.0, line.steps_to(wall.a) - wall.length_steps()),
+                      std::min(line.length_steps(), line.steps_to(wall.a)));
+        });
+    });
+    return best;
+}
+
+std::optional<WallIndex> GapFinder::wall_at(std::size_t sector, Vec2 point, double width,
+                                            std::optional<std::size_t> facing, TextPlace place) {
     const GridPoint p = GridPoint::of(point);
     std::optional<WallIndex> nearest;
     WallLine line;
@@ -157,10 +194,8 @@ std::optional<WallIndex> GapFinder::wall_at(std::size_t sector, Vec2 point, doub
     std::string sentence =
         "expected a point on a wall of sector " + in_quotes(map_.sectors[sector].name) + ", found " + point_text(point);
     if (nearest) sentence += ", " + metres(least) + " from the nearest, " + wall_text(line);
-    const double half = width / kVertexGrid / 2;
-    if (nearest && 2 * half <= line.length_steps())
-        sentence +=
-            "; move it to " + point_text(line.at(std::clamp(line.steps_to(p), half, line.length_steps() - half)));
+    if (const auto fitting = fitting_place(sector, point, width, facing))
+        sentence += "; move it to " + point_text(*fitting);
     reading_.error(place, "opening-off-wall", sentence);
     return {};
 }
@@ -171,7 +206,7 @@ bool GapFinder::may_open(const Gap& gap, TextPlace place) {
     const WallLine line = WallLine::of(sector.loops[gap.wall.loop], gap.wall.wall);
     const GridPoint begin = GridPoint::of(gap.begin), end = GridPoint::of(gap.end);
     const WallRecord& wall = record(gap.wall);
-    if (!wall.next.empty() || !wall.name.empty()) {
+    if (is_taken(gap.wall)) {
         reading_.error(place, "opening-taken",
                        wall_text(line) + " of sector " + in_quotes(sector.name) +
                            (wall.next.empty() ? " is called " + in_quotes(wall.name) + ", and a link may lead to it"
@@ -196,9 +231,11 @@ bool GapFinder::may_open(const Gap& gap, TextPlace place) {
     return true;
 }
 
-std::optional<Gap> GapFinder::around(const OpeningRecord& opening, std::size_t sector, Vec2 middle, TextPlace place) {
-    if (is_too_much(opening, walls_of(map_.sectors[sector]))) return {};
-    const auto wall = wall_at(sector, middle, *opening.width, place);
+std::optional<Gap> GapFinder::around(const OpeningRecord& opening, std::size_t sector, Vec2 middle,
+                                     std::optional<std::size_t> facing, TextPlace place) {
+    const std::size_t walls = walls_of(map_.sectors[sector]);
+    if (is_too_much(opening, walls + (facing ? walls * walls_of(map_.sectors[*facing]) / kPairsPerWall : 0))) return {};
+    const auto wall = wall_at(sector, middle, *opening.width, facing, place);
     if (!wall) return {};
     const WallLine line = WallLine::of(map_.sectors[sector].loops[wall->loop], wall->wall);
     const double at = line.steps_to(GridPoint::of(middle)), half = *opening.width / kVertexGrid / 2;
@@ -228,8 +265,9 @@ std::optional<Gap> GapFinder::opposite(const OpeningRecord& opening, const Gap& 
     const std::string where = "the opening from " + point_text(near.begin) + " to " + point_text(near.end);
     if (!nearest && is_inside(far, GridPoint::of((near.begin + near.end) * 0.5)))
         reading_.error(key_place(opening, "at"), "opening-faces-nothing",
-                       where + " lies inside sector " + in_quotes(far.name) +
-                           ": the two rooms overlap; move one of them, or move the opening");
+                       where + " lies inside sector " + in_quotes(far.name) + ": it and sector " +
+                           in_quotes(map_.sectors[near.wall.sector].name) +
+                           " overlap; move one of them, or move the opening");
     else if (!nearest)
         reading_.error(key_place(opening, "at"), "opening-faces-nothing",
                        "no wall of sector " + in_quotes(far.name) + " lies parallel before " + where +
@@ -261,7 +299,7 @@ std::optional<TwoGaps> GapFinder::facing(const OpeningRecord& opening, std::size
     });
     const std::string rooms = "sectors " + in_quotes(near.name) + " and " + in_quotes(far.name);
     if (best.empty()) {
-        const auto common = corner_in_both(near, far);
+        const auto common = point_in_both(near, far);
         reading_.error(opening.place, "opening-faces-nothing",
                        "no walls of " + rooms + " face each other" + (opening.width ? " over " + metres(width) : "") +
                            (common ? ": the two overlap, as at " + point_text(*common) + "; move one of them"
@@ -291,9 +329,10 @@ std::optional<TwoGaps> GapFinder::find(const OpeningRecord& opening, std::size_t
     if (!opening.at) {
         gaps = facing(opening, near_sector, far_sector);
     } else {
-        const auto near = around(opening, near_sector, *opening.at, key_place(opening, "at"));
+        const auto facing = opening.to ? std::optional<std::size_t>() : far_sector;
+        const auto near = around(opening, near_sector, *opening.at, facing, key_place(opening, "at"));
         if (!near) return {};
-        const auto far = opening.to ? around(opening, far_sector, *opening.to, key_place(opening, "to"))
+        const auto far = opening.to ? around(opening, far_sector, *opening.to, {}, key_place(opening, "to"))
                                     : opposite(opening, *near, far_sector);
         if (far) gaps = TwoGaps{*near, *far};
     }

@@ -416,7 +416,7 @@ private:
         if (a.sector == b.sector && a.loop == b.loop) {
             if (b.wall > a.wall) far.wall.wall += more;
             if (b.wall == a.wall) {
-                const auto again = gaps_.around(opening, b.sector, *opening.to, key_place(opening, "to"));
+                const auto again = gaps_.around(opening, b.sector, *opening.to, {}, key_place(opening, "to"));
                 if (!again) return;
                 far = *again;
             }

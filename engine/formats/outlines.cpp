@@ -48,9 +48,21 @@ std::vector<Vec2> corners_of(const PolygonRecord& polygon) {
 
 bool is_in_the_world(Vec2 point) { return std::max({point.x, -point.x, point.y, -point.y}) <= kWorldLimit; }
 
+bool has_area(const RectRecord& rect) {
+    const Vec2 a = snap_to_vertex_grid(rect.a), b = snap_to_vertex_grid(rect.b);
+    return a.x != b.x && a.y != b.y;
+}
+
 /// The corners of a loop's shape; none where it has no shape, or one that leads out of the world.
 std::vector<Vec2> corners_of(Reading& reading, const LoopRecord& loop) {
-    if (loop.shorthand->rect) return corners_of(*loop.shorthand->rect);
+    if (loop.shorthand->rect) {
+        const RectRecord& rect = *loop.shorthand->rect;
+        if (has_area(rect)) return corners_of(rect);
+        reading.error(key_place(loop, "rect"), "flat-rectangle",
+                      "expected two corners of a rectangle that lie across from each other, found " +
+                          point_text(rect.a) + " and " + point_text(rect.b) + ", on one line; move one of them");
+        return {};
+    }
     const PolygonRecord& polygon = *loop.shorthand->polygon;
     if (!polygon.places.is_sound()) return {};
     std::vector<Vec2> corners = corners_of(polygon);
@@ -139,7 +151,12 @@ void spread(Reading& reading, Expansion& expansion, const WallRecord& common, Lo
 bool has_enough_walls(Reading& reading, LoopRecord& loop, bool are_common) {
     if (!loop.places.has("walls")) {
         if (are_common) return loop.is_whole;
-        missing_key(reading, loop.place, "a loop", "walls");
+        const bool is_short = loop.places.has("rect") || loop.places.has("polygon");
+        if (is_short)
+            reading.error(loop.place, "missing-key",
+                          "expected 'wall', which all walls of the outline are like, or 'walls'; found neither");
+        else
+            missing_key(reading, loop.place, "a loop", "walls");
         loop.places.note_fault();
         return false;
     }
@@ -218,11 +235,21 @@ std::size_t weight_of(const WallRecord& wall) {
     return 1 + bytes / kUsualBytes + wall.triggers.size();
 }
 
+namespace {
+
+void lacks_outline(Reading& reading, const SectorRecord& sector) {
+    if (reading.dialect == Dialect::tutorial || sector.places.has("loops"))
+        return missing_key(reading, key_place(sector, "loops"), "a sector", "loops");
+    reading.error(sector.place, "missing-key", "a sector needs 'rect', 'polygon' or [[sectors.loops]], found none");
+}
+
+}  // namespace
+
 void write_out_loops(Reading& reading, Expansion& expansion, SectorRecord& sector) {
     if (sector.places.has("rect") || sector.places.has("polygon"))
         sector.loops.insert(sector.loops.begin(), outline_of(sector));
     if (sector.loops.empty() && (!sector.places.has("loops") || sector.places.is_sound("loops"))) {
-        missing_key(reading, key_place(sector, "loops"), "a sector", "loops");
+        if (!reading.lacks_format) lacks_outline(reading, sector);
         sector.places.note_fault();
     }
     const WallRecord* const common = sector.shorthand && sector.shorthand->wall ? &*sector.shorthand->wall : nullptr;

@@ -34,6 +34,7 @@ inline constexpr std::size_t kMaxFindings = 1000;
 struct Reading {
     Findings& findings;
     Dialect dialect = Dialect::enfilade;
+    bool lacks_format = false;  ///< a key of the other dialect was met, which was noted once
 
     /// Notes an error. Beyond kMaxFindings only the fact that there are more.
     void error(TextPlace place, std::string_view code, std::string sentence);

@@ -87,6 +87,18 @@ std::string number_text(double number) {
     return {digits, end};
 }
 
+std::string coordinate_text(double coordinate) {
+    const double grid = snap_to_vertex_grid({coordinate, 0}).x == coordinate ? kVertexGrid : kPointGrid;
+    double tenths = 1;
+    for (int decimals = 0; decimals < 12; ++decimals, tenths *= 10) {
+        const double rounded = std::round(coordinate * tenths) / tenths;
+        if (std::fabs(rounded - coordinate) < grid / 2) return number_text(rounded);
+    }
+    return number_text(coordinate);
+}
+
+std::string point_text(Vec2 point) { return "(" + coordinate_text(point.x) + ", " + coordinate_text(point.y) + ")"; }
+
 std::string csv_field(std::string_view text) {
     if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
     std::string quoted = "\"";

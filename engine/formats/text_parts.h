@@ -66,6 +66,12 @@ private:
 /// The fewest digits that read back as exactly this number; "0" for -0. The number is finite.
 std::string number_text(double number);
 
+/// A coordinate as an author would write it: the fewest decimals that come to lie on the same point of the grid of
+/// vertices, or where it is on none, of the grid of points (math/vec.h).
+std::string coordinate_text(double coordinate);
+/// "(2.2, -1)", of coordinates.
+std::string point_text(Vec2 point);
+
 /// "1 wall", "3 walls": for nouns that only take an s.
 std::string counted(std::size_t count, std::string_view noun);
 

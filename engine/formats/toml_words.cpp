@@ -56,6 +56,8 @@ constexpr Wording kWordings[] = {
      "put its keys together, or write [[name]] for one more of many"},
     {"", "as dotted key-value pair", "a table before the dot of the key", "something else of that name",
      "give each key once"},
+    {"table header", "cannot redefine existing array", "[[name]], as where the name stands before", "[name]",
+     "double the brackets: each [[name]] is one more of many"},
     {"", "cannot redefine existing", "a key that is not there yet", "it again", "give each key once"},
     {"", "multi-line strings are prohibited", "a key on one line", "a string in three quotes",
      "use single quotation marks"},

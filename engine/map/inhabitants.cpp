@@ -82,7 +82,7 @@ public:
             return draft_.warning(record, "x", "light-outside",
                                   "the light at " + point_text(position) + " is outside " +
                                       (found ? "sector " + in_quotes(record.sector) : "every sector") +
-                                      "; it lights nothing");
+                                      "; it lights nothing, so move it into one");
         draft_.map.lights.push_back({sector, position, record.z, record.color, record.brightness,
                                      snap_to_point_grid(record.reach), record.effect});
         check_light(sector, record);

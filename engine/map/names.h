@@ -41,7 +41,6 @@ private:
 // Points and edges as they appear in findings.
 
 /// "(x, y)", with the fewest digits that read back exactly.
-std::string point_text(Vec2 point);
 
 /// "(x, y)-(x, y)"
 std::string edge_text(Vec2 a, Vec2 b);

@@ -21,7 +21,6 @@ Result<SectorId> sector_named(const Map& map, const std::string& name) {
     return SectorId(std::size_t(found - map.sectors.begin()));
 }
 
-std::string point_text(Vec2 point) { return "(" + number_text(point.x) + ", " + number_text(point.y) + ")"; }
 
 Result<SectorId> sector_of(const Map& map, const ViewRow& row, Vec2 eye) {
     if (row.sector.empty()) {

@@ -308,6 +308,7 @@ TEST(Opening, OffItsWallIsToldToMoveToWhereItFits) {
     EXPECT_THAT(sentence("at = [3.875, 0.25]\nwidth = 1\n"), HasSubstr("(4, 0) to (4, 4); move it to (4, 0.5)"));
     EXPECT_THAT(sentence("at = [4.25, 4]\nwidth = 1\n"), HasSubstr("(4, 0) to (4, 4); move it to (4, 3.5)"));
     EXPECT_THAT(sentence("at = [3.5, 2]\nwidth = 1\n"), HasSubstr("(4, 0) to (4, 4); move it to (4, 2)"));
+    EXPECT_THAT(sentence("at = [1, 0.5]\nwidth = 1\n"), HasSubstr("(0, 0) to (4, 0); move it to (4, 0.5)"));
     EXPECT_THAT(sentence("at = [3.5, 2]\nwidth = 5\n"), Not(HasSubstr("move it")));
 }
 
@@ -319,9 +320,9 @@ TEST(Opening, OfRoomsThatOverlapSaysSo) {
         return reading.findings.empty() ? "" : reading.findings[0].sentence;
     };
     EXPECT_THAT(sentence("3.5, 1,  8, 3", "at = [4, 2]\nwidth = 1\n"),
-                HasSubstr("lies inside sector 'yard': the two rooms"));
-    EXPECT_THAT(sentence("3.5, 1,  8, 3", "width = 1\n"),
-                HasSubstr("the two overlap, as at (3.5, 1); move one of them"));
+                HasSubstr("lies inside sector 'yard': it and sector 'hall' overlap; move one of them, or"));
+    EXPECT_THAT(sentence("3.5, 1,  8, 3", "width = 1\n"), HasSubstr("the two overlap, as at (4, 2); move one of them"));
+    EXPECT_THAT(sentence("0, 3,  4, 8", "width = 1\n"), HasSubstr("the two overlap, as at (2, 4); move one of them"));
     EXPECT_THAT(sentence("4.5, 5,  8, 8", "width = 1\n"), HasSubstr("face each other over 1 m; give 'at' and 'to'"));
     EXPECT_THAT(sentence("4.5, 0,  8, 4", "at = [2, 0]\nwidth = 1\n"), HasSubstr("lies parallel before the opening"));
     EXPECT_EQ(sentence("4, 1,  8, 3", "width = 1\n"), "");

@@ -260,7 +260,7 @@ TEST(ReadMap, RefusesFormatsItDoesNotKnow) {
 
 TEST(ReadMap, RefusesNewKeysInTutorialFiles) {
     EXPECT_THAT(codes_and_places(read_map("things = []\nsectors = []\n[player]\nx = 1\ny = 1\nyaw = 0").findings),
-                ElementsAre("needs-format-1 1:1", "needs-format-1 6:1"));
+                ElementsAre("needs-format-1 1:1"));
 }
 
 /// A triangle with this number among its vertices.
@@ -400,6 +400,25 @@ TEST(ReadMap, FindsWhatIsWrongInAnyOfThousandsOfSectors) {
     EXPECT_THAT(codes_and_places(findings),
                 ElementsAre("out-of-range 4001:9", "out-of-range 8001:9", "out-of-range 12001:9",
                             "out-of-range 16001:9", "out-of-range 20001:9"));
+}
+
+TEST(ReadMap, NamesTheShortWordsThatAreMissing) {
+    const auto sentence = [](const std::string& text) { return read_map(text).findings.at(0).sentence; };
+    EXPECT_EQ(sentence("format = 1\n[[sectors]]\nname = 'a'\n"),
+              "a sector needs 'rect', 'polygon' or [[sectors.loops]], found none");
+    EXPECT_EQ(sentence("[[sectors]]\nname = 'a'\n"), "a sector needs 'loops', found none");
+    EXPECT_EQ(sentence("format = 1\n[[sectors]]\nname = 'a'\nrect = [0, 0, 1, 1]\n"),
+              "expected 'wall', which all walls of the outline are like, or 'walls'; found neither");
+    EXPECT_EQ(sentence("format = 1\n[[sectors]]\nname = 'a'\n[sectors]\nname = 'b'\n"),
+              "not valid TOML: expected [[name]], as where the name stands before, found [name]; double the brackets: "
+              "each [[name]] is one more of many");
+}
+
+TEST(ReadMap, SaysOnceThatTheFormatIsMissing) {
+    EXPECT_THAT(codes_and_places(read_map("[[sectors]]\nname = 'a'\nrect = [0, 0, 1, 1]\nwall = {}\n[[sectors]]\n"
+                                          "name = 'b'\nrect = [1, 0, 2, 1]\nwall = {}\n[[openings]]\n")
+                                     .findings),
+                ElementsAre("needs-format-1 3:1"));
 }
 
 TEST(ReadMap, DoesNotMissAKeyThatIsMisspelt) {

@@ -83,6 +83,18 @@ TEST(Counted, TakesAnSUnlessItIsOne) {
     EXPECT_EQ(counted(2, "wall"), "2 walls");
 }
 
+TEST(CoordinateText, IsWhatAnAuthorWroteOnEitherGrid) {
+    for (const double written : {0.0, 2.2, -1.25, 8.1, 100.0, 3.7, 0.3, -32768.0}) {
+        EXPECT_EQ(coordinate_text(snap_to_vertex_grid({written, 0}).x), number_text(written));
+        EXPECT_EQ(coordinate_text(snap_to_point_grid({written, 0}).x), number_text(written));
+    }
+    // Neighbours are told apart.
+    EXPECT_EQ(coordinate_text(2.2001953125), "2.2");
+    EXPECT_EQ(coordinate_text(2.2001953125 + kVertexGrid), "2.201");
+    EXPECT_NE(coordinate_text(8 + kPointGrid), "8");
+    EXPECT_EQ(point_text({2.2001953125, -1}), "(2.2, -1)");
+}
+
 TEST(NearestSuggestion, SaysNothingWhereNoneIsNear) {
     EXPECT_EQ(nearest_suggestion("txeture", kKnown), "; did you mean 'texture'?");
     EXPECT_EQ(nearest_suggestion("mirrored", kKnown), "");

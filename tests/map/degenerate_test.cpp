@@ -82,7 +82,7 @@ TEST(Gap, OfOneGridStepBetweenRoomsIsNamed) {
     wall(file, "left", {4, 0}, {4, 4}).next = "right";
     EXPECT_THAT(text_of(findings_of(file)),
                 HasSubstr("expected an edge (4, 4)-(4, 0) in sector 'right', which this portal leads into, found none; "
-                          "its nearest edge is (4.0009765625, 4)-(4.0009765625, 0)"));
+                          "its nearest edge is (4.001, 4)-(4.001, 0)"));
 }
 
 // hard case T7
