@@ -149,9 +149,11 @@ void draw_legend(Overlay& overlay, const Palette& palette, std::string_view keys
                                                         {"thing", palette.thing},
                                                         {"to take", palette.item}};
     const int line = overlay.line_height(), rows = static_cast<int>(std::size(lines));
+    const int left = overlay.width() - overlay.text_width("leads elsewhere") - line;
     int y = overlay.height() - line / 2 - rows * line;
     for (const auto& [word, color] : lines) {
-        overlay.rimmed_text(overlay.width() - overlay.text_width("leads elsewhere") - line, y, word, color);
+        overlay.fill({left - line - line / 4, y + line / 4, line, line / 4}, color);
+        overlay.rimmed_text(left, y, word, kNameInk);
         y += line;
     }
     overlay.rimmed_text((overlay.width() - overlay.text_width(keys)) / 2, overlay.height() - line - line / 2, keys,

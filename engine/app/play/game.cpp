@@ -17,12 +17,17 @@
 namespace enfilade {
 namespace {
 
-std::string lines_of(const std::string& path, const Findings& findings) {
-    std::string lines;
+std::vector<std::string> lines_of(const std::string& path, const Findings& findings, Severity severity) {
+    std::vector<std::string> lines;
     for (const Finding& finding : findings)
-        if (finding.severity == Severity::error) lines += to_text(path, finding) + "\n";
-    if (!lines.empty()) lines.pop_back();
+        if (finding.severity == severity) lines.push_back(to_text(path, finding));
     return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+    return text;
 }
 
 /// How many games are kept that were saved in one place.
@@ -86,8 +91,9 @@ Result<Game::Loaded> Game::load(const std::string& map_path, MapWatch& watch) co
     LoadedMap map = load_map(map_path, texture_folders_, read, skill_, list_folder, &cache);
     if (!map.map)
         if (const Result<void> valid = refuse_as_map(map_path); !valid.ok()) return valid.error();
-    if (!map.map) return Error{"", lines_of(map_path, map.findings)};
+    if (!map.map) return Error{"", joined(lines_of(map_path, map.findings, Severity::error))};
     if (!map.map->player) return Error{map_path, "the map has no player to start as; give it a [player] to play it"};
+    loaded.warnings = lines_of(map_path, map.findings, Severity::warning);
     loaded.open = OpenMap{std::move(*map.map), std::move(map.textures)};
     return loaded;
 }
@@ -96,6 +102,7 @@ void Game::take(Loaded loaded) {
     end_recording();
     map_ = std::move(loaded.open);
     map_hash_ = loaded.hash;
+    warnings_ = std::move(loaded.warnings);
     places_.reset();
     automap_ = Automap(map());
 }

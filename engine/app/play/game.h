@@ -77,6 +77,10 @@ public:
     /// before.
     Result<void> reload();
 
+    /// What `check` would warn of in the map, a line each, such as pictures that are nowhere. Nothing of a map that
+    /// came compiled from the cache.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
     /// What the player sees, `part` of the way from the tick before to this one, the head turned further by `ahead`.
     /// true_pitch: for a renderer that turns its picture instead of shifting the horizon.
     View view(double part, const LookSteps& ahead, double fov_degrees, bool true_pitch = false) const;
@@ -111,7 +115,8 @@ private:
     /// A map as it is on disk now.
     struct Loaded {
         OpenMap open;
-        std::uint64_t hash = 0;  ///< of the map's text
+        std::uint64_t hash = 0;             ///< of the map's text
+        std::vector<std::string> warnings;  ///< a line each
     };
     /// watch : remembers what was read, also for a map that is refused
     Result<Loaded> load(const std::string& map_path, MapWatch& watch) const;
@@ -126,6 +131,7 @@ private:
     int skill_;
     MapWatch watch_;
     std::uint64_t map_hash_ = 0;  ///< of the map's text, as it is played
+    std::vector<std::string> warnings_;
     OpenMap map_;
     std::optional<MapPlaces> places_;  ///< none: nobody asked yet
     Timeline timeline_;

@@ -1,5 +1,7 @@
 #include "app/play/map_page.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,6 +45,11 @@ std::string fitting(const Overlay& overlay, const std::string& name, int width) 
 void MapPage::set_maps(std::vector<ListedMap> maps) {
     maps_ = std::move(maps);
     chosen_ = std::clamp(chosen_, 0, std::max(0, static_cast<int>(maps_.size()) - 1));
+}
+
+void MapPage::choose(const std::string& path) {
+    const auto found = std::ranges::find(maps_, path, &ListedMap::path);
+    if (found != maps_.end()) chosen_ = static_cast<int>(found - maps_.begin());
 }
 
 MapPageAction MapPage::handle(const InputEvent& event) {
@@ -108,7 +115,6 @@ void MapPage::draw(Overlay& overlay, MapPictures& pictures, const std::string& n
     if (!is_open_) return;
     overlay.fill({0, 0, overlay.width(), overlay.height()}, kPageShade);
     const int line = overlay.line_height(), gap = line / 2;
-    overlay.rimmed_text((overlay.width() - overlay.text_width("MAPS")) / 2, line, "MAPS", kTitleInk);
     columns_ = std::max(1, (overlay.width() - 2 * gap) / (overlay.text_width("M") * kNameLetters + gap));
     const int width = (overlay.width() - 2 * gap) / columns_ - gap;
     const int height = width * kPictureHeight / kPictureWidth + 2 * line;
@@ -122,6 +128,10 @@ void MapPage::draw(Overlay& overlay, MapPictures& pictures, const std::string& n
         boxes_.push_back({box, i});
         draw_map(overlay, maps_[std::size_t(i)], box, i == chosen_, pictures);
     }
+    std::string title = "MAPS";
+    if (boxes_.size() < maps_.size())
+        title += fmt::format("  {} to {} of {}", boxes_.front().map + 1, boxes_.back().map + 1, maps_.size());
+    overlay.rimmed_text((overlay.width() - overlay.text_width(title)) / 2, line, title, kTitleInk);
     const std::string hint = !note.empty() ? note : maps_.empty() ? "No maps were found." : about(chosen());
     const std::string shown = fitting(overlay, hint, overlay.width() - line);
     overlay.rimmed_text((overlay.width() - overlay.text_width(shown)) / 2, overlay.height() - 2 * line, shown,

@@ -19,6 +19,8 @@ public:
     void open() { is_open_ = true; }
     void close() { is_open_ = false; }
     void set_maps(std::vector<ListedMap> maps);
+    /// Goes to the map of that path, if there is one.
+    void choose(const std::string& path);
 
     /// Ignores everything while closed.
     MapPageAction handle(const InputEvent& event);

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "app/play/play_loop.h"
 
@@ -157,7 +159,12 @@ void PlayLoop::close_menu() {
 
 void PlayLoop::change_settings(Settings changed) {
     const Settings before = settings();
-    if (changed.true_pitch && !before.true_pitch) changed.renderer = RendererKind::stencil;
+    if (changed.true_pitch && !before.true_pitch) {
+        untilted_renderer_ = before.renderer;
+        changed.renderer = RendererKind::stencil;
+    } else if (!changed.true_pitch && before.true_pitch && untilted_renderer_) {
+        changed.renderer = *std::exchange(untilted_renderer_, std::nullopt);
+    }
     store_.change(changed);
     is_changed_ = true;
     input_.obey(changed);

@@ -50,7 +50,19 @@ void PlayLoop::reload() {
     begin_sounds();
     notices_.pin({});
     tell("The map was changed and loaded again.");
+    tell_warnings();
     if (was_recording) tell("The recording ended with the map before.");
+}
+
+void PlayLoop::tell_warnings() {
+    constexpr std::size_t kMostWarnings = 3;
+    constexpr double kWarningSeconds = 12;
+    const std::vector<std::string>& all = game_.warnings();
+    for (std::size_t i = 0; i < std::min(all.size(), kMostWarnings); ++i)
+        notices_.say(all[i], now_s(), kWarningSeconds);
+    if (all.size() > kMostWarnings)
+        notices_.say(fmt::format("and {} more; `enfilade check` lists them", all.size() - kMostWarnings), now_s(),
+                     kWarningSeconds);
 }
 
 void PlayLoop::follow_events() {

@@ -127,6 +127,7 @@ private:
     void follow_recording();
     /// Shows a notice for a while.
     void tell(const std::string& text);
+    void tell_warnings();
     double now_s() const;
     /// How much of the present tick has passed, 0..1.
     double part_of_tick(std::int64_t now) const;
@@ -141,6 +142,7 @@ private:
     std::unique_ptr<OutsideRenderer> outside_renderer_;  ///< of the same map
     std::optional<Stillness> stillness_;                 ///< of the same map
     RendererKind drawn_by_ = RendererKind::column;
+    std::optional<RendererKind> untilted_renderer_;  ///< the one before true pitch was wanted
     Font font_;
     Frame frame_;                       ///< the picture; while that stays on the card, what lies over it
     std::optional<GlPicture> on_card_;  ///< the picture, if it stayed there

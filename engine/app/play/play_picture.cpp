@@ -126,7 +126,7 @@ void PlayLoop::draw_over(double part) {
     draw_automap(overlay, view);
     draw_words(overlay, view, part);
     if (screenshot_wanted_) take_screenshot();
-    const int below_notices = notices_.draw(overlay, now_s());
+    const int below_notices = notices_.draw(overlay, now_s(), !keys_open_ && !menu_.is_open());
     if (free_camera_) draw_flight(overlay, free_camera_->text(game_.map(), game_.snapshot(part)), below_notices);
     if (end_) draw_end(overlay, *end_);
     if (keys_open_) {

@@ -196,7 +196,7 @@ bool Notices::have_changed(double now_s) const {
     return is_new_ || std::ranges::any_of(notices_, [&](const Notice& notice) { return notice.until_s <= now_s; });
 }
 
-int Notices::draw(Overlay& overlay, double now_s) {
+int Notices::draw(Overlay& overlay, double now_s, bool with_panel) {
     is_new_ = false;
     std::erase_if(notices_, [&](const Notice& notice) { return notice.until_s <= now_s; });
     const int margin = overlay.line_height() / 2;
@@ -207,7 +207,7 @@ int Notices::draw(Overlay& overlay, double now_s) {
             overlay.rimmed_text(margin, y, piece, kNoticeInk);
             y += overlay.line_height();
         }
-    if (pinned_.empty()) return y;
+    if (pinned_.empty() || !with_panel) return y;
     std::vector<std::string> lines;
     for (const std::string& line : pinned_)
         for (std::string& piece : wrapped(line, most)) lines.push_back(std::move(piece));

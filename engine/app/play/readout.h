@@ -86,8 +86,8 @@ public:
     /// Whether they look different from when they were drawn last.
     bool have_changed(double now_s) const;
 
-    /// The row below them.
-    int draw(Overlay& overlay, double now_s);
+    /// The row below them. with_panel: false where something else covers it
+    int draw(Overlay& overlay, double now_s, bool with_panel = true);
 
 private:
     struct Notice {

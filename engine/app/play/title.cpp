@@ -93,6 +93,7 @@ void TitleScreen::choose_map(const ListedMap& map) {
         return;
     }
     note_ = "Converting " + map.name + " ...";
+    wad_ = map.path;
     conversion_ = std::async(std::launch::async, convert_wad, map.path);
 }
 
@@ -106,6 +107,8 @@ bool TitleScreen::has_news() {
         const Result<void> converted = conversion_.get();
         note_ = converted.ok() ? "" : converted.error().text();
         maps_.set_maps(find_maps());
+        if (converted.ok())
+            if (const auto first = first_level_of(wad_); first.ok()) maps_.choose(first.value());
         is_changed_ = true;
     }
     const std::size_t pictures = pictures_.count();

@@ -47,6 +47,7 @@ private:
     MapPictures pictures_;
     std::size_t shown_pictures_ = 0;
     std::future<Result<void>> conversion_;  ///< of a WAD, while it lasts
+    std::string wad_;                       ///< the one that is, or was last, converted
     std::string note_;                      ///< at the foot of the page of maps
     Notices notices_;
     Pacing pacing_;

@@ -172,6 +172,16 @@ TEST_F(GameOnDisk, KeepsTheMapBeforeWhereTheNewOneHasErrors) {
     EXPECT_FALSE(game_->map_changed());  // until it is saved again
 }
 
+TEST_F(GameOnDisk, TellsWhatIsWrongWithAMapThatCanBePlayedAllTheSame) {
+    MapFile file = two_rooms();
+    file.sectors[0].floor.texture = test::spec("nowhere_to_be_found");
+    save(file);
+    ASSERT_TRUE(game_->reload().ok());
+    ASSERT_FALSE(game_->warnings().empty());
+    EXPECT_NE(game_->warnings()[0].find("'nowhere_to_be_found' is in none of the texture folders"), std::string::npos)
+        << game_->warnings()[0];
+}
+
 TEST_F(GameOnDisk, KeepsTheMapBeforeWhereAQuoteIsForgottenBeforeAnAccent) {
     save_text("format = 1'é'\n");
     const Result<void> result = game_->reload();

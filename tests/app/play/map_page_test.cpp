@@ -182,6 +182,14 @@ TEST_F(OpenMapPage, ChoosesByKeyButtonAndMouse) {
     EXPECT_EQ(page_.handle(MouseButtonChange{MouseButton::left, true, 200, 5}), MapPageAction::none);
 }
 
+TEST_F(OpenMapPage, GoesToAMapByItsPath) {
+    page_.set_maps({{"a.toml", "a", MapOrigin::own}, {"b.toml", "b", MapOrigin::own}, {"c.toml", "c", MapOrigin::own}});
+    page_.choose("b.toml");
+    EXPECT_EQ(page_.chosen().name, "b");
+    page_.choose("nowhere.toml");
+    EXPECT_EQ(page_.chosen().name, "b");
+}
+
 TEST_F(OpenMapPage, IsLeft) {
     EXPECT_EQ(press(KeyCode::escape), MapPageAction::leave);
     EXPECT_EQ(page_.handle(GamepadButtonChange{GamepadButton::b, true}), MapPageAction::leave);

@@ -13,11 +13,11 @@ constexpr Color kBlack = 0xFF000000;
 class NoticesOnBlack : public ::testing::Test {
 protected:
     /// Whether anything is shown at that moment.
-    bool shown(double now_s) {
+    bool shown(double now_s, bool with_panel = true) {
         frame_.resize(200, 100);
         std::ranges::fill(frame_.pixels, kBlack);
         Overlay overlay(frame_, font_);
-        notices_.draw(overlay, now_s);
+        notices_.draw(overlay, now_s, with_panel);
         return std::ranges::any_of(frame_.pixels, [](Color color) { return color != kBlack; });
     }
 
@@ -54,6 +54,12 @@ TEST_F(NoticesOnBlack, StayWhilePinned) {
     EXPECT_TRUE(shown(1e6));
     notices_.pin({});
     EXPECT_FALSE(shown(1e6));
+}
+
+TEST_F(NoticesOnBlack, LeaveTheirPanelOutWhereSomethingCoversIt) {
+    notices_.pin({"map.toml:3:1: error: no"});
+    EXPECT_TRUE(shown(0));
+    EXPECT_FALSE(shown(0, false));
 }
 
 TEST_F(NoticesOnBlack, WrapLongLinesAndSurviveWordsThatAreTooLong) {

@@ -15,10 +15,20 @@
 namespace enfilade {
 namespace {
 
+/// On purpose, so that nothing is to be said about them.
+void have_no_pictures(MapFile& file) {
+    for (SectorRecord& sector : file.sectors) {
+        sector.floor.texture = sector.ceiling.texture = test::spec("-");
+        for (LoopRecord& loop : sector.loops)
+            for (WallRecord& wall : loop.walls) wall.texture = test::spec("-");
+    }
+}
+
 class KeysOfPlay : public ::testing::Test {
 protected:
     KeysOfPlay() {
         MapFile file = test::map_of({test::box_room("room", 0, 0, 8, 4, 0, 3)});
+        have_no_pictures(file);
         test::place_player(file, "room", {2, 2}, 1.55);
         EXPECT_TRUE(write_file(dir_.path("map.toml"), std::string_view(write_map(file))).ok());
         game_ = Game::start(dir_.path("map.toml"), {}).value();
@@ -65,6 +75,7 @@ protected:
 MapFile changed_map() {
     MapFile file = test::map_of({test::box_room("room", 0, 0, 5, 4, 0, 3), test::box_room("far", 5, 0, 9, 4, 1, 2)});
     test::join_all(file);
+    have_no_pictures(file);
     test::place_player(file, "room", {2, 2}, 1.55);
     return file;
 }
@@ -257,6 +268,21 @@ TEST_F(KeysOfPlay, SaveASettingThatTheMenuChanged) {
     play_until(10);
     EXPECT_EQ(SettingsStore(dir_.path("settings.toml")).now().scale, 2);
     EXPECT_EQ(window_.picture(9).width, 160) << "half of the window";
+}
+
+TEST_F(KeysOfPlay, GiveTheRendererBackThatWasThereBeforeTruePitch) {
+    window_.press_after(5, SDL_SCANCODE_ESCAPE);
+    choose_after(6, 5);  // Options
+    const auto row = &setting_named("true_pitch") - all_settings().data();
+    for (auto i = row; i > 0; --i) window_.press_after(6, SDL_SCANCODE_DOWN);
+    window_.press_after(6, SDL_SCANCODE_RIGHT);
+    RendererKind with = RendererKind::column;
+    window_.after(8, [&] { with = store_.now().renderer; });
+    window_.press_after(9, SDL_SCANCODE_LEFT);
+    play_until(12);
+    EXPECT_EQ(with, RendererKind::stencil);
+    EXPECT_FALSE(store_.now().true_pitch);
+    EXPECT_EQ(store_.now().renderer, RendererKind::column);
 }
 
 TEST_F(KeysOfPlay, BrightenThePicture) {
