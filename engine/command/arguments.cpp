@@ -47,6 +47,20 @@ std::string fault_text(const CLI::App& program, const CLI::ParseError& error, co
 
 /// Help in whole sentences, where CLI11 would put its own marks between an option and what it takes.
 class SentenceFormatter : public CLI::Formatter {
+public:
+    SentenceFormatter() {
+        label("Positionals", "Arguments");
+        label("SUBCOMMAND", "COMMAND");
+    }
+
+private:
+    std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+        std::string name = CLI::Formatter::make_option_name(option, is_positional);
+        constexpr std::string_view kTurnedOff = "{false}";
+        if (const auto at = name.find(kTurnedOff); at != name.npos) name.erase(at, kTurnedOff.size());
+        return name;
+    }
+
     std::string make_option_opts(const CLI::Option* option) const override {
         std::string what = option->get_positional() ? "" : option->get_type_name();
         if (!what.empty()) what.insert(0, " ");
@@ -76,7 +90,7 @@ class SentenceFormatter : public CLI::Formatter {
 void explain_in_sentences(CLI::App& program) {
     const auto formatter = std::make_shared<SentenceFormatter>();
     program.formatter(formatter);
-    for (CLI::App* command : program.get_subcommands({})) command->formatter(formatter);
+    for (CLI::App* command : program.get_subcommands({})) command->formatter(formatter)->group("Commands");
 }
 
 /// As it is typed: "enfilade render".

@@ -6,7 +6,7 @@ _enfilade() {
     if [[ $current == -* ]]; then
         words=$("$program" ${command:+"$command"} --help 2>/dev/null | sed -n 's/^  \(-h,\)\{0,1\}\(--[a-z-]*\).*/\2/p')
     elif [[ ${program##*/} == enfilade && $COMP_CWORD -eq 1 ]]; then
-        words=$("$program" --help 2>/dev/null | sed -n '/^Subcommands:/,/^$/ s/^  \([a-z]*\) .*/\1/p')
+        words=$("$program" --help 2>/dev/null | sed -n '/^Commands:/,/^$/ s/^  \([a-z]*\) .*/\1/p')
     fi
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
 }

@@ -59,6 +59,17 @@ bool is_same_folder(const fs::path& a, const fs::path& b) {
     return fs::equivalent(a.empty() ? "." : a, b, unknown);
 }
 
+/// As a shell takes it.
+std::string in_shell(const std::string& path) {
+    const bool is_plain =
+        path.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-/") ==
+        std::string::npos;
+    if (is_plain) return path;
+    std::string quoted = "'";
+    for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 std::string first_map(const fs::path& path) {
     const fs::path shipped = fs::path(shipped_map("enfilade.schema.json"));
     const bool is_beside = is_same_folder(path.parent_path(), shipped.parent_path());
@@ -78,8 +89,8 @@ int run_new(const NewRequest& request) {
         return fail({path.string(), "there is such a file already, and it is not overwritten; choose another name"});
     if (const Result<void> done = write_file(path.string(), std::string_view(first_map(path))); !done.ok())
         return fail(done.error());
-    print_text(stdout, fmt::format("{0} is a map of two rooms. `enfilade play {0}` opens it; change it meanwhile.\n",
-                                   path.string()));
+    print_text(stdout, fmt::format("{} is a map of two rooms. `enfilade play {}` opens it; change it meanwhile.\n",
+                                   path.string(), in_shell(path.string())));
     return kDone;
 }
 

@@ -8,9 +8,10 @@
 #include <numeric>
 #include <vector>
 
-#include "base/terminal.h"
+#include "app/authoring/plan_labels.h"
 #include "formats/text_parts.h"
 #include "formats/words.h"
+#include "math/angle.h"
 
 namespace enfilade {
 namespace {
@@ -21,37 +22,6 @@ constexpr double kRowWidth = 2400;     ///< where drawings go on below [px]
 constexpr double kLegendHeight = 170;  ///< [px]
 constexpr double kLeastNumbered = 36;  ///< sectors that are narrower have no numbers at their walls [px]
 constexpr double kMostSquares = 200;   ///< lines of the paper in one direction; larger drawings have wider squares
-
-struct Box {
-    Vec2 low{1e9, 1e9}, high{-1e9, -1e9};
-
-    void add(Vec2 p) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    void add(const Box& other) {
-        add(other.low);
-        add(other.high);
-    }
-    bool is_empty() const { return low.x > high.x; }
-    bool meets(const Box& other) const {
-        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
-    }
-    double area() const { return (high.x - low.x) * (high.y - low.y); }
-    Vec2 middle() const { return (low + high) * 0.5; }
-};
-
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char c : printable_line(text)) switch (c) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            default: safe += c;
-        }
-    return safe;
-}
 
 Box box_of(const SectorRecord& sector) {
     Box box;
@@ -116,93 +86,6 @@ private:
     std::vector<Box> boxes_;
 };
 
-/// What is written on a drawing, the most important first.
-enum class Importance : std::uint8_t { name, trigger, link, small_name, number };
-
-struct Label {
-    Importance importance;
-    Vec2 at;           ///< the middle of its line of writing [px]
-    double size = 11;  ///< of the letters [px]
-    std::string look;  ///< as SVG says it
-    std::string text;
-    std::string second;  ///< a line below it; empty: none
-};
-
-constexpr const char *kBold = "font-weight=\"bold\"", *kGrey = "fill=\"#606060\"", *kOrange = "fill=\"#c05000\"";
-
-/// Puts labels where they hide no others: what is important first, near the place it is about, or nowhere.
-class Labels {
-public:
-    void add(Label label) {
-        if (!label.text.empty()) waiting_.push_back(std::move(label));
-    }
-
-    /// All that have a place, as SVG; those that are added later go beside them.
-    std::string placed() {
-        std::ranges::stable_sort(waiting_, {}, &Label::importance);
-        std::string svg;
-        for (Label& label : waiting_)
-            if (find_place(label)) {
-                svg += line_of(label, 0, label.look, label.text);
-                if (!label.second.empty()) svg += line_of(label, label.size, kGrey, label.second);
-            }
-        waiting_.clear();
-        return svg;
-    }
-
-private:
-    static constexpr double kCell = 64;     ///< of the sheet, in which labels are looked for [px]
-    static constexpr double kLetter = 0.6;  ///< the mean width of a letter in sizes of it
-
-    static std::string line_of(const Label& label, double below, const std::string& look, const std::string& text) {
-        return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"middle\" {}>{}</text>\n",
-                           label.at.x, label.at.y + below, label.size, look, escaped(text));
-    }
-
-    static auto letters_in(const std::string& text) {
-        return std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-    }
-
-    static Box box_of(const Label& label) {
-        const auto letters = std::max(letters_in(label.text), letters_in(label.second));
-        const double half = static_cast<double>(letters) * label.size * kLetter / 2;
-        const double below = (label.second.empty() ? 0.2 : 1.2) * label.size;
-        return {{label.at.x - half, label.at.y - 0.8 * label.size}, {label.at.x + half, label.at.y + below}};
-    }
-
-    /// Numbers stand beside their walls or nowhere, and names of small rooms in them or beside them.
-    static int most_lines_aside(Importance importance) {
-        if (importance == Importance::number) return 0;
-        return importance == Importance::small_name ? 1 : 3;
-    }
-
-    /// Moves the label up and down by whole lines until it hides nothing.
-    bool find_place(Label& label) {
-        const Vec2 wanted = label.at;
-        for (int lines = 0; lines <= most_lines_aside(label.importance); ++lines)
-            for (const double way : {1.0, -1.0}) {
-                label.at = wanted + Vec2{0, way * lines * label.size * 1.1};
-                if (take(box_of(label))) return true;
-            }
-        return false;
-    }
-
-    /// Whether no label was there; then one is.
-    bool take(const Box& box) {
-        std::vector<std::vector<Box>*> touched;
-        for (double y = std::floor(box.low.y / kCell); y <= box.high.y / kCell; ++y)
-            for (double x = std::floor(box.low.x / kCell); x <= box.high.x / kCell; ++x)
-                touched.push_back(&cells_[{x, y}]);
-        for (const std::vector<Box>* cell : touched)
-            if (std::ranges::any_of(*cell, [&](const Box& other) { return other.meets(box); })) return false;
-        for (std::vector<Box>* cell : touched) cell->push_back(box);
-        return true;
-    }
-
-    std::vector<Label> waiting_;
-    std::map<std::pair<double, double>, std::vector<Box>> cells_;
-};
-
 std::string triggers_text(const std::vector<TriggerRecord>& triggers) {
     std::string text;
     for (const TriggerRecord& trigger : triggers) {
@@ -227,7 +110,8 @@ public:
         return fmt::format(
                    "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 "
                    "{0:.0f} "
-                   "{1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n<title>{2}</title>\n<rect width=\"100%\" "
+                   "{1:.0f}\" font-family=\"sans-serif\" font-size=\"11\" stroke=\"none\">\n<title>{2}</title>\n<rect "
+                   "width=\"100%\" "
                    "height=\"100%\" fill=\"#ffffff\"/>\n",
                    std::max(width_, 900.0), height, escaped(map_.name)) +
                text_ + "</svg>\n";
@@ -335,7 +219,7 @@ private:
         const Vec2 inside = right_of(along) * (8 / (length * scale_)), middle = (a + b) * 0.5 + inside;
         const Vec2 outside = (a + b) * 0.5 - inside * 1.5;
         if (has_number) label(Importance::number, middle, 3, 8, kGrey, std::to_string(i));
-        if (!wall.via.empty()) label(Importance::link, outside, 3, 9, "fill=\"#c000c0\"", "→ " + wall.next);
+        if (!wall.via.empty()) label(Importance::link, outside, 3, 9, kViolet, "→ " + wall.next);
         label(Importance::trigger, outside, 3, 9, kOrange, triggers);
     }
 
@@ -367,24 +251,41 @@ private:
         return p.x >= box_.low.x && p.x <= box_.high.x && p.y >= box_.low.y && p.y <= box_.high.y;
     }
 
+    /// What is drawn, and what is told to who points at it. Not every program knows a title inside of a circle.
+    void add_titled(const std::string& shape, const std::string& title) {
+        add("<g><title>{}</title>{}</g>", escaped(title), shape);
+    }
+
     void inhabitants() {
         for (const PointLightRecord& light : map_.lights)
             if (is_here(light.position))
-                add("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"#ffd040\" stroke=\"#a07000\"><title>lamp, line "
-                    "{}, reach {} m</title></circle>",
-                    x(light.position.x), y(light.position.y), light.place.line, number_text(light.reach));
+                add_titled(
+                    fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"#ffd040\" stroke=\"#a07000\"/>",
+                                x(light.position.x), y(light.position.y)),
+                    fmt::format("lamp, line {}, reach {} m", light.place.line, number_text(light.reach)));
         for (const ThingRecord& thing : map_.things)
             if (is_here(thing.position))
-                add("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"#40a040\" fill-opacity=\"{}\" "
-                    "stroke=\"#207020\"><title>{} {}, line {} {}</title></circle>",
-                    x(thing.position.x), y(thing.position.y), std::clamp(thing.radius * scale_, 3.0, 12.0),
-                    thing.solid ? "0.9" : "0.4", escaped(thing.kind), escaped(thing.name), thing.place.line,
-                    escaped(triggers_text(thing.triggers)));
+                add_titled(
+                    fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"#40a040\" fill-opacity=\"{}\" "
+                                "stroke=\"#207020\"/>",
+                                x(thing.position.x), y(thing.position.y), std::clamp(thing.radius * scale_, 3.0, 12.0),
+                                thing.solid ? "0.9" : "0.4"),
+                    fmt::format("{} {}, line {} {}", thing.kind, thing.name, thing.place.line,
+                                triggers_text(thing.triggers)));
         if (map_.player && is_here(map_.player->position))
-            add("<path transform=\"translate({:.1f} {:.1f}) rotate({:.1f})\" d=\"M10 0L-6 -6L-3 0L-6 6Z\" "
-                "fill=\"#d02020\"><title>the player, line {}</title></path>",
-                x(map_.player->position.x), y(map_.player->position.y), map_.player->yaw_degrees,
-                map_.player->place.line);
+            add_titled(player_arrow({x(map_.player->position.x), y(map_.player->position.y)}, map_.player->yaw_degrees),
+                       fmt::format("the player, line {}", map_.player->place.line));
+    }
+
+    /// at [px]
+    static std::string player_arrow(Vec2 at, double yaw_degrees) {
+        const Vec2 ahead = direction(Angle::from_degrees(yaw_degrees)), right = right_of(ahead);
+        std::string path;
+        for (const auto& [along, aside] : {std::pair{10.0, 0.0}, {-6.0, -6.0}, {-3.0, 0.0}, {-6.0, 6.0}}) {
+            const Vec2 corner = at + ahead * along + right * aside;
+            path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', corner.x, corner.y);
+        }
+        return "<path d=\"" + path + "Z\" fill=\"#d02020\"/>";
     }
 
     void legend() {
@@ -404,9 +305,7 @@ private:
                 words);
         }
         at = row_top_ + row_height_ + 38;
-        add("<path transform=\"translate(400 {:.0f})\" d=\"M10 0L-6 -6L-3 0L-6 6Z\" fill=\"#d02020\"/><text x=\"420\" "
-            "y=\"{:.0f}\">the player's start</text>",
-            at, at + 4);
+        add("{}<text x=\"420\" y=\"{:.0f}\">the player's start</text>", player_arrow({400, at}, 0), at + 4);
         add("<circle cx=\"400\" cy=\"{:.0f}\" r=\"6\" fill=\"#40a040\" fill-opacity=\"0.9\" stroke=\"#207020\"/><text "
             "x=\"420\" y=\"{:.0f}\">thing (pale: not solid)</text>",
             at + 18, at + 22);
@@ -419,6 +318,8 @@ private:
         add("<rect x=\"392\" y=\"{:.0f}\" width=\"16\" height=\"12\" fill=\"#dff0df\"/><text x=\"420\" "
             "y=\"{:.0f}\">sector under a sky</text>",
             at + 66, at + 76);
+        add("<text x=\"392\" y=\"{:.0f}\">Whoever points at a part is told its name and its line in the file.</text>",
+            at + 100);
     }
 
     const MapFile& map_;
