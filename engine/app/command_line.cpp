@@ -59,6 +59,21 @@ void declare_true_pitch(CLI::App& command, bool& true_pitch) {
                      "lines converge. Drawn by stencil and reference");
 }
 
+void declare_single_dials(CLI::App& command, std::vector<std::string>& dials) {
+    command
+        .add_option(
+            "--dial", dials,
+            "A single dial, to see what it does: span=1..64 (columns or rows from one exact position to the "
+            "next), number=double, float, fixed or vanilla, sampling=nearest, mip (distant pictures made smaller), "
+            "bilinear (texels blended with their neighbours) or trilinear (both), light=map, smooth or bands, "
+            "light_grid=1..64 (places along a metre where lamps' light is worked out), links=0..1000 (looked through "
+            "in one chain), and of the stencil renderer portals=exact, plane24, plane32, oblique24 or oblique32 (told "
+            "apart by a depth buffer of so many bits, and cut off at the portal's plane or by a near plane that lies "
+            "in it). May be given many times")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+}
+
 /// otherwise: what holds where nothing is given.
 void declare_dials(CLI::App& command, DialRequest& request, const std::string& otherwise = "1") {
     command
@@ -73,18 +88,7 @@ void declare_dials(CLI::App& command, DialRequest& request, const std::string& o
                     "or as far as Doom's were: vanilla. "
                     "By the column renderer; what a pixel belongs to is exact with all of them")
         ->type_name("NAME|TEXELS");
-    command
-        .add_option(
-            "--dial", request.dials,
-            "A single dial, to see what it does: span=1..64 (columns or rows from one exact position to the "
-            "next), number=double, float, fixed or vanilla, sampling=nearest, mip (distant pictures made smaller), "
-            "bilinear (texels blended with their neighbours) or trilinear (both), light=map, smooth or bands, "
-            "light_grid=1..64 (places along a metre where lamps' light is worked out), links=0..1000 (looked through "
-            "in one chain), and of the stencil renderer portals=exact, plane24, plane32, oblique24 or oblique32 (told "
-            "apart by a depth buffer of so many bits, and cut off at the portal's plane or by a near plane that lies "
-            "in it). May be given many times")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
+    declare_single_dials(command, request.dials);
 }
 
 void declare_quiet(CLI::App& command, Talk& talk) {
@@ -131,6 +135,7 @@ CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
         "Enfilade");
     command->add_flag("--mute", request.mute, "No sounds");
     declare_settings(*command, request);
+    declare_single_dials(*command, request.dials);
     command->add_option("--record", request.tape, "Write down all input, to play it again")->type_name("TAPE");
     command
         ->add_option("--save", request.save,

@@ -20,7 +20,7 @@ inline constexpr const char *kText = "text", *kJson = "json", *kSarif = "sarif",
 struct PlayRequest {
     std::string map, tape, save, load;                            ///< empty where not given
     std::vector<std::pair<std::string, std::string>> settings{};  ///< that were given: names, and values as typed
-    std::vector<std::string> texture_folders;
+    std::vector<std::string> texture_folders, dials;
     int skill = kUsualSkill;
     bool mute = false;
 };

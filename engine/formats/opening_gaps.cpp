@@ -13,6 +13,9 @@ namespace {
 /// second.
 constexpr std::size_t kMostLookedAt = 4'000'000;
 
+/// Two rooms that are farther apart have another one between them, rather than a wall [m].
+constexpr double kThickestWall = 2;
+
 /// So many pairs of walls are compared in the time in which one is moved.
 constexpr std::size_t kPairsPerWall = 16;
 
@@ -166,7 +169,9 @@ std::optional<Vec2> GapFinder::fitting_place(std::size_t sector, Vec2 point, dou
         if (is_taken(index) || line.square == 0) return;
         if (!facing) return offer(line, 0, line.length_steps());
         for_walls(map_.sectors[*facing], *facing, [&](WallIndex other, const WallLine& wall) {
-            if (!is_taken(other) && line.faces(wall) && line.side(wall.a) <= 0)
+            if (is_taken(other) || !line.faces(wall)) return;
+            const double between = -static_cast<double>(line.side(wall.a)) / line.length_steps();
+            if (between >= 0 && between <= kThickestWall / kVertexGrid)
                 offer(line, std::max(0.0, line.steps_to(wall.a) - wall.length_steps()),
                       std::min(line.length_steps(), line.steps_to(wall.a)));
         });
@@ -196,6 +201,9 @@ std::optional<WallIndex> GapFinder::wall_at(std::size_t sector, Vec2 point, doub
     if (nearest) sentence += ", " + metres(least) + " from the nearest, " + wall_text(line);
     if (const auto fitting = fitting_place(sector, point, width, facing))
         sentence += "; move it to " + point_text(*fitting);
+    else if (facing)
+        sentence += "; no free wall of it is close to one of sector " + in_quotes(map_.sectors[*facing].name) +
+                    " over that width, so give 'to' for a doorway that leads elsewhere, or move a room";
     reading_.error(place, "opening-off-wall", sentence);
     return {};
 }
@@ -215,10 +223,12 @@ bool GapFinder::may_open(const Gap& gap, TextPlace place) {
         return false;
     }
     if (!line.holds(begin) || !line.holds(end) || line.part(begin) >= line.part(end)) {
+        const bool is_too_wide = line.part(end) - line.part(begin) > line.square;
         reading_.error(place, "opening-beyond-wall",
                        "expected an opening within " + wall_text(line) + " of sector " + in_quotes(sector.name) +
                            ", which is " + metres(line.length_steps()) + " long, found one from " +
-                           point_text(gap.begin) + " to " + point_text(gap.end));
+                           point_text(gap.begin) + " to " + point_text(gap.end) +
+                           (is_too_wide ? "; make it narrower" : "; move it, or make it narrower"));
         return false;
     }
     const bool was_noted = !reading_.findings.empty() && reading_.findings.back().place == place;  // at the other wall

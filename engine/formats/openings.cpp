@@ -87,7 +87,7 @@ public:
         for (int i = 0; i < parts; ++i)
             if (const FlatHeights heights = heights_of(i, parts);
                 !is_leaf(i, parts) && heights.ceiling <= heights.floor) {
-                reading_.error(opening_.place, "opening-without-height",
+                reading_.error(key_place(opening_, opening_.bottom ? "bottom" : "top"), "opening-without-height",
                                "the opening's floor would be at " + number_text(heights.floor) +
                                    " m and its ceiling at " + number_text(heights.ceiling) +
                                    " m; give it a 'bottom' below its 'top'");

@@ -135,7 +135,8 @@ void read_vertices(Reading& reading, const NamedValue& value, Range range, LoopR
     const std::size_t count = value.node.size();
     if (count % 2 != 0)
         reading.error(value.node.place(), "odd-vertices",
-                      "'v' must have an x and a y for each vertex, found " + std::to_string(count) + " numbers");
+                      "'v' must have an x and a y for each corner, found " + std::to_string(count) +
+                          " numbers; add the one that is missing, or take one away");
     loop.vertices.resize(count / 2);
     loop.vertex_places.resize(count / 2);
     for (std::size_t i = 0; i < count / 2 && !reading.is_full(); ++i) {

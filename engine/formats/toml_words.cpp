@@ -45,6 +45,8 @@ constexpr Wording kWordings[] = {
      "keys have letters, digits, '_' and '-', or stand in quotes"},
     {"table header", "expected a comment or whitespace", "the end of the line behind the header", "",
      "put what follows onto a line of its own"},
+    {"", "expected a comment or whitespace, saw ','", "the end of the line behind the value", "','",
+     "decimal numbers have a point, as in 2.5; put each key onto a line of its own"},
     {"", "expected a comment or whitespace", "the end of the line behind the value", "",
      "put each key onto a line of its own; strings stand in quotes, comments begin with #"},
     {"", "brackets must be contiguous", "[[ without a blank between the brackets", "[ [", "write [[name]]"},

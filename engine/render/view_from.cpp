@@ -21,7 +21,6 @@ Result<SectorId> sector_named(const Map& map, const std::string& name) {
     return SectorId(std::size_t(found - map.sectors.begin()));
 }
 
-
 Result<SectorId> sector_of(const Map& map, const ViewRow& row, Vec2 eye) {
     if (row.sector.empty()) {
         const SectorId found = locate(map, eye);

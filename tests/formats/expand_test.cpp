@@ -312,6 +312,16 @@ TEST(Opening, OffItsWallIsToldToMoveToWhereItFits) {
     EXPECT_THAT(sentence("at = [3.5, 2]\nwidth = 5\n"), Not(HasSubstr("move it")));
 }
 
+TEST(Opening, OffItsWallIsToldToMoveNowhereWhereTheOtherRoomIsFarAway) {
+    const std::string rooms =
+        "format = 1\n[[sectors]]\nname = \"hall\"\nrect = [0, 0,  4, 4]\nwall = {}\n[[sectors]]\n"
+        "name = \"yard\"\nrect = [6.5, 0,  9, 4]\nwall = {}\n[[openings]]\n"
+        "between = [\"hall\", \"yard\"]\nat = [3.5, 2]\nwidth = 1\n";
+    const std::string sentence = read_map(rooms).findings.at(0).sentence;
+    EXPECT_THAT(sentence, HasSubstr("; no free wall of it is close to one of sector 'yard' over that width"));
+    EXPECT_THAT(sentence, Not(HasSubstr("move it to")));
+}
+
 TEST(Opening, OfRoomsThatOverlapSaysSo) {
     const auto sentence = [](const std::string& far, const std::string& more) {
         const std::string hall = "format = 1\n[[sectors]]\nname = \"hall\"\nrect = [0, 0,  4, 4]\nwall = {}\n";

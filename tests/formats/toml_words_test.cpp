@@ -42,6 +42,10 @@ INSTANTIATE_TEST_SUITE_P(
                   "expected a letter, found a control character; take it away, or write \\u0007 and "
                   "the like"},
         WordsCase{"a = \"x", "expected the quote that ends the string, found the end of the file; add the quote"},
+        WordsCase{
+            "a = 2,5",
+            "expected the end of the line behind the value, found ','; decimal numbers have a point, as in 2.5; put "
+            "each key onto a line of its own"},
         WordsCase{"a = [1, 2", "expected a ']' that ends the array, found the end of the file; add the bracket"},
         WordsCase{"a = [1 2]",
                   "expected a comma or ']', found '2'; put a comma between members, and a ']' behind the "

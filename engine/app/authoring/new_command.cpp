@@ -87,6 +87,9 @@ int run_new(const NewRequest& request) {
     std::error_code unknown;
     if (fs::exists(fs::symlink_status(path, unknown)))
         return fail({path.string(), "there is such a file already, and it is not overwritten; choose another name"});
+    if (path.has_parent_path() && !fs::is_directory(path.parent_path(), unknown))
+        return fail(
+            {path.string(), "there is no folder " + in_quotes(path.parent_path().string()) + "; make it first"});
     if (const Result<void> done = write_file(path.string(), std::string_view(first_map(path))); !done.ok())
         return fail(done.error());
     print_text(stdout, fmt::format("{} is a map of two rooms. `enfilade play {}` opens it; change it meanwhile.\n",

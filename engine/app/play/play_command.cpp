@@ -36,6 +36,13 @@ Result<SettingsStore> settings_for(const PlayRequest& request) {
     return store;
 }
 
+Result<void> check_single_dials(const PlayRequest& request) {
+    Dials dials;
+    for (const std::string& dial : request.dials)
+        if (const Result<void> valid = set_dial(dials, dial); !valid.ok()) return Error{"--dial", valid.error().what};
+    return {};
+}
+
 Result<std::unique_ptr<Window>> window_for(const std::string& title, const Settings& settings) {
     WindowOptions wanted;
     wanted.title = title;
@@ -52,6 +59,7 @@ Result<bool> play_in(Window& window, SettingsStore& store, Game& game, const Pla
     PlayOptions options;
     options.mute = request.mute;
     options.tape = request.tape;
+    options.dials = request.dials;
     options.save = request.save.empty() ? saved_game_of(game.path()) : request.save;
     window.set_title("Enfilade - " + printable_line(game.map().name));
     PlayLoop loop(game, window, store, options);
@@ -96,6 +104,7 @@ Result<void> show_title(Window& window, SettingsStore& store, const PlayRequest&
 }  // namespace
 
 int run_play(const PlayRequest& request) {
+    if (const Result<void> valid = check_single_dials(request); !valid.ok()) return refuse_usage(valid.error());
     auto store = settings_for(request);
     if (!store.ok()) return refuse_usage(store.error());
     const auto map = map_for(request);

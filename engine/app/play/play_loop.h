@@ -18,9 +18,11 @@
 namespace enfilade {
 
 struct PlayOptions {
-    bool mute = false;  ///< no sound device is opened
-    std::string tape;   ///< where to record to; empty: nowhere
-    std::string save;   ///< where F5 saves to and F9 loads from
+    bool mute = false;               ///< no sound device is opened
+    std::string tape;                ///< where to record to; empty: nowhere
+    std::string save;                ///< where F5 saves to and F9 loads from
+    std::vector<std::string> dials;  ///< "NAME=VALUE", as set_dial() takes them, beside the settings; a renderer that
+                                     ///< has not all is drawn by those that it has
 };
 
 /// Plays until the player leaves. Fixed ticks; drawing is interpolated between them and as often as the settings say,

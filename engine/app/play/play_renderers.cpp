@@ -34,6 +34,8 @@ Result<void> PlayLoop::use_renderer(RendererKind kind) {
         const GlContextOpener open_gl = window_.is_shown_by_gpu() ? window_.gl() : GlContextOpener(open_gl_for_play);
         const int most = kMaxPictureSide / std::max({1, picture_size().width, picture_size().height});
         Dials dials = dials_of(settings(), kind, game_.map());
+        for (const std::string& dial : options_.dials) static_cast<void>(set_dial(dials, dial));  // they were checked
+        dials = dials_for(kind, dials);
         dials.samples = std::clamp(dials.samples, 1, std::max(most, 1));
         auto renderer = make_renderer({kind, dials, hardware_threads(), open_gl}, game_.map(), game_.textures());
         if (renderer.ok())

@@ -127,6 +127,13 @@ TEST(Fmt, LeavesWhatItCannotRead) {
     EXPECT_EQ(program.text("map.toml"), "sectors = [\n");
 }
 
+TEST(New, SaysHowAShellOpensAMapWithABlankInItsName) {
+    const Program program;
+    EXPECT_THAT(program.run({"new", "my map"}).out,
+                HasSubstr("my map.toml is a map of two rooms. `enfilade play 'my map.toml'`"));
+    EXPECT_THAT(program.run({"new", "nowhere/map"}).err, HasSubstr("there is no folder 'nowhere'; make it first"));
+}
+
 TEST(Draw, ShowsNamesNumbersLinksTriggersAndALegend) {
     const Program program;
     const Ended ended = program.run({"draw", kLodge, "--out", "plan.svg"});

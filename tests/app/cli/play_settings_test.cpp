@@ -30,7 +30,9 @@ protected:
 };
 
 TEST_F(PlaySettings, AreOptionsAllAtOnce) {
-    const Ended ended = play({"--samples",
+    const Ended ended = play({"--dial",
+                              "light=bands",
+                              "--samples",
                               "2",
                               "--accuracy",
                               "fast",
@@ -70,10 +72,10 @@ TEST_F(PlaySettings, AreOptionsAllAtOnce) {
 
 TEST_F(PlaySettings, AreRefusedWithTheNameOfTheOption) {
     const std::pair<const char*, const char*> wrong[] = {
-        {"--samples", "9"},     {"--scale", "0"},       {"--frame-limit", "many"},   {"--fov", "nan"},
-        {"--volume", "2"},      {"--brightness", "0"},  {"--view-bob", "2"},         {"--mouse-speed", "0"},
-        {"--size", "large"},    {"--renderer", "none"}, {"--automap-colors", "red"}, {"--accuracy", "1"},
-        {"--sampling", "cubic"}};
+        {"--samples", "9"},      {"--scale", "0"},       {"--frame-limit", "many"},   {"--fov", "nan"},
+        {"--volume", "2"},       {"--brightness", "0"},  {"--view-bob", "2"},         {"--mouse-speed", "0"},
+        {"--size", "large"},     {"--renderer", "none"}, {"--automap-colors", "red"}, {"--accuracy", "1"},
+        {"--sampling", "cubic"}, {"--dial", "spam=2"}};
     for (const auto& [option, value] : wrong) {
         const Ended ended = play({option, value});
         EXPECT_EQ(ended.exit_code, 2) << option;

@@ -285,6 +285,14 @@ TEST_F(KeysOfPlay, GiveTheRendererBackThatWasThereBeforeTruePitch) {
     EXPECT_EQ(store_.now().renderer, RendererKind::column);
 }
 
+TEST_F(KeysOfPlay, ShowWhatADialDoes) {
+    play_until(5);
+    const auto exact = own_view(4);
+    options_.dials = {"light=bands", "portals=plane24"};  // the column renderer has one of them
+    play_until(10);
+    EXPECT_NE(own_view(9), exact);
+}
+
 TEST_F(KeysOfPlay, BrightenThePicture) {
     Settings settings = store_.now();
     window_.after(10, [&] {
