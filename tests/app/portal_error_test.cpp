@@ -125,6 +125,21 @@ TEST(PortalsByDepths, ShowTheSkyOverALowerRoom) {
     EXPECT_LT(share_off(map, {view}), 0.002);
 }
 
+// The stencil buffer counts to 255. There are three hundred edges, each of which is drawn a hair aside.
+TEST(PortalsByDepths, LookThroughThreeHundredDoorways) {
+    if (!has_open_gl()) GTEST_SKIP() << "there is no OpenGL here";
+    MapFile file = map_of({box_room("hall", 0, 0, 1, 3, 0, 3)});
+    link(file, "hall", {1, 0}, {1, 3}, "hall", {0, 3}, {0, 0});
+    file.render.max_depth = 400;
+    const OpenMap map{built(file), textures_for(file)};
+    View view;
+    view.sector = SectorId(0u);
+    view.eye = {0.5, 1.5};
+    view.eye_z = 1.5;
+    view.fov_degrees = 2;
+    EXPECT_LT(share_off(map, {view}), 0.01);
+}
+
 TEST(PortalsByDepths, HaveNoTruePitch) {
     if (!has_open_gl()) GTEST_SKIP() << "there is no OpenGL here";
     const OpenMap map = linked_halls();

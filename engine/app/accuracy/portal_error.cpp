@@ -114,6 +114,9 @@ private:
     /// Rays in a pixel and those around it that are asked for what is thinner than a pixel, by column and row.
     static constexpr int kRaysPerPixel = 51, kRayStep = 6;
 
+    /// Far floors are thinner still: graphics cards put their edges on a grid of this, upright [px].
+    static constexpr int kCardRowsPerPixel = 256;
+
     std::size_t index_of(int x, int y) const { return static_cast<std::size_t>(y * truth_.frame.width + x); }
 
     /// Whether the true picture shows the surface within a pixel.
@@ -125,7 +128,17 @@ private:
         for (int v = -kRaysPerPixel; v <= kRaysPerPixel; v += kRayStep)
             for (int u = -kRaysPerPixel; u <= kRaysPerPixel; u += kRayStep)
                 if (id_at(middle_x + u, middle_y + v) == id) return true;
+        for (int rows = -kCardRowsPerPixel; rows <= kCardRowsPerPixel; ++rows)
+            if (id_above(x, y, rows) == id) return true;
         return false;
+    }
+
+    /// So many rows of the card above the middle of a pixel, for which the picture is moved down by as many.
+    PixelSurface id_above(int x, int y, int rows) const {
+        const int width = truth_.frame.width, height = truth_.frame.height;
+        View moved = view_;
+        moved.pitch_tangent += rows / (kCardRowsPerPixel * Projection(view_, width, height).focal_y());
+        return look_through_pixel(map_.map, map_.textures, snapshot_, moved, width, height, x, y).id;
     }
 
     PixelSurface id_at(int x, int y) const {

@@ -207,7 +207,7 @@ private:
 
 std::vector<LayerRanges> build_mesh_in_space(Mesh& mesh, const DrawInput& scene, const Plan& plan, Ground& ground) {
     std::vector<LayerRanges> ranges;
-    if (plan.deepest > kDeepestLevel) mesh.add_sheet();
+    if (plan.deepest > kDeepestLevel) mesh.add_sheet_in_space(scene.rays);
     for (const Layer& layer : plan.layers) ranges.push_back(SpaceBuilder(mesh, scene, layer, ground).build());
     return ranges;
 }

@@ -210,7 +210,7 @@ void LayerPainter::look_through(const PaintJob& job, const Layer& layer, const L
 void LayerPainter::count_on_from_one(const PaintJob& job, const Layer& layer) {
     job.target.keep_levels();
     use_layer(layer, kDeepestLevel);
-    use_masks(job, layer, false);
+    use_masks(job, job.plan.layers.front(), false);  // which nothing is cut off from
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDisable(GL_DEPTH_TEST);
     glStencilFunc(GL_NOTEQUAL, kDeepestLevel, 0xFF);

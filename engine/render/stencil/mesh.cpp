@@ -23,6 +23,15 @@ void Mesh::add_sheet() {
     indices_.insert(indices_.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
 }
 
+void Mesh::add_sheet_in_space(const RayField& rays) {
+    const double right = rays.right.at(rays.width, 0), top = rays.up.at(0, 0), bottom = rays.up.at(0, rays.height);
+    const std::size_t begin = indices_.size();
+    add_polygon({SpacePoint{{-right, 1}, bottom}, SpacePoint{{right, 1}, bottom}, SpacePoint{{right, 1}, top},
+                 SpacePoint{{-right, 1}, top}},
+                {});
+    sheet_ = {begin, indices_.size()};
+}
+
 void Mesh::add_polygon(std::initializer_list<SpacePoint> corners, const PaintParams& params) {
     const auto first = static_cast<std::uint32_t>(vertices_.size());
     for (const SpacePoint& corner : corners) {

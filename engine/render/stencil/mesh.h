@@ -51,6 +51,8 @@ public:
 
     /// All of the picture, without PaintParams. Once for each picture.
     void add_sheet();
+    /// The same in space, a metre ahead.
+    void add_sheet_in_space(const RayField& rays);
     const IndexRange& sheet() const { return sheet_; }  ///< empty: none was added
 
     /// Puts the triangles from index `begin` on in the order of their kinds, and says where those of each kind are.
