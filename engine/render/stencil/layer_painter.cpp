@@ -72,7 +72,7 @@ Result<void> LayerPainter::prepare() {
     return {};
 }
 
-Result<void> LayerPainter::prepare_for(const Mesh& mesh, Placing placing) {
+Result<void> LayerPainter::prepare_for(const Mesh& mesh, VertexPlacing placing) {
     programs_ = &all_programs_[static_cast<std::size_t>(placing)];
     if (programs_->masks.program.id() == 0)
         if (const Result<void> done = build(programs_->masks, placing); !done.ok()) return done.error();

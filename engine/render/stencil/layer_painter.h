@@ -77,7 +77,7 @@ public:
     Result<void> prepare();
 
     /// Compiles the programs that the mesh needs and no frame before needed.
-    Result<void> prepare_for(const Mesh& mesh, Placing placing);
+    Result<void> prepare_for(const Mesh& mesh, VertexPlacing placing);
 
     /// Draws all layers into the target, which is prepared and cleared. Everything was prepared, records uploaded.
     /// lenses : by layer where polygons are in space; else none
@@ -117,7 +117,7 @@ private:
         std::array<SurfaceProgram, kKinds> surfaces;
         MaskProgram masks;
     };
-    std::array<Programs, kPlacings> all_programs_;
+    std::array<Programs, kVertexPlacings> all_programs_;
     Programs* programs_ = &all_programs_[0];  ///< of this picture
     GlVertexArray vertex_array_;
     GlBuffer vertices_, indices_;

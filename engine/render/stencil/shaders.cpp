@@ -64,8 +64,10 @@ std::string parts_of(Kind kind) {
     return parts;
 }
 
-std::string parts_of(Placing placing) {
-    return placing == Placing::tilted ? part("TILTED") : placing == Placing::in_space ? part("IN_SPACE") : "";
+std::string parts_of(VertexPlacing placing) {
+    return placing == VertexPlacing::tilted     ? part("TILTED")
+           : placing == VertexPlacing::in_space ? part("IN_SPACE")
+                                                : "";
 }
 
 LensUniforms lens_uniforms(const GlProgram& program) {
@@ -74,7 +76,7 @@ LensUniforms lens_uniforms(const GlProgram& program) {
 
 }  // namespace
 
-Result<void> build(SurfaceProgram& surface, Kind kind, Placing placing) {
+Result<void> build(SurfaceProgram& surface, Kind kind, VertexPlacing placing) {
     if (const Result<void> done = link(surface.program, parts_of(placing) + parts_of(kind), kSurfaceShader); !done.ok())
         return done.error();
     surface.entry = uniform(surface.program, "entry");
@@ -92,7 +94,7 @@ Result<void> build(SurfaceProgram& surface, Kind kind, Placing placing) {
     return {};
 }
 
-Result<void> build(MaskProgram& mask, Placing placing) {
+Result<void> build(MaskProgram& mask, VertexPlacing placing) {
     if (const Result<void> done = link(mask.program, parts_of(placing), kMaskShader); !done.ok()) return done.error();
     mask.lens = lens_uniforms(mask.program);
     return {};

@@ -7,12 +7,12 @@
 namespace enfilade::stencil {
 
 /// How the vertices of a picture's polygons are put into it.
-enum class Placing : std::uint8_t {
+enum class VertexPlacing : std::uint8_t {
     upright,   ///< they are where they are drawn
     tilted,    ///< the same, and each pixel asks which wall it shows
     in_space,  ///< they are in space (in_space.h)
 };
-inline constexpr std::size_t kPlacings = 3;
+inline constexpr std::size_t kVertexPlacings = 3;
 
 /// Where points in space are told how they are placed (SpaceLens).
 struct LensUniforms {
@@ -41,8 +41,8 @@ struct MaskProgram {
 };
 
 /// Compile them for the current context. An error says what the driver said.
-Result<void> build(SurfaceProgram& surface, Kind kind, Placing placing);
-Result<void> build(MaskProgram& mask, Placing placing);
+Result<void> build(SurfaceProgram& surface, Kind kind, VertexPlacing placing);
+Result<void> build(MaskProgram& mask, VertexPlacing placing);
 
 // What the graphics card is told to do, in OpenGL's shading language; put together by shaders.cpp.
 //

@@ -129,7 +129,9 @@ Result<GlPicture> StencilRenderer::State::draw(int width, int height, bool with_
         return done.error();
     objects->records.clear();
     const DrawInput scene{input, objects->store, screen, rays, objects->records, lights.where_lit()};
-    const Placing placing = is_in_space ? Placing::in_space : rays.is_tilted ? Placing::tilted : Placing::upright;
+    const VertexPlacing placing = is_in_space      ? VertexPlacing::in_space
+                                  : rays.is_tilted ? VertexPlacing::tilted
+                                                   : VertexPlacing::upright;
     mesh.clear();
     const std::vector<LayerRanges> ranges =
         is_in_space ? build_mesh_in_space(mesh, scene, plan, ground) : build_mesh(mesh, scene, plan);
