@@ -124,11 +124,11 @@ public:
 private:
     const WallRecord& record(WallIndex wall) const;
     bool is_too_much(const OpeningRecord& opening, std::size_t walls);
-    std::optional<Vec2> fitting_place(std::size_t sector, Vec2 point, double width,
-                                      std::optional<std::size_t> facing) const;
+    std::optional<Vec2> fitting_place(std::size_t sector, Vec2 point, double width, std::optional<std::size_t> facing);
     std::optional<WallIndex> wall_at(std::size_t sector, Vec2 point, double width, std::optional<std::size_t> facing,
                                      TextPlace place);
     bool is_taken(WallIndex wall) const;
+    bool can_afford(std::size_t walls);
     bool may_open(const Gap& gap, TextPlace place);
     std::optional<TwoGaps> facing(const OpeningRecord& opening, std::size_t near_sector, std::size_t far_sector);
     std::optional<Gap> opposite(const OpeningRecord& opening, const Gap& near, std::size_t far_sector);

@@ -137,6 +137,13 @@ const WallRecord& GapFinder::record(WallIndex wall) const {
 /// Open already, or a place that a link leads to.
 bool GapFinder::is_taken(WallIndex wall) const { return !record(wall).next.empty() || !record(wall).name.empty(); }
 
+/// Whether as many walls may still be looked at, which then count, for the sake of a hint: it is left out where not.
+bool GapFinder::can_afford(std::size_t walls) {
+    if (walls > kMostLookedAt || looked_at_ > kMostLookedAt - walls) return false;
+    looked_at_ += walls;
+    return true;
+}
+
 bool GapFinder::is_too_much(const OpeningRecord& opening, std::size_t walls) {
     const bool was_noted = looked_at_ > kMostLookedAt;
     looked_at_ += walls;
@@ -151,7 +158,9 @@ bool GapFinder::is_too_much(const OpeningRecord& opening, std::size_t walls) {
 /// The place nearest to a point where a wall of the sector that is not taken has room for the width, and a wall of the
 /// sector that it is to face, if any, lies before all of it.
 std::optional<Vec2> GapFinder::fitting_place(std::size_t sector, Vec2 point, double width,
-                                             std::optional<std::size_t> facing) const {
+                                             std::optional<std::size_t> facing) {
+    const std::size_t walls = walls_of(map_.sectors[sector]);
+    if (!can_afford(facing ? walls * walls_of(map_.sectors[*facing]) / kPairsPerWall : walls)) return {};
     const GridPoint p = GridPoint::of(point);
     const double half = width / kVertexGrid / 2;
     std::optional<Vec2> best;
@@ -243,8 +252,7 @@ bool GapFinder::may_open(const Gap& gap, TextPlace place) {
 
 std::optional<Gap> GapFinder::around(const OpeningRecord& opening, std::size_t sector, Vec2 middle,
                                      std::optional<std::size_t> facing, TextPlace place) {
-    const std::size_t walls = walls_of(map_.sectors[sector]);
-    if (is_too_much(opening, walls + (facing ? walls * walls_of(map_.sectors[*facing]) / kPairsPerWall : 0))) return {};
+    if (is_too_much(opening, walls_of(map_.sectors[sector]))) return {};
     const auto wall = wall_at(sector, middle, *opening.width, facing, place);
     if (!wall) return {};
     const WallLine line = WallLine::of(map_.sectors[sector].loops[wall->loop], wall->wall);
@@ -309,7 +317,9 @@ std::optional<TwoGaps> GapFinder::facing(const OpeningRecord& opening, std::size
     });
     const std::string rooms = "sectors " + in_quotes(near.name) + " and " + in_quotes(far.name);
     if (best.empty()) {
-        const auto common = point_in_both(near, far);
+        constexpr std::size_t kPointsPerWall = 4;  // its corner and its middle, of either sector
+        const bool may_look = can_afford(kPointsPerWall * near_walls * far_walls / kPairsPerWall);
+        const auto common = may_look ? point_in_both(near, far) : std::nullopt;
         reading_.error(opening.place, "opening-faces-nothing",
                        "no walls of " + rooms + " face each other" + (opening.width ? " over " + metres(width) : "") +
                            (common ? ": the two overlap, as at " + point_text(*common) + "; move one of them"

@@ -52,6 +52,21 @@ std::string openings_along_one_wall() {
     return text + "]\n";
 }
 
+/// Two rooms of thousands of walls, and thousands of openings that are on none of them, or have nothing that faces
+/// them.
+std::string openings_between_many_walls(const std::string& opening) {
+    std::string text = "format = 1\n";
+    for (const char* name : {"a", "b"}) {
+        text += std::string("[[sectors]]\nname = \"") + name + "\"\nwall = {}\n[[sectors.loops]]\nv = [";
+        for (int i = 0; i < 6000; ++i) text += std::to_string(i) + "," + std::to_string(i % 7) + ",";
+        text += "6000,100,0,100]\n";
+    }
+    return filled(text, "[[openings]]\nbetween = [\"a\", \"b\"]\n" + opening);
+}
+
+std::string openings_off_many_walls() { return openings_between_many_walls("at = [50.5, 50]\nwidth = 0.5\n"); }
+std::string openings_of_many_walls() { return openings_between_many_walls("width = 0.5\n"); }
+
 std::string one_long_wall() {
     const std::string texture(kMiB / 2, 'x');
     return filled("format = 1\n[[sectors]]\nname = \"a\"\nwall = { texture = \"" + texture +
@@ -70,6 +85,8 @@ void PrintTo(const Hostile& hostile, std::ostream* out) { *out << hostile.name; 
 const Hostile kHostileMaps[] = {
     {"OpeningsInOnePlace", [] { return filled(only_rooms(), "[[openings]]\nbetween = [\"hall\", \"yard\"]\n"); }},
     {"OpeningsAlongOneWall", openings_along_one_wall},
+    {"OpeningsOffManyWalls", openings_off_many_walls},
+    {"OpeningsOfManyWalls", openings_of_many_walls},
     {"OpeningsBetweenLargeRooms", [] { return filled(zigzag(), "[[openings]]\nbetween = [\"big\", \"big\"]\n"); }},
     {"LinksOfALargeRoom",
      [] { return filled(zigzag(), "[[openings]]\nbetween=['big','big']\nat=[0,0]\nto=[1,1]\nwidth=1\n"); }},
