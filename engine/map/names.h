@@ -38,11 +38,7 @@ private:
     mutable std::size_t comparisons_left_;
 };
 
-// Points and edges as they appear in findings.
-
-/// "(x, y)", with the fewest digits that read back exactly.
-
-/// "(x, y)-(x, y)"
+/// "(x, y)-(x, y)", as an edge appears in findings.
 std::string edge_text(Vec2 a, Vec2 b);
 
 }  // namespace enfilade
