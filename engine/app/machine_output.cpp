@@ -47,18 +47,6 @@ Json sarif_result(const std::string& path, const Finding& finding) {
             {"locations", Json::array({Json{{"physicalLocation", place}}})}};
 }
 
-std::string xml_escaped(std::string_view text) {
-    std::string safe;
-    for (const char c : text) switch (c) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            default: safe += c;
-        }
-    return safe;
-}
-
 }  // namespace
 
 std::size_t count_of(const std::vector<CheckedMap>& maps, Severity severity) {

@@ -89,8 +89,9 @@ std::string number_text(double number) {
 
 std::string coordinate_text(double coordinate) {
     const double grid = snap_to_vertex_grid({coordinate, 0}).x == coordinate ? kVertexGrid : kPointGrid;
+    constexpr int kMostDecimals = 12;  // more than either grid needs
     double tenths = 1;
-    for (int decimals = 0; decimals < 12; ++decimals, tenths *= 10) {
+    for (int decimals = 0; decimals <= kMostDecimals; ++decimals, tenths *= 10) {
         const double rounded = std::round(coordinate * tenths) / tenths;
         if (std::fabs(rounded - coordinate) < grid / 2) return number_text(rounded);
     }
@@ -104,6 +105,18 @@ std::string csv_field(std::string_view text) {
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";
+}
+
+std::string xml_escaped(std::string_view text) {
+    std::string safe;
+    for (const char c : text) switch (c) {
+            case '&': safe += "&amp;"; break;
+            case '<': safe += "&lt;"; break;
+            case '>': safe += "&gt;"; break;
+            case '"': safe += "&quot;"; break;
+            default: safe += c;
+        }
+    return safe;
 }
 
 std::string counted(std::size_t count, std::string_view noun) {

@@ -7,6 +7,7 @@
 #include "app/accuracy/experiment.h"
 #include "platform/gl_context.h"
 #include "render/choice/renderer.h"
+#include "support/looks.h"
 #include "support/map_builder.h"
 
 namespace enfilade {
@@ -15,7 +16,15 @@ namespace {
 using namespace test;
 using ::testing::HasSubstr;
 
-bool has_open_gl() { return open_gl_for_pictures().ok(); }
+/// OpenGL comes with the machine, also without a graphics card; where there is none, there is nothing to measure.
+class WithOpenGl : public ::testing::Test {
+protected:
+    void SetUp() override {
+        if (!open_gl_for_pictures().ok()) GTEST_SKIP() << "there is no OpenGL here";
+    }
+};
+class ErrorsAtPortals : public WithOpenGl {};
+class PortalsByDepths : public WithOpenGl {};
 
 /// Two halls with pillars, the doorway between which leads elsewhere.
 OpenMap linked_halls() {
@@ -33,8 +42,7 @@ std::vector<PortalErrorRow> rows_of(PortalMethod method, const std::vector<Porta
     return some;
 }
 
-TEST(PortalErrors, AreNoneByTheExactMethodAndManyWhereOneStandsInThePortal) {
-    if (!has_open_gl()) GTEST_SKIP() << "there is no OpenGL here";
+TEST_F(ErrorsAtPortals, AreNoneByTheExactMethodAndManyWhereOneStandsInThePortal) {
     std::vector<OpenMap> maps;
     maps.push_back(linked_halls());
     const auto rows = measure_portals(maps, {12, 128, 80, 1});
@@ -54,7 +62,7 @@ TEST(PortalErrors, AreNoneByTheExactMethodAndManyWhereOneStandsInThePortal) {
     }
 }
 
-TEST(PortalErrors, AreNotLookedForWhereThereIsNoLink) {
+TEST_F(ErrorsAtPortals, AreNotLookedForWhereThereIsNoLink) {
     std::vector<OpenMap> maps;
     const MapFile file = map_of({box_room("hall", 0, 0, 6, 6)});
     maps.push_back({built(file), textures_for(file)});
@@ -102,8 +110,7 @@ double share_off(const OpenMap& map, const std::vector<View>& views) {
 }
 
 // Skies, lamps, mirrors, things and panels are all there, in their colours.
-TEST(PortalsByDepths, LookLikeTheExactOnesFromAnywhereInTheRooms) {
-    if (!has_open_gl()) GTEST_SKIP() << "there is no OpenGL here";
+TEST_F(PortalsByDepths, LookLikeTheExactOnesFromAnywhereInTheRooms) {
     for (const char* name : {"hut", "mirrors", "effects", "tunnels"}) {
         const auto map = open_map(ENFILADE_SOURCE_DIR "/maps/" + std::string(name) + ".toml", {}, {});
         ASSERT_TRUE(map) << name;
@@ -111,37 +118,28 @@ TEST(PortalsByDepths, LookLikeTheExactOnesFromAnywhereInTheRooms) {
     }
 }
 
-TEST(PortalsByDepths, ShowTheSkyOverALowerRoom) {
-    if (!has_open_gl()) GTEST_SKIP() << "there is no OpenGL here";
+TEST_F(PortalsByDepths, ShowTheSkyOverALowerRoom) {
     MapFile file = map_of({box_room("high", 0, 0, 6, 6, 0, 10), box_room("low", 6, 0, 12, 6, 0, 4)});
     for (SectorRecord& sector : file.sectors) sector.ceiling.parallax = true;
     join_all(file);
     const OpenMap map{built(file), textures_for(file)};
-    View view;
-    view.sector = SectorId(0u);
-    view.eye = {2, 3};
-    view.eye_z = 1.5;
+    View view = look_from(map.map, {2, 3}, 1.5, 0);
     view.pitch_tangent = 0.5;
     EXPECT_LT(share_off(map, {view}), 0.002);
 }
 
 // The stencil buffer counts to 255. There are three hundred edges, each of which is drawn a hair aside.
-TEST(PortalsByDepths, LookThroughThreeHundredDoorways) {
-    if (!has_open_gl()) GTEST_SKIP() << "there is no OpenGL here";
+TEST_F(PortalsByDepths, LookThroughThreeHundredDoorways) {
     MapFile file = map_of({box_room("hall", 0, 0, 1, 3, 0, 3)});
     link(file, "hall", {1, 0}, {1, 3}, "hall", {0, 3}, {0, 0});
     file.render.max_depth = 400;
     const OpenMap map{built(file), textures_for(file)};
-    View view;
-    view.sector = SectorId(0u);
-    view.eye = {0.5, 1.5};
-    view.eye_z = 1.5;
+    View view = look_from(map.map, {0.5, 1.5}, 1.5, 0);
     view.fov_degrees = 2;
     EXPECT_LT(share_off(map, {view}), 0.01);
 }
 
-TEST(PortalsByDepths, HaveNoTruePitch) {
-    if (!has_open_gl()) GTEST_SKIP() << "there is no OpenGL here";
+TEST_F(PortalsByDepths, HaveNoTruePitch) {
     const OpenMap map = linked_halls();
     View view = poses_in(map.map, PoseKind::random, 1, 1).front();
     view.pitch_tangent = 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/terminal.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {
@@ -47,17 +48,7 @@ int most_lines_aside(Importance importance) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char c : printable_line(text)) switch (c) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            default: safe += c;
-        }
-    return safe;
-}
+std::string escaped(std::string_view text) { return xml_escaped(printable_line(text)); }
 
 void Labels::add(Label label) {
     if (!label.text.empty()) waiting_.push_back(std::move(label));
