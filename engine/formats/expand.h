@@ -124,7 +124,8 @@ public:
 private:
     const WallRecord& record(WallIndex wall) const;
     bool is_too_much(const OpeningRecord& opening, std::size_t walls);
-    std::optional<Vec2> fitting_place(std::size_t sector, Vec2 point, double width, std::optional<std::size_t> facing);
+    std::optional<Vec2> fitting_place(std::size_t sector, Vec2 point, double width,
+                                      std::optional<std::size_t> facing) const;
     std::optional<WallIndex> wall_at(std::size_t sector, Vec2 point, double width, std::optional<std::size_t> facing,
                                      TextPlace place);
     bool is_taken(WallIndex wall) const;

@@ -158,16 +158,14 @@ bool GapFinder::is_too_much(const OpeningRecord& opening, std::size_t walls) {
 /// The place nearest to a point where a wall of the sector that is not taken has room for the width, and a wall of the
 /// sector that it is to face, if any, lies before all of it.
 std::optional<Vec2> GapFinder::fitting_place(std::size_t sector, Vec2 point, double width,
-                                             std::optional<std::size_t> facing) {
-    const std::size_t walls = walls_of(map_.sectors[sector]);
-    if (!can_afford(facing ? walls * walls_of(map_.sectors[*facing]) / kPairsPerWall : walls)) return {};
+                                             std::optional<std::size_t> facing) const {
     const GridPoint p = GridPoint::of(point);
     const double half = width / kVertexGrid / 2;
     std::optional<Vec2> best;
     double least = std::numeric_limits<double>::max();
     const auto offer = [&](const WallLine& line, double begin, double end) {
         if (end - begin < 2 * half) return;
-        const Vec2 place = line.at(std::clamp(line.steps_to(p), begin + half, end - half));
+        const Vec2 place = line.at(std::min(std::max(line.steps_to(p), begin + half), end - half));
         const GridPoint to_it = GridPoint::of(place) - p;
         const auto distance = static_cast<double>(dot(to_it, to_it));
         if (distance >= least) return;
@@ -208,9 +206,12 @@ std::optional<WallIndex> GapFinder::wall_at(std::size_t sector, Vec2 point, doub
     std::string sentence =
         "expected a point on a wall of sector " + in_quotes(map_.sectors[sector].name) + ", found " + point_text(point);
     if (nearest) sentence += ", " + metres(least) + " from the nearest, " + wall_text(line);
-    if (const auto fitting = fitting_place(sector, point, width, facing))
+    const std::size_t walls = walls_of(map_.sectors[sector]);
+    const bool may_look = can_afford(facing ? walls * walls_of(map_.sectors[*facing]) / kPairsPerWall : walls);
+    const auto fitting = may_look ? fitting_place(sector, point, width, facing) : std::nullopt;
+    if (fitting)
         sentence += "; move it to " + point_text(*fitting);
-    else if (facing)
+    else if (may_look && facing)
         sentence += "; no free wall of it is close to one of sector " + in_quotes(map_.sectors[*facing].name) +
                     " over that width, so give 'to' for a doorway that leads elsewhere, or move a room";
     reading_.error(place, "opening-off-wall", sentence);
