@@ -152,11 +152,11 @@ bool has_enough_walls(Reading& reading, LoopRecord& loop, bool are_common) {
     if (!loop.places.has("walls")) {
         if (are_common) return loop.is_whole;
         const bool is_short = loop.places.has("rect") || loop.places.has("polygon");
-        if (is_short)
+        if (!is_short)
+            missing_key(reading, loop.place, "a loop", "walls");
+        else if (loop.places.is_sound())
             reading.error(loop.place, "missing-key",
                           "expected 'wall', which all walls of the outline are like, or 'walls'; found neither");
-        else
-            missing_key(reading, loop.place, "a loop", "walls");
         loop.places.note_fault();
         return false;
     }
@@ -195,6 +195,7 @@ void write_out(Reading& reading, Expansion& expansion, LoopRecord& loop, bool is
 LoopRecord outline_of(SectorRecord& sector) {
     LoopRecord outline;
     outline.place = sector.place;
+    if (!sector.places.is_sound()) outline.places.note_fault();  // a key that was not understood may be 'wall'
     for (const std::string_view key : {"rect", "polygon"}) {
         if (!sector.places.has(key)) continue;
         outline.place = key_place(sector, key);
@@ -240,6 +241,7 @@ namespace {
 void lacks_outline(Reading& reading, const SectorRecord& sector) {
     if (reading.dialect == Dialect::tutorial || sector.places.has("loops"))
         return missing_key(reading, key_place(sector, "loops"), "a sector", "loops");
+    if (!sector.places.is_sound()) return;  // it may be the key that was not understood
     reading.error(sector.place, "missing-key", "a sector needs 'rect', 'polygon' or [[sectors.loops]], found none");
 }
 

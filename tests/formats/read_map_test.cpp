@@ -414,6 +414,14 @@ TEST(ReadMap, NamesTheShortWordsThatAreMissing) {
               "each [[name]] is one more of many");
 }
 
+TEST(ReadMap, DoesNotMissAShortWordThatIsMisspelt) {
+    const std::string head = "format = 1\n[[sectors]]\nname = 'a'\n";
+    EXPECT_THAT(codes_and_places(read_map(head + "rect = [0, 0, 1, 1]\nwal = {}\n").findings),
+                ElementsAre("unknown-key 5:1"));
+    EXPECT_THAT(codes_and_places(read_map(head + "rcet = [0, 0, 1, 1]\nwall = {}\n").findings),
+                ElementsAre("unknown-key 4:1"));
+}
+
 TEST(ReadMap, SaysOnceThatTheFormatIsMissing) {
     EXPECT_THAT(codes_and_places(read_map("[[sectors]]\nname = 'a'\nrect = [0, 0, 1, 1]\nwall = {}\n[[sectors]]\n"
                                           "name = 'b'\nrect = [1, 0, 2, 1]\nwall = {}\n[[openings]]\n")
