@@ -177,7 +177,7 @@ int draw_pointed(Overlay& overlay, int x, int y, const std::string& text, int bo
 
 namespace {
 
-constexpr Color kPanel = 0xD0101060;
+constexpr Color kReadoutShade = 0xD0101060;
 
 }  // namespace
 
@@ -212,7 +212,7 @@ int Notices::draw(Overlay& overlay, double now_s, bool with_panel) {
     for (const std::string& line : pinned_)
         for (std::string& piece : wrapped(line, most)) lines.push_back(std::move(piece));
     const Rect panel{margin, y, overlay.width() - 2 * margin, int(lines.size()) * overlay.line_height() + margin};
-    overlay.fill(panel, kPanel);
+    overlay.fill(panel, kReadoutShade);
     for (std::size_t i = 0; i < lines.size(); ++i)
         overlay.text(2 * margin, y + margin / 2 + int(i) * overlay.line_height(), lines[i], kNoticeInk);
     return y + panel.height;

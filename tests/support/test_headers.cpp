@@ -1,1 +1,0 @@
-// Nothing: a target that precompiles headers needs a source.
