@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <regex>
 
 #include "app/pictures.h"
 #include "base/files.h"
@@ -179,14 +178,20 @@ Result<MismatchRow> add_row(const std::string& folder, const BadFrame& bad) {
     return row;
 }
 
+/// Whether a report names its pictures so: 000012-actual.png.
+bool is_picture(std::string_view name) {
+    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+    const std::string_view rest = name.substr(digits);
+    return digits >= 6 && (rest == "-actual.png" || rest == "-expected.png" || rest == "-difference.png");
+}
+
 }  // namespace
 
 void remove_report(const std::string& folder) {
-    const std::regex picture("[0-9]{6,}-(actual|expected|difference)\\.png");
     bool is_report = false;
     std::error_code unremovable;
     for (const std::string& name : list_folder(folder)) {
-        if (!std::regex_match(name, picture)) continue;
+        if (!is_picture(name)) continue;
         is_report = true;
         std::filesystem::remove(std::filesystem::path(folder) / name, unremovable);
     }
