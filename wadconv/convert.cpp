@@ -20,6 +20,7 @@ MapFile empty_map(const std::string& name) {
     file.render.light = LightModel::classic;
     file.render.sky = SkyRows::straight;
     file.render.things = ThingEdges::whole;
+    file.render.rays = RayPoint::corner;
     return file;
 }
 

@@ -14,7 +14,6 @@ namespace enfilade {
 
 namespace {
 
-constexpr double kUsualFov = 90;  ///< [degrees], as `render` has it
 constexpr std::string_view kWalkEnding = ".csv";
 
 std::optional<std::vector<View>> views_of_walk(const Map& map, const std::string& path) {
@@ -22,7 +21,7 @@ std::optional<std::vector<View>> views_of_walk(const Map& map, const std::string
     if (!rows) return {};
     std::vector<View> views;
     for (const ViewRow& row : *rows) {
-        const auto view = view_from(map, row, {kUsualFov, map.render.stretch});
+        const auto view = view_from(map, row, lens_for(map.render));
         if (!view.ok()) {
             fail({path + ":" + std::to_string(row.line), view.error().what});
             return {};
@@ -33,7 +32,7 @@ std::optional<std::vector<View>> views_of_walk(const Map& map, const std::string
 }
 
 std::optional<std::vector<View>> view_of_player(const Map& map, const std::string& path) {
-    const auto view = view_at_start(map, {kUsualFov, map.render.stretch});
+    const auto view = view_at_start(map, lens_for(map.render));
     if (view.ok()) return std::vector{view.value()};
     fail({path, "the map has no player to look from; give it a walk: " + path + ":WALK.csv"});
     return {};

@@ -155,7 +155,7 @@ std::vector<View> looks_of(const MapFile& file, const TextureSet& textures) {
     Findings findings;
     const std::optional<Map> map = build_map(file, textures, findings);
     if (!map) return {};
-    const auto start = view_at_start(*map, {90, map->render.stretch});
+    const auto start = view_at_start(*map, lens_for(map->render));
     return start.ok() ? looks_at(*map, start.value()) : std::vector<View>();
 }
 

@@ -50,8 +50,11 @@ Result<PictureJob> job_of(const RenderRequest& request) {
 }
 
 Lens lens_of(const Map& map, const RenderRequest& request) {
-    return {request.fov_degrees, request.stretch.value_or(map.render.stretch), request.true_pitch,
-            request.roll_degrees};
+    Lens lens = lens_for(map.render, request.fov_degrees);
+    if (request.stretch) lens.stretch = *request.stretch;
+    lens.true_pitch = request.true_pitch;
+    lens.roll_degrees = request.roll_degrees;
+    return lens;
 }
 
 std::string place_text(const RenderRequest& request, const std::vector<ViewRow>& places, std::size_t view) {

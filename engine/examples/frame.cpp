@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
     for (const Finding& finding : loaded.findings) std::puts(to_text(argv[1], finding).c_str());
     if (!loaded.map) return 1;
     const auto renderer = make_renderer({}, *loaded.map, loaded.textures);
-    const auto view = view_at_start(*loaded.map, {});
+    const auto view = view_at_start(*loaded.map, lens_for(loaded.map->render));
     if (!renderer.ok() || !view.ok()) return 1;
     Frame frame;
     frame.resize(640, 400);

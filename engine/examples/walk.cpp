@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
     for (int tick = 1; tick <= 120; ++tick) {
         step(map, *world, running);
         show(now(map, *world), snapshot);
-        const View view = view_from(eye_between_ticks(map, *world, 1), {});
+        const View view = view_from(eye_between_ticks(map, *world, 1), lens_for(map.render));
         if (!renderer.value()->render(frame, nullptr, snapshot, view).ok()) return 1;
         if (tick % 30 == 0)
             std::printf("%3d: %s (%.3f, %.3f), frame %016llx\n", tick, map[view.sector].name.c_str(), view.eye.x,

@@ -96,6 +96,7 @@ View Flight::view_of(const Map& map, const CameraPose& pose) const {
     view.pitch_tangent = tangent(Angle::from_degrees(pose.pitch_degrees));
     view.fov_degrees = fov_degrees_;
     view.stretch = map.render.stretch;
+    view.ray_offset = ray_offset(map.render.rays);
     return view;
 }
 

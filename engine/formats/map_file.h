@@ -236,6 +236,9 @@ enum class LightModel : std::uint8_t { smooth, classic };
 /// How the rows of a sky's picture lie on the screen: round as on a cylinder about the eye, or straight.
 enum class SkyRows : std::uint8_t { round, straight };
 
+/// Where the ray of a pixel passes through it: its middle, or its upper left corner.
+enum class RayPoint : std::uint8_t { middle, corner };
+
 /// Whether the floors, ceilings and walls that a thing's picture reaches into cut it.
 enum class ThingEdges : std::uint8_t { cut, whole };
 
@@ -248,6 +251,7 @@ struct RenderRecord {
     double fog_reach = 0;                      ///< depth at which fog hides half of everything but sky; 0: no fog [m]
     SkyRows sky = SkyRows::round;
     ThingEdges things = ThingEdges::cut;
+    RayPoint rays = RayPoint::middle;
     std::string color_table;  ///< picture of what becomes of colours in the dark (map/textures.h); empty: none
     TextPlace place{};
     KeyPlaces places{};

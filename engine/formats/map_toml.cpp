@@ -42,6 +42,7 @@ constexpr std::array kRenderKeys{
     key<&RenderRecord::fog_reach>("fog_reach", kNew, Need::optional, {0, kWorldLimit}),
     key<&RenderRecord::sky>("sky", kNew),
     key<&RenderRecord::things>("things", kNew),
+    key<&RenderRecord::rays>("rays", kNew),
     file_key<&RenderRecord::color_table>("color_table", kNew),
 };
 

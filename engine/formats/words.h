@@ -37,6 +37,14 @@ constexpr std::string_view to_word(SkyRows value) {
     return {};
 }
 
+constexpr std::string_view to_word(RayPoint value) {
+    switch (value) {
+        case RayPoint::middle: return "middle";
+        case RayPoint::corner: return "corner";
+    }
+    return {};
+}
+
 constexpr std::string_view to_word(ThingEdges value) {
     switch (value) {
         case ThingEdges::cut: return "cut";

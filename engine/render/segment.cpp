@@ -72,7 +72,7 @@ int split_column(Vec2 v, const Pose& pose, const ColumnRays& rays) {
     const auto is_right = [&](int x) {
         return runs_right_of(v, rays.slopes[static_cast<std::size_t>(x)], pose) == (v.y >= 0);
     };
-    const double guess = std::ceil((v.x / v.y) * rays.per_slope + 0.5 * (width - 1));
+    const double guess = std::ceil((v.x / v.y - rays.slopes.front()) * rays.per_slope);
     int x = !(guess > 0) ? 0 : guess >= width ? width : static_cast<int>(guess);
     while (x > 0 && is_right(x - 1)) --x;
     while (x < width && !is_right(x)) ++x;
@@ -98,7 +98,7 @@ CoveredColumns covered_columns(Vec2 left_v, Vec2 right_v, const Pose& pose, cons
 int first_column_from(double x_v, double depth, const ColumnRays& rays) {
     const int width = static_cast<int>(rays.slopes.size());
     const auto is_from = [&](int x) { return rays.slopes[static_cast<std::size_t>(x)] * depth >= x_v; };
-    const double guess = std::ceil(x_v / depth * rays.per_slope + 0.5 * (width - 1));
+    const double guess = std::ceil((x_v / depth - rays.slopes.front()) * rays.per_slope);
     int x = !(guess > 0) ? 0 : guess >= width ? width : static_cast<int>(guess);
     while (x > 0 && is_from(x - 1)) --x;
     while (x < width && !is_from(x)) ++x;

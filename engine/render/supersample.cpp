@@ -67,6 +67,11 @@ std::uint32_t LightMean::color(std::uint32_t count) const {
     return 0xFF000000u | value_of(blue_, count) << 16 | value_of(green_, count) << 8 | value_of(red_, count);
 }
 
+View finer(View view, int samples) {
+    view.ray_offset = view.ray_offset * samples;
+    return view;
+}
+
 void take_means(const Frame& fine, int samples, Frame& frame) {
     ENFILADE_CHECK(fine.width == frame.width * samples && fine.height == frame.height * samples);
     const auto width = static_cast<std::size_t>(fine.width), side = static_cast<std::size_t>(samples);

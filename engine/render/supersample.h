@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "render/frame.h"
+#include "render/view.h"
 
 namespace enfilade {
 
@@ -19,6 +20,9 @@ public:
 private:
     std::uint32_t red_ = 0, green_ = 0, blue_ = 0;
 };
+
+/// The view of a picture `samples` times as wide and as high, whose pixels are the parts of the pixels of this one's.
+View finer(View view, int samples);
 
 /// Gives each pixel the mean of those that it covers of a picture that is `samples` times as wide and as high. frame:
 /// its size is set. Cost: a look at each pixel of the larger picture.

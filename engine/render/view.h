@@ -25,8 +25,12 @@ struct View {
     double pitch_tangent = 0;  ///< tan(pitch), up positive; the picture is sheared, walls stay upright
     double fov_degrees = 90;   ///< horizontal, 1..179
     double stretch = 1;        ///< vertical stretch of the picture; Doom's is 1.2
+    Vec2 ray_offset{};         ///< right of and below the middle of each pixel, where its ray passes [px]
     std::optional<Tilt> tilt;  ///< instead of pitch_tangent, which then is 0; the column renderer cannot
 };
+
+/// View::ray_offset of a map's pictures.
+constexpr Vec2 ray_offset(RayPoint point) { return point == RayPoint::corner ? Vec2{-0.5, -0.5} : Vec2{}; }
 
 /// Smallest and largest horizontal field of view [degrees].
 inline constexpr double kMinFov = 1, kMaxFov = 179;
@@ -55,9 +59,13 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// Tangent of the angle between `forward` and the centre of pixel column x, right positive. The quotient of whole
-    /// numbers makes the middle of three columns of a picture three times as wide bit-equal to the one column.
-    double slope(int x) const { return (2 * x + 1 - width_) / double_width_ * half_fov_tangent_; }
+    /// Tangent of the angle between `forward` and the ray of pixel column x, right positive; between columns, too: the
+    /// left border of the picture is half a column before the first. That the quotient is of whole and half numbers
+    /// makes the middle of three columns of a picture three times as wide bit-equal to the one column.
+    double slope(double x) const { return (x - middle_column_) / half_width_ * half_fov_tangent_; }
+
+    /// The column, or the place between columns, that slope() is 0 of.
+    double middle_column() const { return middle_column_; }
 
     /// Height gained per metre of depth at the centre of pixel row y, up positive: (horizon - (y + 1/2)) / focal_y.
     double climb(int y) const { return row_from_horizon(y) / focal_y_; }
@@ -78,7 +86,7 @@ public:
 
 private:
     int width_, height_;
-    double double_width_;
+    double half_width_, middle_column_;  ///< [px]
     double half_fov_tangent_;
     double focal_y_;
     double horizon_;

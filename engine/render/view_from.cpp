@@ -43,10 +43,15 @@ View looking(Vec2 forward, Angle pitch, const Lens& lens) {
         view.pitch_tangent = tangent(pitch);
     view.fov_degrees = lens.fov_degrees;
     view.stretch = lens.stretch;
+    view.ray_offset = lens.ray_offset;
     return view;
 }
 
 }  // namespace
+
+Lens lens_for(const RenderRecord& render, double fov_degrees) {
+    return {fov_degrees, render.stretch, ray_offset(render.rays)};
+}
 
 Result<View> view_from(const Map& map, const ViewRow& row, const Lens& lens) {
     View view = looking(direction(Angle::from_degrees(row.yaw_degrees)), Angle::from_degrees(row.pitch_degrees), lens);

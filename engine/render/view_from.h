@@ -16,9 +16,13 @@ namespace enfilade {
 struct Lens {
     double fov_degrees = 90;
     double stretch = 1;
+    Vec2 ray_offset{};        ///< View::ray_offset [px]
     bool true_pitch = false;  ///< pitch turns the picture instead of shifting its horizon
     double roll_degrees = 0;  ///< with true_pitch: how far the head leans to its right
 };
+
+/// As the map wants to be seen.
+Lens lens_for(const RenderRecord& render, double fov_degrees = 90);
 
 /// The view, its eye put onto the point grid. An error where the named sector does not exist or does not hold the eye,
 /// or where no sector does; of several that overlap, the one that comes first in the map is taken.

@@ -28,6 +28,7 @@ public:
                       number(0, 99),
                       flip() ? SkyRows::straight : SkyRows::round,
                       flip() ? ThingEdges::whole : ThingEdges::cut,
+                      flip() ? RayPoint::corner : RayPoint::middle,
                       flip() ? file_name() : ""};
         for (int i = whole(1, 4); i > 0; --i) map.sectors.push_back(sector());
         if (flip()) map.player = PlayerRecord{text(), point(), number(-100, 100), number(-360, 360), {}};

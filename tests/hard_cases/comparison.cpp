@@ -187,7 +187,7 @@ std::string command_line(const std::string& map_name, const Map& map, const View
                   map_name.c_str(), view.eye.x, view.eye.y, view.eye_z, yaw_degrees(view),
                   std::atan(view.pitch_tangent) * 180 / std::numbers::pi, map[view.sector].name.c_str(), size.width,
                   size.height, view.fov_degrees, view.stretch);
-    return text;
+    return std::string(text) + (view.ray_offset == Vec2{} ? "" : "  # the map's rays = \"corner\"");
 }
 
 Comparison compare(const Subject& subject, const Snapshot& snapshot, const View& view, PictureSize size) {

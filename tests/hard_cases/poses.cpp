@@ -109,6 +109,7 @@ View random_pose(const Map& map, Random& random) {
     view.fov_degrees = random.uniform(40, 120);
     view.pitch_tangent = random.below(2) ? random.uniform(-1, 1) : 0;
     view.stretch = random.below(4) ? 1 : 1.2;
+    if (view.stretch != 1) view.ray_offset = ray_offset(RayPoint::corner);  // as Doom's pictures
     return view;
 }
 

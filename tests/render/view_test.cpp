@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "render/supersample.h"
+
 namespace enfilade {
 namespace {
 
@@ -59,6 +61,31 @@ TEST(Projection, IsTheSameToTheLeftAndToTheRight) {
         const Projection p = projection(width, 1, 73);
         for (int x = 0; x < width; ++x) ASSERT_EQ(p.slope(x), -p.slope(width - 1 - x)) << x << " of " << width;
     }
+}
+
+TEST(Projection, LooksThroughTheCornersOfPixelsWhereAMapSaysSo) {
+    View view;
+    view.ray_offset = ray_offset(RayPoint::corner);
+    for (int size : {1, 2, 117, 320}) {
+        const Projection corners(view, size, size), halves = projection(2 * size, 2 * size);
+        for (int i = 1; i < size; ++i) {
+            ASSERT_LT(corners.slope(i), halves.slope(2 * i)) << i << " of " << size;  // the middle of its left half
+            ASSERT_GT(corners.slope(i), halves.slope(2 * i - 1)) << i << " of " << size;
+            ASSERT_GT(corners.climb(i), halves.climb(2 * i)) << i << " of " << size;
+            ASSERT_LT(corners.climb(i), halves.climb(2 * i - 1)) << i << " of " << size;
+        }
+        EXPECT_EQ(corners.slope(0), -corners.half_fov_tangent());
+    }
+    EXPECT_EQ(Projection(view, 320, 200).slope(160), 0);
+    EXPECT_EQ(Projection(view, 320, 200).climb(100), 0);
+}
+
+TEST(Projection, HasTheRayOfAPixelAmongThoseOfItsParts) {
+    View view;
+    view.ray_offset = ray_offset(RayPoint::corner);
+    const Projection one(view, 320, 200), parts(finer(view, 3), 3 * 320, 3 * 200);
+    for (int x = 0; x < 320; ++x) ASSERT_EQ(parts.slope(3 * x + 1), one.slope(x)) << x;
+    for (int y = 0; y < 200; ++y) ASSERT_DOUBLE_EQ(parts.climb(3 * y + 1), one.climb(y)) << y;
 }
 
 TEST(Projection, LooksExactlyAheadInTheMiddleColumnOfAnOddWidth) { EXPECT_EQ(projection(117, 83).slope(58), 0); }

@@ -44,6 +44,7 @@ TEST(ConvertMap, SaysItsScaleStretchAndLightOnce) {
     EXPECT_EQ(c.file.render.stretch, 1.2);
     EXPECT_EQ(c.file.render.light, LightModel::classic);
     EXPECT_EQ(c.file.render.sky, SkyRows::straight);
+    EXPECT_EQ(c.file.render.rays, RayPoint::corner);
     EXPECT_EQ(c.file.render.things, ThingEdges::whole);
     EXPECT_EQ(c.file.render.color_table, "color_table");
 }

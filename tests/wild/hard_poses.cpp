@@ -87,6 +87,7 @@ HardPose hard_pose(const Map& map, PictureSize largest, Random& random) {
     pose.view.fov_degrees = any_fov(random);
     pose.view.pitch_tangent = random.below(2) ? random.uniform(-1.5, 1.5) : 0;
     pose.view.stretch = random.below(4) ? 1 : 1.2;
+    if (pose.view.stretch != 1) pose.view.ray_offset = ray_offset(RayPoint::corner);  // as Doom's pictures
     pose.size = {any_side(largest.width, random), any_side(largest.height, random)};
     return pose;
 }

@@ -19,18 +19,20 @@ constexpr const char *kMap = "/map.toml", *kPose = "/pose.txt", *kTape = "/input
 std::string text_of(const HardPose& pose, const std::string& sector) {
     const View& v = pose.view;
     char text[400];
-    std::snprintf(text, sizeof text, "%d %d %a %a %a %a %a %a %a %a\n", pose.size.width, pose.size.height, v.eye.x,
-                  v.eye.y, v.eye_z, v.forward.x, v.forward.y, v.fov_degrees, v.pitch_tangent, v.stretch);
+    std::snprintf(text, sizeof text, "%d %d %a %a %a %a %a %a %a %a %a %a\n", pose.size.width, pose.size.height,
+                  v.eye.x, v.eye.y, v.eye_z, v.forward.x, v.forward.y, v.fov_degrees, v.pitch_tangent, v.stretch,
+                  v.ray_offset.x, v.ray_offset.y);
     return text + sector;
 }
 
 Result<HardPose> pose_of(const std::string& text, std::string& sector) {
     HardPose pose;
     View& v = pose.view;
-    const int read = std::sscanf(text.c_str(), "%d %d %la %la %la %la %la %la %la %la", &pose.size.width,
+    const std::string numbers = text.substr(0, text.find('\n'));
+    const int read = std::sscanf(numbers.c_str(), "%d %d %la %la %la %la %la %la %la %la %la %la", &pose.size.width,
                                  &pose.size.height, &v.eye.x, &v.eye.y, &v.eye_z, &v.forward.x, &v.forward.y,
-                                 &v.fov_degrees, &v.pitch_tangent, &v.stretch);
-    if (read != 10) return Error{kPose, "expected ten numbers, found " + std::to_string(read)};
+                                 &v.fov_degrees, &v.pitch_tangent, &v.stretch, &v.ray_offset.x, &v.ray_offset.y);
+    if (read < 10) return Error{kPose, "expected ten or twelve numbers, found " + std::to_string(read)};
     sector = text.substr(text.find('\n') + 1);
     return pose;
 }

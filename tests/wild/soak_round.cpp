@@ -117,10 +117,14 @@ private:
         begin_anew();
     }
 
+    View seen_by_player(double fov_degrees) {
+        return game_->view(random_.uniform(0, 1), {}, lens_for(game_->map().render, fov_degrees));
+    }
+
     /// As the player sees it now, or from a hard place.
     void look() {
         HardPose pose = hard_pose(game_->map(), kLargestPicture, random_);
-        if (random_.below(2) == 0) pose.view = game_->view(random_.uniform(0, 1), {}, pose.view.fov_degrees);
+        if (random_.below(2) == 0) pose.view = seen_by_player(pose.view.fov_degrees);
         const std::string fault = what_is_wrong([&] {
             const Comparison seen =
                 compare({game_->path(), game_->map(), game_->textures()}, game_->snapshot(1), pose.view, pose.size);

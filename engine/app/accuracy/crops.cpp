@@ -69,7 +69,7 @@ std::uint32_t error_color(std::optional<double> texel_error) {
 }
 
 Result<void> write_crops(const std::string& folder, const OpenMap& map, const std::vector<AccuracySetting>& settings) {
-    const auto view = view_at_start(map.map, {.stretch = map.map.render.stretch});
+    const auto view = view_at_start(map.map, lens_for(map.map.render));
     if (!view.ok()) return view.error();
     if (const Result<void> done = make_folder(folder); !done.ok()) return done.error();
     const auto pictures = judge_pictures(map, view.value(), settings, kWidth, kHeight);

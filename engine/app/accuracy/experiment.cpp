@@ -70,6 +70,7 @@ std::vector<View> poses_in(const Map& map, PoseKind kind, std::size_t count, std
         view.eye_z = sector.floor.z + part * room;
         view.forward = direction(Angle::from_degrees(degrees));
         view.stretch = map.render.stretch;
+        view.ray_offset = ray_offset(map.render.rays);
         views.push_back(view);
     }
     return views;

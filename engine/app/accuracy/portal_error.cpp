@@ -13,6 +13,7 @@
 #include "platform/gl_context.h"
 #include "render/choice/renderer.h"
 #include "render/reference/reference_renderer.h"
+#include "render/supersample.h"
 #include "space/trace.h"
 
 namespace enfilade {
@@ -144,7 +145,8 @@ private:
     PixelSurface id_at(int x, int y) const {
         const int width = truth_.frame.width * kRaysPerPixel, height = truth_.frame.height * kRaysPerPixel;
         if (x < 0 || x >= width || y < 0 || y >= height) return kNothing;
-        return look_through_pixel(map_.map, map_.textures, snapshot_, view_, width, height, x, y).id;
+        const View view = finer(view_, kRaysPerPixel);
+        return look_through_pixel(map_.map, map_.textures, snapshot_, view, width, height, x, y).id;
     }
 
     const OpenMap& map_;

@@ -58,7 +58,7 @@ TrueColumn::TrueColumn(const Map& map, const Snapshot& snapshot, const View& vie
       snapshot_(snapshot),
       projection_(view, width, height),
       max_depth_(map.render.max_depth),
-      slope_(Quad(2 * x + 1 - width) / width * projection_.half_fov_tangent()),
+      slope_(Quad(2 * (x - projection_.middle_column())) / width * projection_.half_fov_tangent()),
       path_(map, &snapshot.things, view, projection_.slope(x)) {}
 
 TrueColumn::Met TrueColumn::met(std::size_t i) {

@@ -204,8 +204,8 @@ void Game::keep_player(const Player& before, const std::string& sector_name) {
     automap_.visit(sector);
 }
 
-View Game::view(double part, const LookSteps& ahead, double fov_degrees, bool true_pitch) const {
-    return view_of(eye_between_ticks(map(), world(), part), ahead, fov_degrees, map().render.stretch, true_pitch);
+View Game::view(double part, const LookSteps& ahead, const Lens& lens) const {
+    return view_of(eye_between_ticks(map(), world(), part), ahead, lens);
 }
 
 const Snapshot& Game::snapshot(double part) {

@@ -15,7 +15,7 @@
 #include "base/files.h"
 #include "base/result.h"
 #include "formats/tape.h"
-#include "render/view.h"
+#include "render/view_from.h"
 #include "world/snapshot.h"
 #include "world/step.h"
 
@@ -82,8 +82,7 @@ public:
     const std::vector<std::string>& warnings() const { return warnings_; }
 
     /// What the player sees, `part` of the way from the tick before to this one, the head turned further by `ahead`.
-    /// true_pitch: for a renderer that turns its picture instead of shifting the horizon.
-    View view(double part, const LookSteps& ahead, double fov_degrees, bool true_pitch = false) const;
+    View view(double part, const LookSteps& ahead, const Lens& lens) const;
     /// The world as renderers see it at that moment.
     const Snapshot& snapshot(double part);
 

@@ -120,7 +120,7 @@ Result<Frame> draw_picture(const std::string& map_path) {
     const MapStore cache = cache_of(map_path);
     LoadedMap map = load_map(map_path, {}, read_file, kUsualSkill, list_folder, &cache);
     if (!map.map) return Error{map_path, "the map has errors"};
-    const auto view = view_at_start(*map.map, {});
+    const auto view = view_at_start(*map.map, lens_for(map.map->render));
     if (!view.ok()) return view.error();
     Dials dials;
     dials.samples = 2;

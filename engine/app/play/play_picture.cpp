@@ -38,10 +38,10 @@ void PlayLoop::remember_seen(std::int64_t now) {
 }
 
 View PlayLoop::view_now(double part) const {
-    const double fov = settings().fov_degrees;
-    const bool tilts = settings().true_pitch && drawn_by_ == RendererKind::stencil;
-    if (free_camera_) return view_of(free_camera_->eye(), input_.ahead(part), fov, game_.map().render.stretch, tilts);
-    View view = game_.view(part, input_.ahead(part), fov, tilts);
+    Lens lens = lens_for(game_.map().render, settings().fov_degrees);
+    lens.true_pitch = settings().true_pitch && drawn_by_ == RendererKind::stencil;
+    if (free_camera_) return view_of(free_camera_->eye(), input_.ahead(part), lens);
+    View view = game_.view(part, input_.ahead(part), lens);
     sway(view, part);
     return view;
 }

@@ -70,8 +70,8 @@ bool PlayLoop::is_in_room(double part) {
 }
 
 void PlayLoop::draw_surroundings(double part) {
-    const View camera = view_of(free_camera_->eye(), input_.ahead(part), settings().fov_degrees, 1, false);
-    const View body = game_.view(1, {}, settings().fov_degrees);
+    const View camera = view_of(free_camera_->eye(), input_.ahead(part), {settings().fov_degrees});
+    const View body = game_.view(1, {}, lens_for(game_.map().render, settings().fov_degrees));
     OutsideLook look;
     look.camera = &camera;
     look.reach_m = kSeenFromOutside;

@@ -169,11 +169,11 @@ Angle pitch_of(std::int64_t steps) {
 
 }  // namespace
 
-View view_of(const Eye& eye, const LookSteps& ahead, double fov_degrees, double stretch, bool true_pitch) {
+View view_of(const Eye& eye, const LookSteps& ahead, const Lens& lens) {
     Eye turned = eye;
     turned.yaw = eye.yaw + Angle{static_cast<std::uint32_t>(ahead.yaw)};
     turned.pitch_steps = static_cast<std::int32_t>(pitch_of(eye.pitch_steps + ahead.pitch).steps);
-    return view_from(turned, {fov_degrees, stretch, true_pitch});
+    return view_from(turned, lens);
 }
 
 }  // namespace enfilade

@@ -6,7 +6,7 @@
 
 #include "app/play/settings.h"
 #include "platform/input_event.h"
-#include "render/view.h"
+#include "render/view_from.h"
 #include "world/input.h"
 #include "world/world.h"
 
@@ -83,7 +83,6 @@ private:
 // From an eye and what the mouse adds to its look, to the view that renderers draw.
 
 /// The eye's view, the head turned further by `ahead`, up and down within kMaxPitchSteps.
-/// true_pitch: for a renderer that turns its picture instead of shifting the horizon.
-View view_of(const Eye& eye, const LookSteps& ahead, double fov_degrees, double stretch, bool true_pitch);
+View view_of(const Eye& eye, const LookSteps& ahead, const Lens& lens);
 
 }  // namespace enfilade

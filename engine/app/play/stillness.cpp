@@ -42,7 +42,8 @@ bool is_same_look(const View& a, const View& b) {
     const bool is_same_tilt = a.tilt.has_value() == b.tilt.has_value() &&
                               (!a.tilt || (a.tilt->pitch == b.tilt->pitch && a.tilt->roll == b.tilt->roll));
     return is_same_tilt && a.sector == b.sector && a.eye == b.eye && a.eye_z == b.eye_z && a.forward == b.forward &&
-           a.pitch_tangent == b.pitch_tangent && a.fov_degrees == b.fov_degrees && a.stretch == b.stretch;
+           a.pitch_tangent == b.pitch_tangent && a.fov_degrees == b.fov_degrees && a.stretch == b.stretch &&
+           a.ray_offset == b.ray_offset;
 }
 
 Stillness::Stillness(const Map& map) : map_(map), is_lively_(map.sectors.size()) {

@@ -127,7 +127,7 @@ void TitleScreen::draw_background() {
         const MapStore cache = cache_of(path);
         LoadedMap tour = load_map(path, {}, read_file, kUsualSkill, list_folder, &cache);
         if (!tour.map || !tour.map->player) return;
-        const auto view = view_at_start(*tour.map, {});
+        const auto view = view_at_start(*tour.map, lens_for(tour.map->render));
         auto renderer = make_renderer({RendererKind::column, {}, hardware_threads(), {}}, *tour.map, tour.textures);
         if (renderer.ok())
             static_cast<void>(renderer.value()->render(background_, nullptr, at_rest(*tour.map), view.value()));

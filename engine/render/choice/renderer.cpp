@@ -150,7 +150,7 @@ public:
             if (const Result<void> done = renderer_->render(frame, facts, snapshot, view); !done.ok())
                 return done.error();
         fine_.resize(frame.width * samples_, frame.height * samples_);
-        if (const Result<void> done = renderer_->render(fine_, nullptr, snapshot, view); !done.ok())
+        if (const Result<void> done = renderer_->render(fine_, nullptr, snapshot, finer(view, samples_)); !done.ok())
             return done.error();
         frame.resize(frame.width, frame.height);
         take_means(fine_, samples_, frame);

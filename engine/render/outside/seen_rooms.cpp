@@ -50,6 +50,7 @@ void SeenRooms::look(const Map& map, const Snapshot& snapshot, const View& view,
     view_ = upright(view);
     const Projection projection(view_, width, height);
     half_fov_tangent_ = projection.half_fov_tangent();
+    middle_column_ = projection.middle_column();
     lowest_ = projection.climb(height - 1);
     highest_ = projection.climb(0);
     rooms_.clear(), first_behind_.clear(), behind_.clear(), parts_.clear();
@@ -142,7 +143,8 @@ bool SeenRooms::shows(std::size_t room, WallId wall, Vec2 p, double z) const {
     const double depth = dot(way, view_.forward), side = dot(way, right_of(view_.forward)) * view_.flip;
     if (!(depth > 0) || std::fabs(side) > depth * half_fov_tangent_) return false;
     const auto columns = static_cast<double>(slopes_.size());
-    const double column = std::clamp((side / depth / half_fov_tangent_ + 1) / 2 * columns, 0.0, columns - 1);
+    const double column =
+        std::clamp(side / depth / half_fov_tangent_ * columns / 2 + middle_column_ + 0.5, 0.0, columns - 1);
     const auto x = static_cast<std::size_t>(column);
     const double climb = (z - view_.eye_z) / depth;
     double entry_depth = 0;

@@ -80,8 +80,8 @@ private:
 
     View view_;  ///< upright
     std::vector<double> slopes_;
-    double half_fov_tangent_ = 1;
-    double lowest_ = 0, highest_ = 0;  ///< climbs of the picture's last and first row [1]
+    double half_fov_tangent_ = 1, middle_column_ = 0;  ///< the latter as in Projection
+    double lowest_ = 0, highest_ = 0;                  ///< climbs of the picture's last and first row [1]
     std::vector<UnfoldedRoom> rooms_;
     std::vector<std::uint32_t> first_behind_, behind_;  ///< rooms behind a room's walls: behind_[first_behind_[room]…]
     std::vector<SeenPart> parts_;

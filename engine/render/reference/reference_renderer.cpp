@@ -102,7 +102,7 @@ void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const Tex
                       const Snapshot& snapshot, const View& view, const ReferenceOptions& options) {
     ENFILADE_CHECK(options.samples >= 1 && options.workers >= 1 && snapshot.sectors.size() == map.sectors.size());
     const Projection projection(view, frame.width, frame.height);
-    const Projection fine(view, frame.width * options.samples, frame.height * options.samples);
+    const Projection fine(finer(view, options.samples), frame.width * options.samples, frame.height * options.samples);
     LightGrids own_lights(map), &lights = options.lights ? *options.lights : own_lights;
     std::optional<MipChains> own_mips;
     const MipChains* mips = options.mips;

@@ -35,11 +35,12 @@ float single(double x) { return static_cast<float>(x); }
 }  // namespace
 
 SpaceLens lens_of(const Layer& layer, const RayField& rays, PortalMethod method) {
-    const double most_right = rays.right.at(rays.width, 0), rows = rays.height;
-    const double up_top = rays.up.at(0, 0), up_bottom = rays.up.at(0, rows), middle = (up_top + up_bottom) / 2;
-    const double half = (up_top - up_bottom) / 2;
+    const double left = rays.right.at(0, 0), right = rays.right.at(rays.width, 0);
+    const double top = rays.up.at(0, 0), bottom = rays.up.at(0, rays.height);
+    const double half_width = (right - left) / 2, half_height = (top - bottom) / 2;
     SpaceLens lens;
-    lens.picture = {single(1 / most_right), single(-1 / half), single(middle / half)};
+    lens.picture = {single(1 / half_width), single(-(left + right) / 2 / half_width), single(-1 / half_height),
+                    single((top + bottom) / 2 / half_height)};
     const double range = has_24_bits(method) ? 2 : 1;  // of depths
     lens.depth_row = {0, 0, single(1 - range), single(range * kNearPlane)};
     if (!layer.entry) return lens;
@@ -49,7 +50,7 @@ SpaceLens lens_of(const Layer& layer, const RayField& rays, PortalMethod method)
         return lens;
     }
     // The corner of the picture that is farthest beyond the plane gets the least depth.
-    const double farthest = std::fabs(plane.right) * most_right + plane.ahead;
+    const double farthest = std::max(plane.right * left, plane.right * right) + plane.ahead;
     const double scale = range / std::max(farthest, 1e-30);
     lens.clips_at_near_plane = true;
     lens.depth_row = {single(-scale * plane.right), 0, single(1 - scale * plane.ahead), single(-scale * plane.offset)};

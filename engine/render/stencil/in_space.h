@@ -22,7 +22,7 @@ inline constexpr double kNearPlane = 0.01;
 /// How a layer's points in space, right of the eye, above it and ahead [m], become places in the picture and depths:
 /// the nearer the larger.
 struct SpaceLens {
-    std::array<float, 3> picture{};         ///< per right, per up, per ahead of the rows
+    std::array<float, 4> picture{};         ///< per right, per ahead of the columns, per up, per ahead of the rows
     std::array<float, 4> depth_row{};       ///< of right, up, ahead and 1
     std::array<float, 4> clip{0, 0, 0, 1};  ///< the same; kept is what is positive
     bool clips_at_near_plane = false;       ///< else what is nearer is as near

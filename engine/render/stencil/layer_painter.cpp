@@ -180,7 +180,7 @@ void LayerPainter::use_layer(const Layer& layer, int level) {
 void LayerPainter::use_lens(const LensUniforms& uniforms, const PaintJob& job, const Layer& layer) {
     if (job.lenses.empty()) return;
     const SpaceLens& lens = job.lenses[static_cast<std::size_t>(&layer - job.plan.layers.data())];
-    glUniform3fv(uniforms.picture, 1, lens.picture.data());
+    glUniform4fv(uniforms.picture, 1, lens.picture.data());
     glUniform4fv(uniforms.depth_row, 1, lens.depth_row.data());
     glUniform4fv(uniforms.clip, 1, lens.clip.data());
     if (lens.clips_at_near_plane)

@@ -9,7 +9,7 @@ namespace enfilade::stencil {
 RayField::RayField(const View& view, const Projection& projection)
     : width(projection.width()), height(projection.height()), is_tilted(view.tilt.has_value()) {
     const double tangent = projection.half_fov_tangent(), focal_y = projection.focal_y();
-    const Ray corner = projection.tilted({1, -tangent, projection.horizon() / focal_y});
+    const Ray corner = projection.tilted({1, projection.slope(-0.5), projection.horizon() / focal_y});
     const Ray per_x = projection.tilted({0, 2 * tangent / width, 0});
     const Ray per_y = projection.tilted({0, 0, -1 / focal_y});
     ahead = {corner.ahead, per_x.ahead, per_y.ahead};
@@ -69,6 +69,7 @@ Screen panorama_screen() {
     face.width = kColumns;
     face.height = kRows;
     face.slope_per_px = 2.0 / kColumns;
+    face.middle_px = kColumns / 2.0;
     face.focal_y = kFocal;
     face.horizon = kRows / 2.0;
     face.has_ranges = true;

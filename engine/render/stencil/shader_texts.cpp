@@ -27,12 +27,12 @@ flat out uvec4 what;
 flat out vec3 left_edge;
 flat out vec3 right_edge;
 #ifdef IN_SPACE
-uniform vec3 lens;       // per right, per up, per ahead of the rows
+uniform vec4 lens;       // per right, per ahead of the columns, per up, per ahead of the rows
 uniform vec4 depth_row;  // of right, up, ahead and 1: as clip, of which what is positive is kept
 uniform vec4 clip;
 void place_vertex() {
     vec4 point = vec4(position, in_place.w, 1.0);
-    gl_Position = vec4(point.x * lens.x, point.y * lens.y + point.z * lens.z, dot(depth_row, point), point.z);
+    gl_Position = vec4(point.x * lens.x + point.z * lens.y, point.y * lens.z + point.z * lens.w, dot(depth_row, point), point.z);
     gl_ClipDistance[0] = dot(clip, point);
 }
 #else

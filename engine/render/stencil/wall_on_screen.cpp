@@ -13,6 +13,7 @@ Screen::Screen(const Projection& projection)
     : width(projection.width()),
       height(projection.height()),
       slope_per_px(2 * projection.half_fov_tangent() / projection.width()),
+      middle_px(projection.middle_column() + 0.5),
       focal_y(projection.focal_y()),
       horizon(projection.horizon()) {
     for (int x = 0; x < width; ++x) slopes.push_back(projection.slope(x));

@@ -49,7 +49,7 @@ std::string text_of(const View& v, PictureSize size) {
                       "--view %.17g,%.17g,%.17g,%.17g,%.17g --size %dx%d --fov %.17g --stretch %.17g", v.eye.x, v.eye.y,
                       v.eye_z, angle_of(v.forward).degrees(), std::atan(v.pitch_tangent) * 180 / 3.14159265358979,
                       size.width, size.height, v.fov_degrees, v.stretch);
-    return text;
+    return std::string(text) + (v.ray_offset == Vec2{} ? "" : "  # the map's rays = \"corner\"");
 }
 
 int difference(std::uint32_t a, std::uint32_t b) {
