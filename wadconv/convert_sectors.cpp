@@ -201,6 +201,23 @@ SectorRecord sector_record(Workbench& bench, const Part& part) {
     return record;
 }
 
+/// By sector: whether a line might move it, or it moves by itself.
+std::vector<bool> find_movable(const DoomMap& doom, const Parts& parts) {
+    std::vector<bool> is_movable;
+    for (const DoomSector& sector : doom.sectors) is_movable.push_back(sector.tag != 0 || sector.special != 0);
+    for (const Edge& edge : parts.edges)
+        if (edge.line != kNone && doom.lines[edge.line].special != 0) is_movable[edge.sector] = true;
+    return is_movable;
+}
+
+/// A closed sector under the sky that stays so hides what is behind it: Doom shows the sky down to its floor. Who looks
+/// at it from above would see the floor instead.
+void extend_sky(const DoomHeights& heights, SectorRecord& record) {
+    if (!record.ceiling.parallax || !is_closed(heights)) return;
+    record.floor.parallax = true;
+    record.floor.texture = record.ceiling.texture;
+}
+
 }  // namespace
 
 LightEffectRecord slow_strobe(int dark) { return effect(LightKind::strobe, dark, kSlowDark, kFlash); }
@@ -239,7 +256,11 @@ std::vector<DoomHeights> settle_heights(const DoomMap& doom, const Parts& parts,
 bool is_sky(std::string_view flat) { return flat == kSkyFlat; }
 
 void convert_sectors(Workbench& bench) {
-    for (const Part& part : bench.parts.parts) bench.file.sectors.push_back(sector_record(bench, part));
+    const std::vector<bool> is_movable = find_movable(bench.doom, bench.parts);
+    for (const Part& part : bench.parts.parts) {
+        bench.file.sectors.push_back(sector_record(bench, part));
+        if (!is_movable[part.sector]) extend_sky(bench.heights_of(part), bench.file.sectors.back());
+    }
     for (std::size_t s = 0; s < bench.doom.sectors.size(); ++s) {
         const DoomSector& sector = bench.doom.sectors[s];
         if (sector.light < 0 || sector.light > 255) bench.report.note(Kind::light_out_of_range, s);

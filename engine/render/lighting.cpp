@@ -19,8 +19,10 @@ double fraction(double tiles) {
     return f < 1 ? f : 0;
 }
 
-SkyTexel sky_texel(Vec2 tile, Vec2 offset_tiles, double turns, double elevation) {
-    return {fraction(turns * tile.x - offset_tiles.x), std::clamp(1 - elevation / tile.y - offset_tiles.y, 0.0, 1.0)};
+SkyTexel sky_texel(Vec2 tile, Vec2 offset_tiles, double turns, double elevation, SkyRows rows) {
+    const double u = fraction(turns * tile.x - offset_tiles.x), v = 1 - elevation / tile.y - offset_tiles.y;
+    if (rows == SkyRows::round) return {u, std::clamp(v, 0.0, 1.0)};
+    return {u, fraction(std::clamp(v, 0.0, last_of_sky(rows)))};
 }
 
 namespace {

@@ -130,13 +130,22 @@ constexpr SkyRows sky_rows(const RenderRecord& render, bool is_tilted) {
     return is_tilted ? SkyRows::round : render.sky;
 }
 
+/// How far down a sky goes that begins at 0, where its picture's first row goes on above it: to the end of its picture,
+/// whose last row goes on, or where rows are straight on and on, its picture beginning again, as in Doom [tiles].
+constexpr double last_of_sky(SkyRows rows) { return rows == SkyRows::straight ? kNearTiles : kLastPlace; }
+
+/// Such a place in rows of the picture. v: as in SkyTexel.
+constexpr TilePlace place_on_sky(double v, SkyRows rows) {
+    return place_on_near_tile(std::clamp(v, 0.0, last_of_sky(rows)));
+}
+
 /// Where on the sky picture a ray looks, around which it is repeated. turns: turn_of(direction in the plane).
 /// elevation: tangent of the angle above the horizon, or where rows are straight what the ray climbs per depth. The
-/// picture's foot is at the horizon; below it and above its top its last row goes on.
+/// picture's foot is at the horizon.
 struct SkyTexel {
     double u;  ///< [0, 1)
-    double v;  ///< [0, 1]
+    double v;  ///< [0, 1]; where rows are straight [0, 1)
 };
-SkyTexel sky_texel(Vec2 tile, Vec2 offset_tiles, double turns, double elevation);
+SkyTexel sky_texel(Vec2 tile, Vec2 offset_tiles, double turns, double elevation, SkyRows rows);
 
 }  // namespace enfilade

@@ -184,21 +184,30 @@ TEST(TexelOf, CutsTheTileIntoEqualParts) {
 }
 
 TEST(SkyTexel, WrapsAroundAsOftenAsTheTileSays) {
-    EXPECT_EQ(sky_texel({4, 1}, {}, 0.25, 0).u, 0);
-    EXPECT_EQ(sky_texel({4, 1}, {}, 0.125, 0).u, 0.5);
+    EXPECT_EQ(sky_texel({4, 1}, {}, 0.25, 0, SkyRows::round).u, 0);
+    EXPECT_EQ(sky_texel({4, 1}, {}, 0.125, 0, SkyRows::round).u, 0.5);
 }
 
-TEST(SkyTexel, StandsOnTheHorizonWithItsFoot) { EXPECT_EQ(sky_texel({1, 1}, {}, 0, 0).v, 1); }
+TEST(SkyTexel, StandsOnTheHorizonWithItsFoot) { EXPECT_EQ(sky_texel({1, 1}, {}, 0, 0, SkyRows::round).v, 1); }
 
-TEST(SkyTexel, HasItsTopAtTheTangentOfItsHeight) { EXPECT_EQ(sky_texel({1, 2.5}, {}, 0, 2.5).v, 0); }
+TEST(SkyTexel, HasItsTopAtTheTangentOfItsHeight) { EXPECT_EQ(sky_texel({1, 2.5}, {}, 0, 2.5, SkyRows::round).v, 0); }
 
 TEST(SkyTexel, GoesOnWithItsLastRowsAboveAndBelow) {
-    EXPECT_EQ(sky_texel({1, 1}, {}, 0, 50).v, 0);
-    EXPECT_EQ(sky_texel({1, 1}, {}, 0, -50).v, 1);
+    EXPECT_EQ(sky_texel({1, 1}, {}, 0, 50, SkyRows::round).v, 0);
+    EXPECT_EQ(sky_texel({1, 1}, {}, 0, -50, SkyRows::round).v, 1);
+}
+
+TEST(SkyTexel, BeginsAgainBelowWhereRowsAreStraight) {
+    EXPECT_EQ(sky_texel({1, 1}, {}, 0, 50, SkyRows::straight).v, 0);
+    EXPECT_EQ(sky_texel({1, 1}, {}, 0, 0.25, SkyRows::straight).v, 0.75);
+    EXPECT_EQ(sky_texel({1, 1}, {}, 0, 0, SkyRows::straight).v, 0);
+    EXPECT_EQ(sky_texel({1, 1}, {}, 0, -50.25, SkyRows::straight).v, 0.25);
+    EXPECT_EQ(place_on_sky(51.25, SkyRows::straight), place_on_tile(0.25));
+    EXPECT_EQ(place_on_sky(51.25, SkyRows::round), place_on_picture(1));
 }
 
 TEST(SkyTexel, MovesByItsOffset) {
-    const SkyTexel moved = sky_texel({1, 1}, {0.25, 0.125}, 0.5, 0.25);
+    const SkyTexel moved = sky_texel({1, 1}, {0.25, 0.125}, 0.5, 0.25, SkyRows::round);
     EXPECT_EQ(moved.u, 0.25);
     EXPECT_EQ(moved.v, 0.625);
 }

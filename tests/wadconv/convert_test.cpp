@@ -245,6 +245,20 @@ TEST(ConvertWalls, OpenStepsBetweenTwoSkies) {
     EXPECT_THAT(c.noted(Kind::missing_upper), IsEmpty());
 }
 
+TEST(ConvertSectors, LetTheSkyHideWhatIsBehindAClosedOne) {
+    Doorway d(128, 128, "F_SKY1");
+    const FlatRecord floor = Converted(d.level).file.sectors[1].floor;
+    EXPECT_TRUE(floor.parallax);
+    EXPECT_EQ(floor.texture->name, "sky1");
+    EXPECT_FALSE(Converted(Doorway(127, 128, "F_SKY1").level).file.sectors[1].floor.parallax) << "open";
+    EXPECT_FALSE(Converted(Doorway(128, 128).level).file.sectors[1].floor.parallax) << "no sky";
+    d.line().special = 1;
+    EXPECT_FALSE(Converted(d.level).file.sectors[1].floor.parallax) << "a door";
+    d.line().special = 0;
+    d.level.map.sectors[1].tag = 3;
+    EXPECT_FALSE(Converted(d.level).file.sectors[1].floor.parallax) << "with a tag";
+}
+
 // With two skies Doom counts from the ceiling beyond, here 32 units lower than the own one.
 TEST(ConvertWalls, HangUnpeggedLowerStepsBetweenTwoSkiesFromTheCeilingBeyond) {
     Doorway d(16, 96, "F_SKY1");

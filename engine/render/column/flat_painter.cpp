@@ -11,10 +11,12 @@
 namespace enfilade::column {
 namespace {
 
+SkyRows rows_of_sky(const ColumnScene& scene) { return sky_rows(scene.map.render, false); }
+
 /// What a ray climbs from one row to the next: where the sky's rows are straight, per metre of depth; else per metre
 /// along the ground, which is longer by the length of `ray`.
 double rise_per_row(const ColumnScene& scene, Vec2 ray) {
-    if (sky_rows(scene.map.render, false) == SkyRows::straight) return 1 / scene.screen.focal_y;
+    if (rows_of_sky(scene) == SkyRows::straight) return 1 / scene.screen.focal_y;
     return 1 / (scene.screen.focal_y * std::sqrt(dot(ray, ray)));
 }
 
@@ -236,17 +238,21 @@ void FlatPainter::paint_sky(const ColumnScene& scene, int x, int top, int bottom
     if (scene.facts == nullptr) return;
     for (int y = top; y < bottom; ++y) {
         const SkyTexel texel = sky_texel(flat_.surface.tile_m, flat_.surface.offset_tiles, column.turn,
-                                         scene.screen.row_rises[y] * column.rise_per_row);
+                                         scene.screen.row_rises[y] * column.rise_per_row, rows_of_sky(scene));
         note(scene, x, y, id_, std::numeric_limits<double>::infinity(), texel.u, texel.v);
     }
 }
 
 SkyRun FlatPainter::sky_run(const ColumnScene& scene, const Surface& surface, const SkyColumn& column) const {
     const Texture& texture = scene.textures[surface.texture];
-    const SkyTexel horizon = sky_texel(surface.tile_m, surface.offset_tiles, column.turn, 0);
+    const SkyTexel horizon = sky_texel(surface.tile_m, surface.offset_tiles, column.turn, 0, rows_of_sky(scene));
     const std::uint32_t texels = texel_of(place_on_tile(horizon.u), texture.width);
-    return {&texture.pixels[std::size_t{texels} * texture.height], texture.height, 1 - surface.offset_tiles.y,
-            -column.rise_per_row / surface.tile_m.y, scene.screen.row_rises.data()};
+    return {&texture.pixels[std::size_t{texels} * texture.height],
+            texture.height,
+            1 - surface.offset_tiles.y,
+            last_of_sky(rows_of_sky(scene)),
+            -column.rise_per_row / surface.tile_m.y,
+            scene.screen.row_rises.data()};
 }
 
 void FlatPainter::prepare_rows(const ColumnScene& scene, int top, int bottom) {

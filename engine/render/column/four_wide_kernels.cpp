@@ -197,12 +197,12 @@ void fill_flats(const PlainFlats& f) {
         by_shifts ? fill_flats_as<true, false>(f) : fill_flats_as<false, false>(f);
 }
 
-/// Which row of the picture four rows of the screen show: place_on_picture() and texel_of() of each.
+/// Which row of the picture four rows of the screen show: their places and texel_of() of each.
 __m128i sky_rows(const SkyRun& sky, int row) {
     const __m128d at_horizon = _mm_set1_pd(sky.v_at_horizon), per_rise = _mm_set1_pd(sky.v_per_rise);
     const auto shown = [&](const double* rises) {
         const __m128d v = _mm_add_pd(at_horizon, _mm_mul_pd(_mm_loadu_pd(rises), per_rise));
-        const __m128d inside = _mm_min_pd(_mm_max_pd(v, _mm_setzero_pd()), _mm_set1_pd(kLastPlace));
+        const __m128d inside = _mm_min_pd(_mm_max_pd(v, _mm_setzero_pd()), _mm_set1_pd(sky.last));
         return _mm_add_pd(inside, _mm_set1_pd(kStepShift));
     };
     const double* const rises = sky.row_rises + row;

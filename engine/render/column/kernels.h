@@ -100,6 +100,7 @@ struct SkyRun {
     const std::uint32_t* texels;  ///< texture column [height]
     std::uint32_t height;
     double v_at_horizon;      ///< [tiles]
+    double last;              ///< last_of_sky() [tiles]
     double v_per_rise;        ///< tiles per row above the horizon
     const double* row_rises;  ///< by row: rows above the horizon [px]
 };

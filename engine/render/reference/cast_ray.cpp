@@ -85,17 +85,19 @@ Seen painted(const Arrival& at, const Surface& surface, PixelSurface id, double 
     return seen;
 }
 
+SkyRows rows_of_sky(const Arrival& at) { return sky_rows(at.scene.map.render, at.scene.is_tilted); }
+
 /// Where on the picture the ray looks.
 SkyTexel sky_texel_of(const Arrival& at, const Surface& surface) {
-    const bool is_round = sky_rows(at.scene.map.render, at.scene.is_tilted) == SkyRows::round;
-    const double ground = is_round ? std::sqrt(1 + at.course.slope * at.course.slope) : 1;
+    const double ground = rows_of_sky(at) == SkyRows::round ? std::sqrt(1 + at.course.slope * at.course.slope) : 1;
     const double elevation = at.course.climb / ground;
     const double turns = turn_of(at.hit.space.direction(at.course.slope));
-    return sky_texel(surface.tile_m, surface.offset_tiles, turns, elevation);
+    return sky_texel(surface.tile_m, surface.offset_tiles, turns, elevation, rows_of_sky(at));
 }
 
 std::uint32_t sky_color(const Arrival& at, const Surface& surface, const SkyTexel& place) {
-    return texel(at.scene.textures[surface.texture], place_on_tile(place.u), place_on_picture(place.v)).color;
+    return texel(at.scene.textures[surface.texture], place_on_tile(place.u), place_on_sky(place.v, rows_of_sky(at)))
+        .color;
 }
 
 Seen sky(const Arrival& at, const FlatNow& flat, PixelSurface id) {

@@ -208,8 +208,9 @@ float flat_depth(float height, float up, float met) {
 }
 
 vec2 sky_tile(float turns, float elevation, vec2 tile, vec2 offset) {
-    vec2 spot = nearest(vec2(turns * tile.x - offset.x, clamp(1.0 - elevation / tile.y - offset.y, 0.0, 1.0)));
-    return vec2(part(spot.x), spot.y);
+    float down = max(1.0 - elevation / tile.y - offset.y, 0.0);
+    vec2 spot = nearest(vec2(turns * tile.x - offset.x, is_sky_round != 0 ? min(down, 1.0) : down));
+    return vec2(part(spot.x), is_sky_round != 0 ? spot.y : part(spot.y));
 }
 
 uvec3 laid_over(uvec3 below, uvec4 above) {

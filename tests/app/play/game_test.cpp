@@ -57,7 +57,7 @@ protected:
 
 TEST_F(GameOnDisk, StartsAtThePlayersStart) {
     EXPECT_EQ(game_->player().place, (Place{SectorId(0u), {2, 2}}));
-    EXPECT_EQ(game_->view(1, {}, 90).eye, (Vec2{2, 2}));
+    EXPECT_EQ(game_->view(1, {}, {}).eye, (Vec2{2, 2}));
 }
 
 TEST_F(GameOnDisk, WalksThroughADoor) {
@@ -65,11 +65,11 @@ TEST_F(GameOnDisk, WalksThroughADoor) {
     EXPECT_EQ(game_->player().place.sector, SectorId(1u));
 }
 
-TEST_F(GameOnDisk, TurnsTheHeadAheadOfTheTick) { EXPECT_EQ(game_->view(1, {1 << 30, 0}, 90).forward, (Vec2{0, 1})); }
+TEST_F(GameOnDisk, TurnsTheHeadAheadOfTheTick) { EXPECT_EQ(game_->view(1, {1 << 30, 0}, {}).forward, (Vec2{0, 1})); }
 
 TEST_F(GameOnDisk, LooksNoFurtherUpThanThePlayerCan) {
-    const double limit = game_->view(1, {0, kMaxPitchSteps}, 90).pitch_tangent;
-    EXPECT_EQ(game_->view(1, {0, 0x7000'0000}, 90).pitch_tangent, limit);
+    const double limit = game_->view(1, {0, kMaxPitchSteps}, {}).pitch_tangent;
+    EXPECT_EQ(game_->view(1, {0, 0x7000'0000}, {}).pitch_tangent, limit);
 }
 
 TEST_F(GameOnDisk, StandsAtTheStartAgainAfterARestart) {

@@ -139,12 +139,26 @@ TEST(FillFarFlats, StayInTheTextureForAnyStepAndDepth) {
         }
 }
 
+TEST(FillSky, BeginsAgainBelowWhereItsRowsAreStraight) {
+    const Texture texture = numbered(1, 10);
+    std::vector<double> rises;
+    for (int y = 0; y < 60; ++y) rises.push_back(30 - y);
+    std::vector<std::uint32_t> pixels(60);
+    scalar_kernels().fill_sky({pixels.data(), 0, 60},
+                              {texture.pixels.data(), 10, 1, kNearTiles, -0.0625, rises.data()});
+    EXPECT_EQ(pixels[0] & 0xFFF, 0u);
+    EXPECT_EQ(pixels[29] & 0xFFF, 9u);
+    EXPECT_EQ(pixels[30] & 0xFFF, 0u);
+    EXPECT_EQ(pixels[46] & 0xFFF, 0u);
+    EXPECT_EQ(pixels[45] & 0xFFF, 9u);
+}
+
 TEST(FillSky, HoldsItsFirstAndLastRowBeyondThePicture) {
     const Texture texture = numbered(1, 10);
     std::vector<double> rises;
     for (int y = 0; y < 60; ++y) rises.push_back(30 - y);
     std::vector<std::uint32_t> pixels(60);
-    scalar_kernels().fill_sky({pixels.data(), 0, 60}, {texture.pixels.data(), 10, 1, -0.05, rises.data()});
+    scalar_kernels().fill_sky({pixels.data(), 0, 60}, {texture.pixels.data(), 10, 1, kLastPlace, -0.05, rises.data()});
     EXPECT_EQ(pixels[0] & 0xFFF, 0u);
     EXPECT_EQ(pixels[29] & 0xFFF, 9u);
     EXPECT_EQ(pixels[59] & 0xFFF, 9u);
@@ -155,7 +169,7 @@ TEST(LaySky, MixesWhatIsThereByItsAlpha) {
     const std::vector<std::uint32_t> texels{0x00FFFFFFu, 0x80FF0000u, 0xFF0000FFu};
     std::vector<std::uint32_t> pixels(3, 0xFF204060u);
     const std::vector<double> rises{2.5, 1.5, 0.5};
-    lay_sky({pixels.data(), 0, 3}, {texels.data(), 3, 1, -1.0 / 3, rises.data()});
+    lay_sky({pixels.data(), 0, 3}, {texels.data(), 3, 1, kLastPlace, -1.0 / 3, rises.data()});
     EXPECT_EQ(pixels[0], 0xFF204060u);
     EXPECT_EQ(pixels[1], laid_over(0xFF204060u, 0x80FF0000u));
     EXPECT_EQ(pixels[2], 0xFF0000FFu);

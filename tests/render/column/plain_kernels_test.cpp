@@ -147,7 +147,11 @@ TEST(PlainKernels, DrawSkiesAsTheScalarOneDoes) {
         for (int row = 0; row < kRows; ++row) rises.push_back(horizon - row);
         // Round parts of the picture lie on texels' very edges; its ends are mostly in view.
         const double per_rise = trial % 2 ? random.uniform(-0.1, 0.1) : -1.0 / 64;
-        const SkyRun sky{texture.pixels.data(), texture.height, trial % 2 ? random.uniform(0, 1) : 1, per_rise,
+        const SkyRun sky{texture.pixels.data(),
+                         texture.height,
+                         trial % 2 ? random.uniform(0, 1) : 1,
+                         trial % 3 ? kLastPlace : kNearTiles,
+                         per_rise,
                          rises.data()};
         const Bench bench(random);
         expect_same_bits(
