@@ -64,20 +64,35 @@ Fixed distance_to(Fixed ahead, Fixed left) {
     return quotient(x, fine_sine(angle + kAhead));
 }
 
-/// Where the left edge of column x looks, left of ahead: the first of the fine angles that lies so far left.
-Angle column_angle(const VanillaScreen& screen, int x) {
-    const Angle exact = angle_of({screen.columns_per_slope, screen.width / 2 - double(x)});
-    const double fine = static_cast<std::int32_t>(exact.steps) / double(1 << kFineShift);
-    return {static_cast<std::uint32_t>(static_cast<std::int32_t>(std::ceil(fine - 0.5))) << kFineShift};
-}
-
-int column_of(const VanillaScreen& screen, Vec2 end, int behind) {
+/// The first column whose middle is not left of an end of a wall: in [0, width].
+int column_from(const VanillaScreen& screen, Vec2 end, int behind) {
     if (end.y <= 0) return behind;
-    const double column = screen.width / 2 + screen.columns_per_slope * end.x / end.y;
-    return static_cast<int>(std::clamp(std::floor(column), 0.0, double(screen.width - 1)));
+    const double column = screen.width() / 2.0 + screen.columns_per_slope() * end.x / end.y;
+    return static_cast<int>(std::clamp(std::ceil(column - 0.5), 0.0, double(screen.width())));
 }
 
 }  // namespace
+
+VanillaScreen::VanillaScreen(int width, double columns_per_slope)
+    : width_(width), columns_per_slope_(columns_per_slope) {
+    const Angle half = angle_of({columns_per_slope, width / 2.0});
+    columns_per_tangent_ = (std::int64_t{fixed(width / 2.0)} << 16) / fine_tangent(kAhead + half);
+}
+
+/// Tangents are those of the middles of fine angles, and what the multiplication cuts off puts the edge of the screen
+/// one fine angle farther out.
+int VanillaScreen::first_column(Angle fine) const {
+    const std::int64_t from_middle = (std::int64_t{fine_tangent(kAhead + fine)} * columns_per_tangent_) >> 16;
+    return static_cast<int>((fixed(width_ / 2.0) - from_middle + (kOne - 1)) >> 16);
+}
+
+Angle VanillaScreen::column_angle(int x) const {
+    constexpr std::uint32_t kFineStep = 1u << kFineShift;
+    const Angle near = angle_of({double(columns_per_tangent_) / kOne, width_ / 2.0 - x});
+    Angle fine{((near.steps >> kFineShift) - 1) << kFineShift};  // too far to the right by one or two
+    while (first_column(fine) > x) fine.steps += kFineStep;
+    return fine;
+}
 
 VanillaWall::VanillaWall(const VanillaScreen& screen, Vec2 left, Vec2 right) : screen_(screen) {
     constexpr int kWallAngleShift = 16;  // of the angles that maps were saved with
@@ -92,14 +107,14 @@ VanillaWall::VanillaWall(const VanillaScreen& screen, Vec2 left, Vec2 right) : s
     const Fixed reach = distance_to(ahead, to_left);
     distance_ = product(reach, fine_sine(kAhead - apart));
     offset_ = product(reach, fine_sine(apart)) * (is_left ? -1 : 1);
-    first_ = column_of(screen, left, 0);
-    const int last = column_of(screen, right, screen.width - 1);
+    first_ = std::min(column_from(screen, left, 0), screen.width() - 1);
+    const int last = column_from(screen, right, screen.width()) - 1;
     scale_ = scale_at(first_);
     if (last > first_) scale_step_ = (scale_at(last) - scale_) / (last - first_);
 }
 
 double VanillaWall::along_at(int x) const {
-    const Angle angle = kAhead - normal_ + column_angle(screen_, x);
+    const Angle angle = kAhead - normal_ + screen_.column_angle(x);
     return real(offset_) - real(product(fine_tangent(angle), distance_));
 }
 
@@ -109,18 +124,18 @@ double VanillaWall::per_row_at(int x) const {
 }
 
 Fixed VanillaWall::scale_at(int x) const {
-    const Angle column = column_angle(screen_, x);
+    const Angle column = screen_.column_angle(x);
     const Fixed sine_ahead = fine_sine(kAhead + column), sine_wall = fine_sine(kAhead + column - normal_);
-    const Fixed over = product(fixed(screen_.columns_per_slope), sine_wall), under = product(distance_, sine_ahead);
+    const Fixed over = product(fixed(screen_.columns_per_slope()), sine_wall), under = product(distance_, sine_ahead);
     if (under <= over >> 16) return kMostScale;
     return std::clamp(quotient(over, under), kLeastScale, kMostScale);
 }
 
 VanillaFlat::VanillaFlat(const VanillaScreen& screen, double height, Vec2 forward, double flip)
     : height_(fixed(std::fabs(height))) {
-    const Fixed columns = fixed(screen.columns_per_slope);
+    const Fixed columns = fixed(screen.columns_per_slope());
     const Angle ahead = angle_of(forward), across = flip < 0 ? ahead - kAhead : ahead + kAhead;
-    const Angle start = column_angle(screen, 0);
+    const Angle start = screen.column_angle(0);
     const Angle turned = flip < 0 ? ahead + start : ahead - start;
     start_cos_ = fine_cosine(turned);
     start_sin_ = fine_sine(turned);

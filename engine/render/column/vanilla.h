@@ -15,9 +15,22 @@ namespace enfilade::column {
 using Fixed = std::int32_t;
 
 /// The screen as those formulas know it.
-struct VanillaScreen {
-    int width = 1;                 ///< [px]
-    double columns_per_slope = 1;  ///< half the width, where the field of view is 90 degrees
+class VanillaScreen {
+public:
+    /// columns_per_slope: half the width, where the field of view is 90 degrees.
+    VanillaScreen(int width, double columns_per_slope);
+
+    int width() const { return width_; }
+    double columns_per_slope() const { return columns_per_slope_; }
+    /// Where the left edge of column x looks, left of ahead: the first fine angle that the tables put there or farther.
+    Angle column_angle(int x) const;
+
+private:
+    int first_column(Angle fine) const;
+
+    int width_;  ///< [px]
+    double columns_per_slope_;
+    std::int64_t columns_per_tangent_;  ///< the same by the table of tangents [1/65536]
 };
 
 /// A wall that faces the eye.
@@ -37,7 +50,7 @@ private:
     VanillaScreen screen_;
     Angle normal_;  ///< from the eye to the wall, left of ahead
     Fixed distance_ = 0, offset_ = 0;
-    int first_ = 0;  ///< column that it begins in
+    int first_ = 0;  ///< of its columns
     Fixed scale_ = 0, scale_step_ = 0;
 };
 
