@@ -58,7 +58,7 @@ Result<Frame> read_picture(const std::string& path) {
     if (!bytes.ok()) return bytes.error();
     auto image = read_png(bytes.value());
     if (!image.ok()) return Error{path, image.error().what};
-    return Frame{int(image.value().width), int(image.value().height), std::move(image.value().pixels)};
+    return frame_of(image.value());
 }
 
 }  // namespace

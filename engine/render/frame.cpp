@@ -12,7 +12,13 @@ void Frame::resize(int new_width, int new_height) {
     pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
 }
 
-Image image_of(const Frame& frame) { return {std::uint32_t(frame.width), std::uint32_t(frame.height), frame.pixels}; }
+Image image_of(const Frame& frame) {
+    return {std::uint32_t(frame.width), std::uint32_t(frame.height), {frame.pixels.begin(), frame.pixels.end()}};
+}
+
+Frame frame_of(const Image& image) {
+    return {int(image.width), int(image.height), {image.pixels.begin(), image.pixels.end()}};
+}
 
 void reset(FrameFacts& facts, int width, int height) {
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/cache_lines.h"
 #include "formats/png.h"
 #include "map/map.h"
 
@@ -77,19 +78,23 @@ struct FrameFacts {
     std::vector<std::uint8_t> ambiguous;  ///< reference only: 1 where a decision was closer than 1e-7
 };
 
-/// width * height pixels by row, row 0 at the top, 0xAABBGGRR (bytes R, G, B, A), no padding.
+/// 0xAABBGGRR (bytes R, G, B, A).
+using Pixels = std::vector<std::uint32_t, OnCacheLines<std::uint32_t>>;
+
+/// width * height pixels by row, row 0 at the top, no padding.
 struct Frame {
     int width = 0;
     int height = 0;
-    std::vector<std::uint32_t> pixels;
+    Pixels pixels;
     bool is_cut_short = false;  ///< somewhere a look ended because its budget was spent (render/openings.h)
 
     /// Sets the size and makes room. Pixels keep whatever they were: every renderer writes every one.
     void resize(int new_width, int new_height);
 };
 
-/// The same pixels, for write_png().
+/// The same pixels, for write_png(), and the other way round.
 Image image_of(const Frame& frame);
+Frame frame_of(const Image& image);
 
 /// Makes room and sets everything to "nothing drawn, 0 writes, infinitely far".
 void reset(FrameFacts& facts, int width, int height);

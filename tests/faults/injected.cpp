@@ -44,6 +44,7 @@ extern "C" {
 void* __libc_malloc(std::size_t);
 void* __libc_calloc(std::size_t, std::size_t);
 void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
 
 void* malloc(std::size_t size) {
     if (!must_fail(Call::allocate)) return __libc_malloc(size);
@@ -59,6 +60,12 @@ void* calloc(std::size_t count, std::size_t size) {
 
 void* realloc(void* before, std::size_t size) {
     if (!must_fail(Call::allocate)) return __libc_realloc(before, size);
+    errno = ENOMEM;
+    return nullptr;
+}
+
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+    if (!must_fail(Call::allocate)) return __libc_memalign(alignment, size);
     errno = ENOMEM;
     return nullptr;
 }

@@ -4,8 +4,8 @@
 
 namespace enfilade::test {
 
-/// Memory of any size (malloc, calloc, realloc, and so `new`); opening a file to write; writing to a file other than
-/// the three standard ones; flushing it to disk; renaming it.
+/// Memory of any size (malloc, calloc, realloc, aligned_alloc, and so `new`); opening a file to write; writing to a
+/// file other than the three standard ones; flushing it to disk; renaming it.
 enum class Call { allocate, open, write, flush, rename };
 
 /// Of the calls from now on, the nth (1, 2, …) fails, or all from the nth on do; none with nth = 0. In all threads.

@@ -60,7 +60,7 @@ std::optional<std::uint64_t> hash_of_picture(const fs::path& path) {
     const auto bytes = read_file(path.string());
     auto image = bytes.ok() ? read_png(bytes.value()) : bytes.error();
     if (!image.ok()) return {};
-    return hash_of(Frame{int(image.value().width), int(image.value().height), std::move(image.value().pixels)});
+    return hash_of(frame_of(image.value()));
 }
 
 /// The hash of the sheet of small pictures as it is drawn now.

@@ -24,6 +24,22 @@ TEST(Frame, HasAPixelForEveryPlace) {
     EXPECT_EQ(frame.pixels.size(), 117u * 83u);
 }
 
+TEST(Frame, BeginsOnACacheLineWhereverTheHeapHasRoom) {
+    std::vector<Frame> frames(20);
+    std::vector<std::vector<std::byte>> between;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        between.emplace_back(1 + 24 * i);
+        frames[i].resize(3 + 50 * static_cast<int>(i), 7);
+        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(frames[i].pixels.data()) % kCacheLineBytes, 0u) << i;
+    }
+}
+
+TEST(Frame, IsTheSameAfterAWayThroughAnImage) {
+    Frame frame = two_by_three(0xFF102030u);
+    frame.pixels[5] = 0xFF000007u;
+    EXPECT_EQ(hash_of(frame_of(image_of(frame))), hash_of(frame));
+}
+
 TEST(FrameFacts, SayNothingIsDrawnAfterReset) {
     FrameFacts facts;
     facts.writes = {1, 2, 3};

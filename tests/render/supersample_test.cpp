@@ -46,7 +46,7 @@ TEST(TakeMeans, GivesEachPixelThoseItCovers) {
     fine.pixels = {grey(0), grey(0), grey(10), grey(10), grey(0), grey(0), grey(10), grey(10)};
     frame.resize(2, 1);
     take_means(fine, 2, frame);
-    EXPECT_EQ(frame.pixels, (std::vector<std::uint32_t>{grey(0), grey(10)}));
+    EXPECT_EQ(frame.pixels, (Pixels{grey(0), grey(10)}));
 }
 
 }  // namespace

@@ -3,16 +3,17 @@
 #include <malloc.h>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 
 namespace {
 std::atomic<std::size_t> count{0}, asked_for{0}, in_use{0}, peak{0};
 
-void* counted(std::size_t size) noexcept {
+void* counted(std::size_t size, std::size_t alignment = alignof(std::max_align_t)) noexcept {
     count.fetch_add(1, std::memory_order_relaxed);
     asked_for.fetch_add(size, std::memory_order_relaxed);
-    void* const p = std::malloc(size ? size : 1);
+    void* const p = memalign(alignment, size ? size : 1);
     const std::size_t usable = p ? malloc_usable_size(p) : 0;
     const std::size_t now = in_use.fetch_add(usable, std::memory_order_relaxed) + usable;
     for (std::size_t old = peak.load(std::memory_order_relaxed);
@@ -26,8 +27,8 @@ void give_back(void* p) noexcept {
     std::free(p);
 }
 
-void* counted_or_throw(std::size_t size) {
-    if (void* p = counted(size)) return p;
+void* counted_or_throw(std::size_t size, std::size_t alignment = alignof(std::max_align_t)) {
+    if (void* p = counted(size, alignment)) return p;
     throw std::bad_alloc();
 }
 }  // namespace
@@ -38,6 +39,10 @@ void* operator new(std::size_t size) { return counted_or_throw(size); }
 void* operator new[](std::size_t size) { return counted_or_throw(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return counted(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return counted_or_throw(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* p, std::align_val_t) noexcept { give_back(p); }
 void operator delete(void* p) noexcept { give_back(p); }
 void operator delete[](void* p) noexcept { give_back(p); }
 void operator delete(void* p, std::size_t) noexcept { give_back(p); }

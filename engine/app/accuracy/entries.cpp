@@ -69,13 +69,6 @@ Result<Image> read_picture(const EntryPlan& plan, const std::string& path) {
                                    width, height)};
 }
 
-Frame frame_of(Image image) {
-    Frame frame;
-    frame.resize(static_cast<int>(image.width), static_cast<int>(image.height));
-    frame.pixels = std::move(image.pixels);
-    return frame;
-}
-
 void add_ids(const Image& truth, const Image& entry, EntryScore& score) {
     constexpr std::uint32_t kColor = 0x00FFFFFF;
     for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
@@ -116,7 +109,7 @@ Result<EntryScore> score_entry(const EntryPlan& plan, const OpenMap& map) {
         const TrueView truth = painter.value().paint(plan.views[i]);
         auto colors = read_picture(plan, numbered_picture(colors_in(plan), i));
         if (!colors.ok()) return colors.error();
-        const Frame entry = frame_of(std::move(colors).value());
+        const Frame entry = frame_of(colors.value());
         squared += squared_change(truth.colors, entry);
         score.ssim += structural_similarity(truth.colors, entry) / static_cast<double>(plan.views.size());
         if (!has_ids) continue;

@@ -109,10 +109,7 @@ Result<Frame> read_picture(const fs::path& path) {
     if (!bytes.ok()) return bytes.error();
     auto image = read_png(bytes.value());
     if (!image.ok()) return image.error();
-    Frame frame;
-    frame.resize(image.value().width, image.value().height);
-    frame.pixels = std::move(image.value().pixels);
-    return frame;
+    return frame_of(image.value());
 }
 
 /// What the player sees at the start.

@@ -138,26 +138,17 @@ std::size_t most_strips(const Frame& frame, std::size_t threads) {
     return std::max(for_cache, threads == 1 ? 1 : kStripsPerThread * threads);
 }
 
-/// Columns before the first end of a cache line in the picture's uppermost row. The same in every row, where the width
-/// is a multiple of kLinePixels; otherwise no cut spares all rows.
-int first_line_of(const Frame& frame) {
-    constexpr std::uintptr_t kLineBytes = kLinePixels * sizeof(std::uint32_t);
-    const auto address = reinterpret_cast<std::uintptr_t>(frame.pixels.data());
-    return static_cast<int>((kLineBytes - address % kLineBytes) % kLineBytes / sizeof(std::uint32_t));
-}
-
 }  // namespace
 
-void cut_into_strips(int width, int first_line, std::size_t most, std::vector<ColumnRange>& strips) {
-    ENFILADE_CHECK(width >= 1 && most >= 1 && 0 <= first_line && first_line < kLinePixels);
+void cut_into_strips(int width, std::size_t most, std::vector<ColumnRange>& strips) {
+    ENFILADE_CHECK(width >= 1 && most >= 1);
     const int lines = (width + kLinePixels - 1) / kLinePixels;
     const int count = static_cast<int>(std::min(most, static_cast<std::size_t>(lines)));
     const int step = (lines + count - 1) / count * kLinePixels;
     strips.clear();
     for (int begin = 0; begin < width;) {
-        const int end = begin == 0 && count > 1 ? first_line + step : begin + step;
-        strips.push_back({begin, std::min(end, width)});
-        begin = end;
+        strips.push_back({begin, std::min(begin + step, width)});
+        begin += step;
     }
 }
 
@@ -176,7 +167,7 @@ ColumnStrips::ColumnStrips(const Map& map, const TextureSet& textures, std::size
 ColumnStrips::~ColumnStrips() = default;
 
 void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) {
-    cut_into_strips(frame.width, first_line_of(frame), most_strips(frame, threads_), strips_);
+    cut_into_strips(frame.width, most_strips(frame, threads_), strips_);
     while (renderers_.size() < strips_.size())
         renderers_.emplace_back(map_, textures_, ColumnRenderer::Shared{*lights_, dials_.get()});
     const std::size_t strips = strips_.size();

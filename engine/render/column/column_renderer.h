@@ -100,14 +100,14 @@ private:
 
 // One picture drawn by several threads, each a strip of columns at a time.
 
-/// The columns [0, width) of a picture, cut into at most `most` strips (>= 1), left to right. All but the first and the
-/// last are equally wide. They meet where a row has a cache line's end, so that no two threads write to one line: if
-/// every row of a picture has its first such end before column `first_line`, in 0..kLinePixels - 1.
-/// A picture of few columns gets fewer strips, none of them empty. The list is overwritten: it keeps its memory.
-void cut_into_strips(int width, int first_line, std::size_t most, std::vector<ColumnRange>& strips);
+/// Pixels of a cache line.
+inline constexpr int kLinePixels = kCacheLineBytes / sizeof(std::uint32_t);
 
-/// Pixels of a cache line of 64 bytes, as all x86-64 and most others have.
-inline constexpr int kLinePixels = 16;
+/// The columns [0, width) of a picture, cut into at most `most` strips (>= 1), left to right. All but the last are
+/// equally wide. They meet where a row has a cache line's end, so that no two threads write to one line: in every row,
+/// where the width is a multiple of kLinePixels; otherwise no cut spares all rows.
+/// A picture of few columns gets fewer strips, none of them empty. The list is overwritten: it keeps its memory.
+void cut_into_strips(int width, std::size_t most, std::vector<ColumnRange>& strips);
 
 /// Column renderers and threads that share a picture. There are more strips than threads. Each thread draws its own,
 /// the same ones frame after frame, whose memory is in its core's cache, and then what others have not begun yet: one

@@ -72,7 +72,7 @@ public:
 private:
     /// What a picture shows, and of which surface.
     struct Aside {
-        std::vector<std::uint32_t> pixels;
+        Pixels pixels;
         std::vector<PixelSurface> ids;
     };
     StencilPicture truth_of(const View& view, PictureSize size) const;

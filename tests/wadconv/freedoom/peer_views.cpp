@@ -105,13 +105,6 @@ struct Comparison {
     Nearness theirs, ours;
 };
 
-Frame frame_of(const Image& image) {
-    Frame frame;
-    frame.resize(static_cast<int>(image.width), static_cast<int>(image.height));
-    frame.pixels = image.pixels;
-    return frame;
-}
-
 std::optional<Frame> drawn(const Walk& walk, const Snapshot& snapshot, const View& view, int samples, Frame frame) {
     RendererChoice choice;
     choice.dials.samples = samples;
