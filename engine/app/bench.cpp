@@ -149,7 +149,7 @@ Result<void> measure(std::vector<BenchFrame>& frames, std::size_t rounds, const 
     Progress progress((rounds + 1) * frames.size(), "frames", talk);
     for (std::size_t round = 0; round <= rounds; ++round)
         for (std::size_t i = 0; i < frames.size(); ++i) {
-            const auto took_ns = draw(frames[i].subject, frames[i].number);
+            const auto took_ns = draw(frames[i].subject, frames[i].number, round > 0);
             if (!took_ns.ok()) return took_ns.error();
             if (round > 0) times[i].push_back(took_ns.value());
             progress.step(0);

@@ -180,6 +180,9 @@ Result<std::vector<PassFrame>> pass_of(const std::string& program, const ChildBe
     return read_pass(program, said.value());
 }
 
+/// One is like the other.
+constexpr std::size_t kCountedRounds = 1;
+
 /// The number after callgrind's "Collected :".
 Result<std::int64_t> collected(const std::string& said) {
     constexpr std::string_view kLabel = "Collected : ";
@@ -192,34 +195,20 @@ Result<std::int64_t> collected(const std::string& said) {
                  "have the names of its functions? Measure one that is not stripped"};
 }
 
-/// Of all frames together, drawn once uncounted by `bench` and then `rounds` times.
-struct Counted {
-    std::int64_t instructions = 0;
-    std::size_t frames = 0;
-};
+}  // namespace
 
-Result<Counted> count_rounds(const std::string& subject, const ChildBench& bench, std::size_t rounds) {
+Result<double> instructions_per_pixel(const std::string& subject, const ChildBench& bench) {
     Words words{"valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
                 fmt::format("--toggle-collect={}", kMeasuredFunction)};
-    append(words, bench_words(this_program(), bench, {subject}, rounds));
+    append(words, bench_words(this_program(), bench, {subject}, kCountedRounds));
     const auto said = said_by("valgrind", words);
     if (!said.ok()) return said.error();
     const auto instructions = collected(said.value());
     if (!instructions.ok()) return instructions.error();
     const auto pass = read_pass("valgrind", said.value());
     if (!pass.ok()) return pass.error();
-    return Counted{instructions.value(), pass.value().size()};
-}
-
-}  // namespace
-
-Result<double> instructions_per_pixel(const std::string& subject, const ChildBench& bench) {
-    const auto once = count_rounds(subject, bench, 1);
-    if (!once.ok()) return once.error();
-    const auto twice = count_rounds(subject, bench, 2);
-    if (!twice.ok()) return twice.error();
-    return static_cast<double>(twice.value().instructions - once.value().instructions) /
-           static_cast<double>(once.value().frames * bench.pixels);
+    return static_cast<double>(instructions.value()) /
+           static_cast<double>(kCountedRounds * pass.value().size() * bench.pixels);
 }
 
 Result<std::string> compare_with(const std::string& other, const ChildBench& bench) {

@@ -116,10 +116,10 @@ Result<BenchChoices> choices_of(const BenchRequest& request) {
     return renderer.render(picture, nullptr, shown.snapshot, shown.view);
 }
 
-Result<std::int64_t> time_picture(Renderer& renderer, Frame& picture, const BenchSubject& subject, int number) {
-    const FlightFrame shown = subject.frame(number);
+Result<std::int64_t> time_picture(Renderer& renderer, Frame& picture, const FlightFrame& shown, bool is_counted) {
     const std::int64_t began_ns = now_ns();
-    const Result<void> drawn = draw_measured(renderer, picture, shown);
+    const Result<void> drawn = is_counted ? draw_measured(renderer, picture, shown)
+                                          : renderer.render(picture, nullptr, shown.snapshot, shown.view);
     const std::int64_t took_ns = now_ns() - began_ns;
     if (!drawn.ok()) return drawn.error();
     return took_ns;
@@ -188,8 +188,8 @@ Result<void> time_frames(const BenchRequest& request, const BenchChoices& choice
     std::vector<BenchFrame> frames = frames_in_turn(counts);
     Frame picture;
     picture.resize(choices.size.width, choices.size.height);
-    const auto draw = [&](std::size_t subject, int number) {
-        return time_picture(*renderers.value()[subject], picture, subjects[subject], number);
+    const auto draw = [&](std::size_t subject, int number, bool is_counted) {
+        return time_picture(*renderers.value()[subject], picture, subjects[subject].frame(number), is_counted);
     };
     if (const Result<void> done = measure(frames, choices.rounds, draw, request.talk); !done.ok()) return done.error();
     if (const Result<void> done = count_frames(renderers.value(), choices.renderer, picture, subjects, frames);

@@ -29,7 +29,7 @@ TEST(FramesInTurn, TakeOneOfEachSubjectUntilTheyEnd) {
 BenchFrame measured(const std::vector<std::int64_t>& times_ns) {
     std::vector<BenchFrame> frames = frames_in_turn({1});
     std::size_t next = 0;
-    const auto draw = [&](std::size_t, int) -> Result<std::int64_t> { return times_ns[next++]; };
+    const auto draw = [&](std::size_t, int, bool) -> Result<std::int64_t> { return times_ns[next++]; };
     EXPECT_TRUE(measure(frames, times_ns.size() - 1, draw).ok());
     return frames[0];
 }
@@ -42,10 +42,21 @@ TEST(Measure, TakesTheFastestAndTheMiddleTime) {
 
 TEST(Measure, DoesNotCountTheFirstTime) { EXPECT_EQ(measured({1, 7}).minimum_ns, 7); }
 
+TEST(Measure, TellsWhichDrawingsCount) {
+    std::vector<BenchFrame> frames = frames_in_turn({2});
+    std::vector<bool> told;
+    const auto draw = [&](std::size_t, int, bool is_counted) -> Result<std::int64_t> {
+        told.push_back(is_counted);
+        return std::int64_t{1};
+    };
+    EXPECT_TRUE(measure(frames, 2, draw).ok());
+    EXPECT_THAT(told, ElementsAre(false, false, true, true, true, true));
+}
+
 TEST(Measure, EndsWithTheFirstError) {
     std::vector<BenchFrame> frames = frames_in_turn({4});
     int drawn = 0;
-    const auto draw = [&](std::size_t, int) -> Result<std::int64_t> {
+    const auto draw = [&](std::size_t, int, bool) -> Result<std::int64_t> {
         if (++drawn == 3) return Error{"card", "gone"};
         return std::int64_t{1};
     };

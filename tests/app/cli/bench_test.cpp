@@ -116,6 +116,22 @@ TEST_F(Bench, CountsInstructionsOrSaysWhatItNeeds) {
     EXPECT_THAT(without.err, HasSubstr("expected valgrind to be installed"));
 }
 
+TEST_F(Bench, CountsTheSameInstructionsAgainAndInAnotherFolder) {
+    if (std::system("valgrind --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "valgrind is not installed";
+    const std::string maps = ENFILADE_SOURCE_DIR "/maps",
+                      elsewhere = program_.path("maps in a folder with a longer name");
+    std::filesystem::create_directory_symlink(maps, elsewhere);
+    std::vector<double> counts;
+    for (const std::string& folder : {maps, maps, elsewhere}) {
+        const std::string map = folder + "/rooms.toml";
+        const Ended ended = program_.run({"bench", map, "--instructions", "--size", "640x400"});
+        ASSERT_EQ(ended.exit_code, 0) << ended.err;
+        counts.push_back(std::strtod(ended.out.c_str() + ended.out.rfind(' '), nullptr));
+    }
+    ASSERT_GT(counts[0], 1);
+    for (const double count : counts) EXPECT_NEAR(count / counts[0], 1, 0.001);
+}
+
 TEST_F(Bench, RefusesWhatOtherProcessesDoNotTell) {
     for (const std::vector<std::string>& more :
          std::vector<std::vector<std::string>>{{"--against", "/bin/true", "--csv", "times.csv"},
