@@ -19,13 +19,7 @@ Four load(const std::uint32_t* from) {
 void store(std::uint32_t* to, Four four) { std::memcpy(to, &four, sizeof four); }
 
 /// Square blocks of this side, so that lines of both layouts stay in the first-level cache: one cache line [px].
-constexpr int kBlock = 16;
-
-/// Pixels from an address to the next cache line, 0..kBlock - 1.
-int until_cache_line(const std::uint32_t* pixel) {
-    constexpr std::uintptr_t kLineBytes = kBlock * sizeof *pixel;
-    return static_cast<int>(-reinterpret_cast<std::uintptr_t>(pixel) % kLineBytes / sizeof *pixel);
-}
+constexpr int kBlock = kCacheLineBytes / sizeof(std::uint32_t);
 
 /// Pixel matrices in memory: how far apart the lines of each are [pixels].
 struct Pitches {
@@ -89,22 +83,21 @@ void Canvas::set(int begin, int end, int height) {
     height_ = height;
     const int lines = (height + kBlock - 1) / kBlock | 1;
     pitch_ = std::ptrdiff_t{lines} * kBlock;
-    pixels_.resize(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(pitch_) + kBlock);
-    first_ = pixels_.data() + until_cache_line(pixels_.data());
+    pixels_.resize(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(pitch_));
 }
 
 // Blocks begin where the picture's own cache lines do.
 void Canvas::copy_to(Frame& frame) const {
     const Pitches pitch{pitch_, frame.width};
     std::uint32_t* const corner = &frame.pixels[static_cast<std::size_t>(begin_)];
-    const int before_line = until_cache_line(corner);
+    const int before_line = (kBlock - begin_ % kBlock) % kBlock;
     const int width = end_ - begin_;
     for (int y = 0; y < height_; y += kBlock)
         for (int x = 0, next; x < width; x = next) {
             next = std::min(width, x < before_line ? before_line : x + kBlock);
             if (next + kBlock <= width && y + kBlock <= height_)
-                fetch_block(first_ + next * pitch_ + y, corner + y * pitch.to + next, pitch);
-            turn_block(first_ + x * pitch_ + y, corner + y * pitch.to + x, pitch, next - x,
+                fetch_block(pixels_.data() + next * pitch_ + y, corner + y * pitch.to + next, pitch);
+            turn_block(pixels_.data() + x * pitch_ + y, corner + y * pitch.to + x, pitch, next - x,
                        std::min(kBlock, height_ - y));
         }
 }

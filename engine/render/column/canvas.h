@@ -1,7 +1,6 @@
 // A picture laid out by columns while it is drawn, because runs down a column then lie side by side in memory.
 #pragma once
 #include <cstdint>
-#include <vector>
 
 #include "render/column/kernels.h"
 #include "render/frame.h"
@@ -16,7 +15,7 @@ public:
     void set(int begin, int end, int height);
 
     /// Where row 0 of column x is. Row y is y pixels on.
-    std::uint32_t* column(int x) { return first_ + (x - begin_) * pitch_; }
+    std::uint32_t* column(int x) { return pixels_.data() + (x - begin_) * pitch_; }
     /// From a column to the next [px].
     std::ptrdiff_t pitch() const { return pitch_; }
 
@@ -28,9 +27,8 @@ public:
 
 private:
     int begin_ = 0, end_ = 0, height_ = 0;
-    std::ptrdiff_t pitch_ = 0;        ///< whole cache lines [px]
-    std::uint32_t* first_ = nullptr;  ///< of column begin_, at the start of a cache line of pixels_
-    std::vector<std::uint32_t> pixels_;
+    std::ptrdiff_t pitch_ = 0;  ///< whole cache lines [px]
+    Pixels pixels_;
 };
 
 }  // namespace enfilade::column
