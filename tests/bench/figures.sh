@@ -45,6 +45,16 @@ parts() {
 # The instructions, or why there are none.
 instructions() { "$enfilade" bench --instructions "$@" 2>&1 || true; }
 
+# MAP: which functions the instructions of drawing go to, from 0.5 % on.
+profile() {
+    valgrind --tool=callgrind --callgrind-out-file="$work/callgrind" --toggle-collect='*draw_measured*' \
+        "$enfilade" bench --threads 1 --rounds 1 --quiet "$1" >/dev/null 2>&1 || return 0
+    callgrind_annotate "$work/callgrind" | sed -nE 's/^ *[0-9,]+ \( ?([0-9.]+)%\) +[^:]*:(.*)\[.*$/\1 \2/p' |
+        sed -E "s/, /,/g; s/enfilade::|column::|\(anonymous namespace\)::|^([0-9.]+ )void /\1/g; s/\(.*//; s/'.*//" |
+        awk '{ share[$2] += $1 } END { for (name in share) if (share[name] >= 0.5) printf "%5.1f %%  %s\n", share[name], name }' |
+        sort -rn
+}
+
 figures() {
     # shellcheck disable=SC2016 # quotes of Markdown
     printf '# Figures\n\nWritten by `tests/bench/figures.sh`.\n\n'
@@ -56,6 +66,7 @@ figures() {
     section 'Frames, 320x200, one thread' "$enfilade" bench --threads 1 --size 320x200 "$@"
     section 'Frames, 1280x800, two threads' "$enfilade" bench --threads 2 "$@"
     section 'Instructions, 1280x800' instructions "$@"
+    for map in "$@"; do section "Where the instructions of $map go, 1280x800" profile "$map"; done
     section 'Parts' parts
     section 'Ticks, in instructions' "$top/tests/bench/tick_cost.sh" "$build"
     section 'Longest ticks' "$build/tests/bench/worst_tick"

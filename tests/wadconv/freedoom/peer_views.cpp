@@ -71,6 +71,7 @@ View view_of(const Map& map, const ViewRow& row) {
     view.sector = locate(map, view.eye);
     view.eye_z = row.z;
     view.forward = direction(Angle::from_degrees(row.yaw_degrees));
+    view.ray_offset = ray_offset(map.render.rays);
     return view;
 }
 
