@@ -8,6 +8,7 @@
 #include "hard_cases/scenes.h"
 #include "hard_cases/world.h"
 #include "render/reference/reference_renderer.h"
+#include "render/supersample.h"
 
 namespace enfilade::test {
 namespace {
@@ -83,6 +84,7 @@ TEST(MirroringTheWorld, MirrorsEveryDepthToTheBit) {
             const Drawn drawn = plain.draw(view, kInvariantSize);
             view.eye.x = -view.eye.x;
             view.forward.x = -view.forward.x;
+            view.ray_offset.x = -view.ray_offset.x;
             ASSERT_EQ(flipped(other.draw(view, kInvariantSize).facts.depths), drawn.facts.depths);
         }
     }
@@ -127,7 +129,7 @@ TEST(PartsOfAPicture, EqualThoseOfTheWhole) {
 /// Centres of 3 x 3 blocks that show another surface than the pixel of the small picture.
 std::uint64_t differences_at_three_times_the_size(const MadeWorld& world, const View& view) {
     const Drawn one = world.draw(view, kInvariantSize),
-                three = world.draw(view, {3 * kInvariantSize.width, 3 * kInvariantSize.height});
+                three = world.draw(finer(view, 3), {3 * kInvariantSize.width, 3 * kInvariantSize.height});
     std::uint64_t differences = 0;
     for (int y = 0; y < kInvariantSize.height; ++y)
         for (int x = 0; x < kInvariantSize.width; ++x)
