@@ -11,8 +11,8 @@
 namespace enfilade::wadconv {
 namespace {
 
-constexpr std::array<std::string_view, 11> kNames = {"doropn", "dorcls", "bdopn",  "bdcls",  "pstart", "pstop",
-                                                     "stnmov", "swtchn", "swtchx", "telept", "itemup"};
+constexpr std::array<std::string_view, 11> kSoundNames = {"doropn", "dorcls", "bdopn",  "bdcls",  "pstart", "pstop",
+                                                          "stnmov", "swtchn", "swtchx", "telept", "itemup"};
 
 /// How a sound lump begins; other numbers stand for the PC speaker and for instruments.
 constexpr std::uint16_t kSampled = 3;
@@ -184,7 +184,7 @@ Result<Bytes> wav_of(const Lump& lump) {
 
 Sounds Sounds::list(const WadPile& pile) {
     Sounds sounds;
-    for (const std::string_view name : kNames) {
+    for (const std::string_view name : kSoundNames) {
         const Lump* lump = pile.find(lump_name_of(name));
         if (!lump) continue;
         Result<Bytes> file = wav_of(*lump);

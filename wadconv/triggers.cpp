@@ -15,8 +15,8 @@ constexpr double kTicsOfDamage = 32;
 Activation activation_of(How how) { return how == How::cross ? Activation::cross : Activation::use; }
 
 std::string key_name(DoorKey key) {
-    constexpr std::array<std::string_view, 4> kNames = {"", "blue", "yellow", "red"};
-    return std::string(kNames[static_cast<std::size_t>(key)]);
+    constexpr std::array<std::string_view, 4> kKeyNames = {"", "blue", "yellow", "red"};
+    return std::string(kKeyNames[static_cast<std::size_t>(key)]);
 }
 
 /// What the action's own measures say, in metres and seconds. Actions that do not move keep the usual ones.
