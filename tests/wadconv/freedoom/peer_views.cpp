@@ -42,7 +42,7 @@ struct Mean {
     double channels[3] = {0, 0, 0};
 };
 
-Mean mean_of(const std::vector<std::uint32_t>& pixels, int width, int x0, int y0) {
+Mean mean_of(const Pixels& pixels, int width, int x0, int y0) {
     Mean mean;
     for (int y = y0; y < y0 + kBlock; ++y)
         for (int x = x0; x < x0 + kBlock; ++x)
