@@ -67,10 +67,10 @@ public:
     /// The column, or the place between columns, that slope() is 0 of.
     double middle_column() const { return middle_column_; }
 
-    /// Height gained per metre of depth at the centre of pixel row y, up positive: (horizon - (y + 1/2)) / focal_y.
+    /// Height gained per metre of depth by the rays of pixel row y, up positive: (horizon - (y + 1/2)) / focal_y.
     double climb(int y) const { return row_from_horizon(y) / focal_y_; }
 
-    /// How far the centre of row y lies above the horizon [px].
+    /// How far the rays of row y pass above the horizon [px].
     double row_from_horizon(int y) const { return horizon_ - (y + 0.5); }
 
     /// The ray of pixel (x, y), tilted where the view is; else {1, slope(x), climb(y)}. With a tilt of 0, 0 the same
@@ -82,7 +82,8 @@ public:
 
     double half_fov_tangent() const { return half_fov_tangent_; }
     double focal_y() const { return focal_y_; }  ///< [px]
-    double horizon() const { return horizon_; }  ///< [px] from the top; may lie outside the picture
+    /// From the top, which is half a row above the rays of row 0; may lie outside the picture [px].
+    double horizon() const { return horizon_; }
 
 private:
     int width_, height_;
