@@ -134,10 +134,8 @@ constexpr SkyRows sky_rows(const RenderRecord& render, bool is_tilted) {
 /// whose last row goes on, or where rows are straight on and on, its picture beginning again, as in Doom [tiles].
 constexpr double last_of_sky(SkyRows rows) { return rows == SkyRows::straight ? kNearTiles : kLastPlace; }
 
-/// Such a place in rows of the picture. v: as in SkyTexel.
-constexpr TilePlace place_on_sky(double v, SkyRows rows) {
-    return place_on_near_tile(std::clamp(v, 0.0, last_of_sky(rows)));
-}
+/// So far down, in rows of the picture. last: last_of_sky().
+constexpr TilePlace place_on_sky(double v, double last) { return place_on_near_tile(std::clamp(v, 0.0, last)); }
 
 /// Where on the sky picture a ray looks, around which it is repeated. turns: turn_of(direction in the plane).
 /// elevation: tangent of the angle above the horizon, or where rows are straight what the ray climbs per depth. The

@@ -63,8 +63,7 @@ void fill_sky(const Run& run, const SkyRun& sky) {
     const Look look{kIsSky, 0, 0, 0, 0};
     for (int i = 0; i < run.count; ++i) {
         const double v = sky.v_at_horizon + sky.row_rises[run.first_row + i] * sky.v_per_rise;
-        put(run.pixels[i], sky.texels[texel_at(place_on_near_tile(std::clamp(v, 0.0, sky.last)), sky.height, look)],
-            look);
+        put(run.pixels[i], sky.texels[texel_at(place_on_sky(v, sky.last), sky.height, look)], look);
     }
 }
 

@@ -202,8 +202,8 @@ TEST(SkyTexel, BeginsAgainBelowWhereRowsAreStraight) {
     EXPECT_EQ(sky_texel({1, 1}, {}, 0, 0.25, SkyRows::straight).v, 0.75);
     EXPECT_EQ(sky_texel({1, 1}, {}, 0, 0, SkyRows::straight).v, 0);
     EXPECT_EQ(sky_texel({1, 1}, {}, 0, -50.25, SkyRows::straight).v, 0.25);
-    EXPECT_EQ(place_on_sky(51.25, SkyRows::straight), place_on_tile(0.25));
-    EXPECT_EQ(place_on_sky(51.25, SkyRows::round), place_on_picture(1));
+    EXPECT_EQ(place_on_sky(51.25, last_of_sky(SkyRows::straight)), place_on_tile(0.25));
+    EXPECT_EQ(place_on_sky(51.25, last_of_sky(SkyRows::round)), place_on_picture(1));
 }
 
 TEST(SkyTexel, MovesByItsOffset) {

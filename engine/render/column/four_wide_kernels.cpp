@@ -197,7 +197,7 @@ void fill_flats(const PlainFlats& f) {
         by_shifts ? fill_flats_as<true, false>(f) : fill_flats_as<false, false>(f);
 }
 
-/// Which row of the picture four rows of the screen show: their places and texel_of() of each.
+/// Which row of the picture four rows of the screen show: place_on_sky() and texel_of() of each.
 __m128i sky_rows(const SkyRun& sky, int row) {
     const __m128d at_horizon = _mm_set1_pd(sky.v_at_horizon), per_rise = _mm_set1_pd(sky.v_per_rise);
     const auto shown = [&](const double* rises) {

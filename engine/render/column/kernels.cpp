@@ -50,8 +50,7 @@ std::uint32_t read_wall(const PlainWalls& walls) {
 void lay_sky(const Run& run, const SkyRun& layer) {
     for (int i = 0; i < run.count; ++i) {
         const double v = layer.v_at_horizon + layer.row_rises[run.first_row + i] * layer.v_per_rise;
-        const std::uint32_t texel =
-            layer.texels[texel_of(place_on_near_tile(std::clamp(v, 0.0, layer.last)), layer.height)];
+        const std::uint32_t texel = layer.texels[texel_of(place_on_sky(v, layer.last), layer.height)];
         if (texel >> 24 != 0) run.pixels[i] = laid_over(run.pixels[i], texel);
     }
 }

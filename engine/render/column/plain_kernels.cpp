@@ -32,8 +32,7 @@ void fill_flats(const PlainFlats& f) {
 void fill_sky(const Run& run, const SkyRun& sky) {
     for (int i = 0; i < run.count; ++i) {
         const double v = sky.v_at_horizon + sky.row_rises[run.first_row + i] * sky.v_per_rise;
-        run.pixels[i] =
-            sky.texels[texel_of(place_on_near_tile(std::clamp(v, 0.0, sky.last)), sky.height)] | 0xFF000000u;
+        run.pixels[i] = sky.texels[texel_of(place_on_sky(v, sky.last), sky.height)] | 0xFF000000u;
     }
 }
 

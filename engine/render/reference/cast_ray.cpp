@@ -96,7 +96,8 @@ SkyTexel sky_texel_of(const Arrival& at, const Surface& surface) {
 }
 
 std::uint32_t sky_color(const Arrival& at, const Surface& surface, const SkyTexel& place) {
-    return texel(at.scene.textures[surface.texture], place_on_tile(place.u), place_on_sky(place.v, rows_of_sky(at)))
+    return texel(at.scene.textures[surface.texture], place_on_tile(place.u),
+                 place_on_sky(place.v, last_of_sky(rows_of_sky(at))))
         .color;
 }
 
