@@ -1,10 +1,11 @@
 // A picture, and beside it, for those who ask, what each pixel shows.
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <new>
 #include <optional>
 #include <vector>
 
-#include "base/cache_lines.h"
 #include "formats/png.h"
 #include "map/map.h"
 
@@ -76,6 +77,27 @@ struct FrameFacts {
     std::vector<TexelPosition> texels;
     std::vector<std::uint8_t> writes;     ///< how often the opaque pass wrote the pixel: 1 everywhere in a sound frame
     std::vector<std::uint8_t> ambiguous;  ///< reference only: 1 where a decision was closer than 1e-7
+};
+
+/// As all x86-64 and most others have.
+inline constexpr std::size_t kCacheLineBytes = 64;
+
+/// An allocator of memory that begins where a cache line does, wherever the heap has room: what takes whole lines at a
+/// time works in the same steps in every run.
+template <class T>
+struct OnCacheLines {
+    using value_type = T;
+
+    OnCacheLines() = default;
+    template <class Other>
+    OnCacheLines(const OnCacheLines<Other>&) {}
+
+    T* allocate(std::size_t count) {
+        return static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t{kCacheLineBytes}));
+    }
+    void deallocate(T* first, std::size_t) { ::operator delete(first, std::align_val_t{kCacheLineBytes}); }
+
+    bool operator==(const OnCacheLines&) const = default;
 };
 
 /// 0xAABBGGRR (bytes R, G, B, A).
