@@ -3,7 +3,7 @@
 #include <csignal>
 
 #include "base/attempt.h"
-#include "base/output_file.h"
+#include "base/files.h"
 #include "base/parallel.h"
 #include "base/terminal.h"
 #include "command/arguments.h"

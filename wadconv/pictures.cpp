@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/output_file.h"
+#include "base/files.h"
 #include "base/parallel.h"
 
 namespace enfilade::wadconv {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/bytes.h"
-#include "base/output_file.h"
+#include "base/files.h"
 #include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {

@@ -16,7 +16,6 @@
 #include "app/pictures.h"
 #include "base/files.h"
 #include "base/hash.h"
-#include "base/output_file.h"
 #include "base/terminal.h"
 
 namespace enfilade {

@@ -15,7 +15,7 @@
 #include "app/messages.h"
 #include "app/options.h"
 #include "app/play/settings.h"
-#include "base/output_file.h"
+#include "base/files.h"
 #include "formats/text_parts.h"
 #include "render/view.h"
 

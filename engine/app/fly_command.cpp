@@ -11,7 +11,7 @@
 #include "app/options.h"
 #include "app/pictures.h"
 #include "app/recorded_flight.h"
-#include "base/output_file.h"
+#include "base/files.h"
 #include "base/terminal.h"
 #include "formats/text_parts.h"
 #include "platform/gl_context.h"

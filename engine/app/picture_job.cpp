@@ -10,7 +10,6 @@
 #include "app/messages.h"
 #include "app/pictures.h"
 #include "base/files.h"
-#include "base/output_file.h"
 #include "base/parallel.h"
 #include "formats/text_parts.h"
 #include "platform/clock.h"

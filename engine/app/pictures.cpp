@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "app/child_program.h"
-#include "base/output_file.h"
+#include "base/files.h"
 #include "flight/y4m.h"
 #include "formats/text_parts.h"
 

@@ -14,7 +14,7 @@ namespace enfilade {
 /// 24-bit surface ids as colours: red is the high byte.
 Image ids_image(const FrameFacts& facts, int width, int height);
 
-/// Whether a path names one PNG file or a stream (base/output_file.h); anything else is a folder of pictures.
+/// Whether a path names one PNG file or a stream (base/files.h); anything else is a folder of pictures.
 bool names_picture(const std::string& path);
 
 /// ".png" of "a/B.PNG".
@@ -54,7 +54,7 @@ public:
     virtual Result<void> finish() = 0;
 };
 
-/// Whether the path ends like a film that can be written, or names a stream (base/output_file.h).
+/// Whether the path ends like a film that can be written, or names a stream (base/files.h).
 bool names_film(const std::string& path);
 
 /// .mp4 is written by the program ffmpeg, and it is an error where that is not installed; all else is .y4m, written

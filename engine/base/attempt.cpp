@@ -10,7 +10,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "base/output_file.h"
+#include "base/files.h"
 
 namespace enfilade {
 namespace {

@@ -9,8 +9,6 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "base/output_file.h"
-
 namespace enfilade {
 
 namespace {

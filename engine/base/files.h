@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,12 +30,12 @@ Result<Bytes> read_file(const std::string& path);
 /// The names of what lies in a folder, sorted; none where it cannot be read.
 std::vector<std::string> list_folder(const std::string& path);
 
-/// Writes an OutputFile (base/output_file.h): a reader finds the old file or the new one, never half of one, and what
-/// was written is on disk.
+/// Writes an OutputFile: a reader finds the old file or the new one, never half of one, and what was written is on
+/// disk.
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes);
 Result<void> write_file(const std::string& path, std::string_view text);
 
-/// The same for one of many files in a folder: after the last of them, flush_folder() (base/output_file.h).
+/// The same for one of many files in a folder: after the last of them, flush_folder().
 Result<void> write_one_of_many(const std::string& path, std::span<const std::byte> bytes);
 
 /// The bytes seen as text, without a copy. Valid as long as the bytes are.
@@ -51,5 +52,68 @@ void prefer_large_pages(const void* memory, std::size_t bytes) noexcept;
 
 /// Below this, not much is gained [bytes].
 inline constexpr std::size_t kLeastForLargePages = std::size_t{8} << 20;
+
+// Files on their way to disk: whole or not at all.
+
+/// "PATH: cannot DOING: REASON", with the reason of the system call that failed last (errno).
+Error system_error(const std::string& path, const char* doing);
+
+/// Where bytes go that shall become the file `path`: into a temporary file beside it, under a name that nobody can
+/// foresee. commit() puts it in the place of `path`; a file that is not committed goes with this object. So a reader
+/// finds the old file or the new one, however many write it at once and wherever one of them is stopped.
+///
+/// What is no file is written to and never replaced: devices, pipes, this process's standard output, also by the name
+/// "-". A link is followed; a file that is replaced hands on its permissions.
+class OutputFile {
+public:
+    /// What is on disk when the file is in its place. Flushing a folder after each of the many files that are written
+    /// into it takes twice as long, so that is done once, by flush_folder(), after the last.
+    enum class Flush { file_and_folder, file };
+
+    /// An error where `path` is a folder or nothing can be created beside it.
+    static Result<OutputFile> open(const std::string& path);
+
+    OutputFile(OutputFile&& other) noexcept;
+    OutputFile& operator=(OutputFile&& other) noexcept;
+    ~OutputFile();
+
+    Result<void> write(std::span<const std::byte> bytes);
+    /// Forgets what was written from the byte `size` on, and goes on there. Not for devices and pipes.
+    Result<void> cut_to(std::size_t size);
+    /// What was written takes the place of `path`, and what is written from now on is seen there at once.
+    Result<void> put_in_place(Flush flush = Flush::file_and_folder);
+    /// Ends the file: on disk, in its place, closed. Nothing may be written after it, failed or not.
+    Result<void> commit(Flush flush = Flush::file_and_folder);
+
+    /// "/dev/fd/N": how a program that this one starts can write into the file, if `is_shared`.
+    std::string name_for_children() const;
+    /// Lets programs that are started from now on have the file, too, or no longer.
+    void share_with_children(bool is_shared) const;
+
+private:
+    OutputFile(std::string path, int descriptor, int slot);
+    Result<void> create_beside();
+    Result<void> failed_to(const char* doing) const;
+    void close();
+
+    std::string path_;     ///< the file itself, not a link to it
+    int descriptor_ = -1;  ///< -1: closed
+    int slot_ = -1;        ///< of the temporary file's name; -1: there is none
+};
+
+/// The names of the files that were put into the folder are on disk; an error where they may not be.
+Result<void> flush_folder(const std::string& path);
+
+/// Whether what is written to `path` goes into a stream instead of a file: "-" and whatever else is standard output, a
+/// device, a pipe.
+bool names_stream(const std::string& path);
+
+/// From now on each of these signals (SIGTERM, …) removes temporary files before it ends the process as it does anyway.
+/// One that is ignored stays ignored.
+void remove_temporary_files_on(std::initializer_list<int> signals);
+
+/// Removes the temporary files of all OutputFiles, which can then not be committed. For a process that is about to end
+/// without tidying up. Safe in a signal's handler and in any thread.
+void remove_temporary_files() noexcept;
 
 }  // namespace enfilade

@@ -1,5 +1,4 @@
 // Files on their way to disk: whole or not at all, whoever else writes, and nothing but files is replaced.
-#include "base/output_file.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

@@ -15,7 +15,7 @@
 #include "app/commands.h"
 #include "app/play/game.h"
 #include "base/attempt.h"
-#include "base/output_file.h"
+#include "base/files.h"
 #include "wadconv/convert.h"
 #include "wadconv/wad_builder.h"
 

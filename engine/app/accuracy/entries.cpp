@@ -8,7 +8,6 @@
 #include "app/messages.h"
 #include "app/pictures.h"
 #include "base/files.h"
-#include "base/output_file.h"
 #include "render/reference/reference_renderer.h"
 
 namespace enfilade {

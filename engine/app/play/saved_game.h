@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "base/output_file.h"
+#include "base/files.h"
 #include "base/result.h"
 #include "formats/tape.h"
 #include "render/frame.h"
