@@ -6,8 +6,7 @@
 #include "base/files.h"
 #include "base/parallel.h"
 #include "base/terminal.h"
-#include "command/arguments.h"
-#include "command/progress.h"
+#include "command/command.h"
 #include "wadconv/convert.h"
 
 namespace {

@@ -5,8 +5,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "command/arguments.h"
-#include "command/progress.h"
+#include "command/command.h"
 #include "render/frame.h"
 
 namespace enfilade {

@@ -1,4 +1,4 @@
-#include "command/arguments.h"
+#include "command/command.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "command/progress.h"
+#include "command/command.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
