@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "base/bytes.h"
-#include "platform/sdl_error.h"
+#include "platform/sdl_events.h"
 #include "world/input.h"
 
 namespace enfilade {

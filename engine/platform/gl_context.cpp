@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "platform/sdl_error.h"
+#include "platform/sdl_events.h"
 
 namespace enfilade {
 namespace {

@@ -1,10 +1,13 @@
-// From SDL's events to our own. Included by the files of platform/ only.
+// SDL's events and faults in words of our own. Included by the files of platform/ only.
 #pragma once
 #include <SDL.h>
+
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "platform/input_event.h"
 
 namespace enfilade {
@@ -18,7 +21,7 @@ struct Placement {
 /// The event in our words, or none where it means nothing to us.
 std::optional<InputEvent> translate(const SDL_Event& event, const Placement& placement);
 
-// The gamepads that are plugged in. Included by the files of platform/ only.
+// The gamepads that are plugged in.
 
 /// Opens gamepads as they appear and closes them as they go: SDL reports only those that are open.
 class Gamepads {
@@ -35,5 +38,10 @@ private:
 
     std::vector<std::unique_ptr<SDL_GameController, Closer>> open_;
 };
+
+/// "WHERE: cannot DOING: REASON", with SDL's newest reason.
+inline Error sdl_error(const char* where, const std::string& doing) {
+    return {where, "cannot " + doing + ": " + SDL_GetError()};
+}
 
 }  // namespace enfilade

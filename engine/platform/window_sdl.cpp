@@ -11,7 +11,6 @@
 
 #include "platform/gl_context.h"
 #include "platform/gl_screen.h"
-#include "platform/sdl_error.h"
 #include "platform/sdl_events.h"
 #include "platform/window.h"
 

@@ -1,7 +1,11 @@
-// SDL's events in our words.
-#include "platform/sdl_events.h"
-
+// Names of keys, and the events of SDL in our words.
 #include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "platform/input_event.h"
+#include "platform/sdl_events.h"
 
 namespace enfilade {
 namespace {
@@ -91,6 +95,26 @@ TEST(SdlEvents, LeavesOutWhatMeansNothingToUs) {
     SDL_Event event{};
     event.type = SDL_CLIPBOARDUPDATE;
     EXPECT_FALSE(translate(event, {}));
+}
+
+// Names of keys.
+
+TEST(KeyNames, LeadBackToTheirKeys) {
+    std::set<std::string_view> names;
+    for (int i = 1; i < kKeyCount; ++i) {
+        const auto key = static_cast<KeyCode>(i);
+        EXPECT_FALSE(name_of(key).empty()) << i;
+        EXPECT_EQ(key_named(name_of(key)), key);
+        names.insert(name_of(key));
+    }
+    EXPECT_EQ(names.size(), std::size_t(kKeyCount - 1));
+}
+
+TEST(KeyNames, AreTheSameInSmallLetters) { EXPECT_EQ(key_named("left shift"), KeyCode::left_shift); }
+
+TEST(KeyNames, AreUnknownWhereThereIsNoSuchKey) {
+    EXPECT_EQ(key_named("Any"), KeyCode::unknown);
+    EXPECT_EQ(key_named(""), KeyCode::unknown);
 }
 
 }  // namespace
