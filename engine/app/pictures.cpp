@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -16,8 +17,6 @@
 #include <utility>
 
 #include "app/child_program.h"
-#include "base/files.h"
-#include "flight/y4m.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {
@@ -30,10 +29,25 @@ Error write_error(const std::string& path) {
     return {path, fmt::format("cannot write the film: {}", std::strerror(errno))};
 }
 
+constexpr std::string_view kFrameMark = "FRAME\n";
+
+struct Yuv {
+    std::uint8_t y, u, v;
+};
+
+/// BT.601 with coefficients in 65536ths: 219/255 and 224/255 of 0.299 R + 0.587 G + 0.114 B and its differences. Each
+/// row of the differences sums to 0, so that grey stays grey; the halves round.
+Yuv to_yuv(std::uint32_t color) {
+    const std::int32_t r = color & 255, g = color >> 8 & 255, b = color >> 16 & 255;
+    const std::int32_t y = 16829 * r + 33039 * g + 6416 * b + (16 << 16) + 32768;
+    const std::int32_t u = -9714 * r - 19071 * g + 28785 * b + (128 << 16) + 32768;
+    const std::int32_t v = 28785 * r - 24104 * g - 4681 * b + (128 << 16) + 32768;
+    return {static_cast<std::uint8_t>(y >> 16), static_cast<std::uint8_t>(u >> 16), static_cast<std::uint8_t>(v >> 16)};
+}
+
 class Y4mFilm final : public Film {
 public:
-    Y4mFilm(OutputFile file, const FilmFormat& format)
-        : file_(std::move(file)), header_(y4m_header(format.width, format.height, format.rate)) {}
+    Y4mFilm(OutputFile file, const FilmFormat& format) : file_(std::move(file)), header_(y4m_header(format)) {}
 
     Result<void> add(const Frame& frame) override {
         const std::string header = std::exchange(header_, {});
@@ -143,6 +157,25 @@ Result<void> write_picture(const std::string& path, const Image& image) { return
 
 Result<void> write_numbered_picture(const std::string& folder, std::size_t number, const Image& image) {
     return write_one_of_many(numbered_picture(folder, number), write_png(image));
+}
+
+std::string y4m_header(const FilmFormat& format) {
+    return fmt::format("YUV4MPEG2 W{} H{} F{}:1 Ip A1:1 C444\n", format.width, format.height, format.rate);
+}
+
+Bytes y4m_frame(const Frame& frame) {
+    const std::size_t count = frame.pixels.size();
+    Bytes bytes(kFrameMark.size() + 3 * count);
+    for (std::size_t i = 0; i < kFrameMark.size(); ++i) bytes[i] = static_cast<std::byte>(kFrameMark[i]);
+    std::byte* y = bytes.data() + kFrameMark.size();
+    std::byte *u = y + count, *v = u + count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Yuv yuv = to_yuv(frame.pixels[i]);
+        y[i] = std::byte{yuv.y};
+        u[i] = std::byte{yuv.u};
+        v[i] = std::byte{yuv.v};
+    }
+    return bytes;
 }
 
 bool names_film(const std::string& path) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "base/files.h"
 #include "base/result.h"
 #include "formats/png.h"
 #include "render/frame.h"
@@ -53,6 +54,14 @@ public:
     /// No frame comes any more: the film takes its place.
     virtual Result<void> finish() = 0;
 };
+
+/// What stands before the first frame of a film in YUV4MPEG2, the plainest there is, which every player and ffmpeg
+/// reads: size, rate, square pixels, full chroma (4:4:4).
+std::string y4m_header(const FilmFormat& format);
+
+/// One frame of it: its mark, then the planes Y, Cb and Cr, width * height bytes each, ITU-R BT.601 in the studio range
+/// (16..235, 16..240), rounded to nearest. Whole-number arithmetic: the same bytes on every machine.
+Bytes y4m_frame(const Frame& frame);
 
 /// Whether the path ends like a film that can be written, or names a stream (base/files.h).
 bool names_film(const std::string& path);
