@@ -1,4 +1,4 @@
-#include "flight/camera_path.h"
+#include "flight/flight.h"
 
 #include <algorithm>
 #include <cmath>

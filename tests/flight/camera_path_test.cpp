@@ -1,5 +1,5 @@
 // Legs laid into a map, and the camera at any moment.
-#include "flight/camera_path.h"
+#include "flight/flight.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Recorded walks, played again.
-#include "flight/camera_path.h"
+#include "flight/flight.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "app/play/game.h"
-#include "flight/camera_path.h"
+#include "flight/flight.h"
 #include "formats/map_toml.h"
 #include "fuzz/targets.h"
 #include "support/map_builder.h"
