@@ -8,7 +8,6 @@
 #include "base/result.h"
 #include "flight/comparison.h"
 #include "flight/flight.h"
-#include "flight/recording.h"
 
 namespace enfilade {
 

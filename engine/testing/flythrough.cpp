@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/files.h"
-#include "flight/recording.h"
+#include "flight/comparison.h"
 #include "formats/script_toml.h"
 #include "map/load.h"
 
