@@ -1,5 +1,5 @@
-// What a map may call for beyond rooms that stay as they are, as its author wrote it: triggers, light effects, moving
-// and animated pictures, sounds.
+// What a map may call for beyond rooms that stay as they are, as its author wrote it: triggers, light effects, lamps
+// and suns, moving and animated pictures, sounds.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/finding.h"
+#include "math/vec.h"
 
 namespace enfilade {
 
@@ -190,6 +191,32 @@ struct AnimationRecord {
     TextPlace place;
     KeyPlaces places{};
     bool operator==(const AnimationRecord&) const = default;
+};
+
+/// A lamp: light that falls on the walls, floors and things around it, and throws shadows.
+struct PointLightRecord {
+    std::string sector;  ///< empty: found from the position
+    Vec2 position;
+    double z = 0;                             ///< [m]
+    std::uint32_t color = 0xFFFFFF;           ///< 0xRRGGBB
+    double brightness = 1;                    ///< at the lamp itself; 1 adds as much as full light
+    double reach = 8;                         ///< beyond this there is none of it [m]
+    std::optional<LightEffectRecord> effect;  ///< how it changes; its `dark` is a part of the brightness
+    TextPlace place;
+    KeyPlaces places{};
+    bool operator==(const PointLightRecord&) const = default;
+};
+
+/// Light that comes from far away, in one direction, and falls on the sectors that name it.
+struct SunRecord {
+    std::string name;
+    double yaw_degrees = 0;          ///< where one looks to see it
+    double elevation_degrees = 45;   ///< above the horizon, 0..90
+    std::uint32_t color = 0xFFFFFF;  ///< 0xRRGGBB
+    double brightness = 0.5;         ///< of what faces it; 1 adds as much as full light
+    TextPlace place;
+    KeyPlaces places{};
+    bool operator==(const SunRecord&) const = default;
 };
 
 /// The two faces of a switch: a wall with triggers that shows one shows the other once it went off.

@@ -9,10 +9,40 @@
 #include "base/boxed.h"
 #include "base/finding.h"
 #include "formats/effect_records.h"
-#include "formats/outline_records.h"
 #include "math/vec.h"
 
 namespace enfilade {
+
+// Outlines in short, as an author writes them: what the reader makes loops of.
+
+/// An upright rectangle on the drawing, by any two corners that lie opposite.
+struct RectRecord {
+    Vec2 a, b;  ///< [m]
+    TextPlace place{};
+    bool operator==(const RectRecord&) const = default;
+};
+
+/// A regular polygon.
+struct PolygonRecord {
+    Vec2 center;        ///< [m]
+    double radius = 1;  ///< from the centre to each corner [m]
+    int corners = 8;
+    double turn = 0;  ///< where the first corner lies: 0 is along +x, and it grows to the right [degrees]
+    TextPlace place{};
+    KeyPlaces places{};
+    bool operator==(const PolygonRecord&) const = default;
+};
+
+/// A loop in short: its shape instead of its corners, and one wall for all that say nothing. Empty once a map is read.
+template <class Wall>
+struct Shorthand {
+    Boxed<RectRecord> rect;
+    Boxed<PolygonRecord> polygon;
+    Boxed<Wall> wall;
+    bool operator==(const Shorthand&) const = default;
+};
+
+// The parts of a map.
 
 /// "NAME [SU,SV [OU,OV] [OUm,OVm]]".
 struct TextureSpec {
@@ -193,32 +223,6 @@ struct ThingRecord {
     TextPlace place;
     KeyPlaces places{};
     bool operator==(const ThingRecord&) const = default;
-};
-
-/// A lamp: light that falls on the walls, floors and things around it, and throws shadows.
-struct PointLightRecord {
-    std::string sector;  ///< empty: found from the position
-    Vec2 position;
-    double z = 0;                             ///< [m]
-    std::uint32_t color = 0xFFFFFF;           ///< 0xRRGGBB
-    double brightness = 1;                    ///< at the lamp itself; 1 adds as much as full light
-    double reach = 8;                         ///< beyond this there is none of it [m]
-    std::optional<LightEffectRecord> effect;  ///< how it changes; its `dark` is a part of the brightness
-    TextPlace place;
-    KeyPlaces places{};
-    bool operator==(const PointLightRecord&) const = default;
-};
-
-/// Light that comes from far away, in one direction, and falls on the sectors that name it.
-struct SunRecord {
-    std::string name;
-    double yaw_degrees = 0;          ///< where one looks to see it
-    double elevation_degrees = 45;   ///< above the horizon, 0..90
-    std::uint32_t color = 0xFFFFFF;  ///< 0xRRGGBB
-    double brightness = 0.5;         ///< of what faces it; 1 adds as much as full light
-    TextPlace place;
-    KeyPlaces places{};
-    bool operator==(const SunRecord&) const = default;
 };
 
 struct PlayerRecord {
