@@ -1,13 +1,15 @@
-// TOML text as a tree to look at.
+// TOML text: as a tree to look at, and laid out as this project writes it.
 #pragma once
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/finding.h"
+#include "base/result.h"
 
 namespace enfilade {
 
@@ -91,5 +93,18 @@ private:
     explicit TomlDocument(std::unique_ptr<Tree> tree);
     std::unique_ptr<Tree> tree_;
 };
+
+// Layout, for authors who would rather not count blanks.
+
+/// The same document with the same comments, laid out anew:
+///
+/// - one blank around `=` and inside braces, one behind a comma, two between the corners of `v` and `rect`
+/// - what stands in an array of several lines is indented by two blanks; the lines stay as the author broke them
+/// - an empty line above each header (or above the comments right above it), never two; none at either end
+/// - comments behind what they are about, two blanks away, those of neighbouring lines below one another
+///
+/// Keys, strings and numbers stay as they are written. What is laid out already is the same, byte for byte.
+/// text : a document that TomlDocument::parse accepts; an error otherwise
+Result<std::string> lay_out_toml(std::string_view text);
 
 }  // namespace enfilade

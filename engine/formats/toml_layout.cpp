@@ -1,4 +1,3 @@
-#include "formats/toml_layout.h"
 
 #include <algorithm>
 #include <vector>

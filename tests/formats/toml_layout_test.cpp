@@ -4,7 +4,7 @@
 #include "base/files.h"
 #include "formats/map_toml.h"
 #include "formats/random_map.h"
-#include "formats/toml_layout.h"
+#include "formats/toml.h"
 
 namespace enfilade {
 namespace {

@@ -1,7 +1,7 @@
 // Maps: as text in both dialects, and legal ones made of bytes.
 #include "base/files.h"
 #include "formats/map_toml.h"
-#include "formats/toml_layout.h"
+#include "formats/toml.h"
 #include "fuzz/targets.h"
 #include "support/map_builder.h"
 #include "wild/trial.h"

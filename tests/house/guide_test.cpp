@@ -3,7 +3,7 @@
 
 #include "base/files.h"
 #include "formats/text_parts.h"
-#include "formats/toml_layout.h"
+#include "formats/toml.h"
 #include "map/load.h"
 
 namespace enfilade {

@@ -8,7 +8,7 @@
 #include "base/files.h"
 #include "base/terminal.h"
 #include "formats/text_parts.h"
-#include "formats/toml_layout.h"
+#include "formats/toml.h"
 
 namespace enfilade {
 namespace {
