@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "formats/text_keys.h"
 #include "formats/text_parts.h"
-#include "formats/texture_spec.h"
 
 namespace enfilade {
 namespace {

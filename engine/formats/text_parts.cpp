@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "base/terminal.h"
 #include "base/utf8.h"
-#include "formats/texture_spec.h"
+#include "formats/text_keys.h"
 
 namespace enfilade {
 namespace {

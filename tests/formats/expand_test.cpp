@@ -6,8 +6,8 @@
 
 #include "formats/findings.h"
 #include "formats/map_toml.h"
+#include "formats/text_keys.h"
 #include "formats/text_parts.h"
-#include "formats/texture_spec.h"
 
 namespace enfilade {
 namespace {

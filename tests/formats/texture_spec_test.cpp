@@ -1,5 +1,5 @@
 // Texture specifications: every shape that is allowed, and those that look like one.
-#include "formats/texture_spec.h"
+#include "formats/text_keys.h"
 
 #include <gtest/gtest.h>
 

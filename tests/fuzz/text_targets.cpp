@@ -6,7 +6,7 @@
 #include "formats/both_parsers.h"
 #include "formats/frame_hashes.h"
 #include "formats/script_toml.h"
-#include "formats/texture_spec.h"
+#include "formats/text_keys.h"
 #include "formats/toml_tree.h"
 #include "formats/views_csv.h"
 #include "fuzz/targets.h"
