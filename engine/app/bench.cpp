@@ -7,7 +7,8 @@
 #include "app/options.h"
 #include "base/files.h"
 #include "base/hash.h"
-#include "formats/script_toml.h"
+#include "formats/script.h"
+#include "formats/text_parts.h"
 #include "render/frame.h"
 
 namespace enfilade {

@@ -11,7 +11,7 @@
 #include "app/child_program.h"
 #include "base/files.h"
 #include "formats/map_toml.h"
-#include "formats/script_toml.h"
+#include "formats/script.h"
 #include "formats/tape.h"
 #include "formats/text_parts.h"
 

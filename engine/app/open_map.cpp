@@ -15,7 +15,7 @@
 #include "base/files.h"
 #include "base/hash.h"
 #include "base/terminal.h"
-#include "formats/script_toml.h"
+#include "formats/script.h"
 
 namespace enfilade {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "base/files.h"
 #include "flight/comparison.h"
-#include "formats/script_toml.h"
+#include "formats/script.h"
 #include "map/load.h"
 
 namespace enfilade {

@@ -3,7 +3,7 @@
 
 #include "formats/findings.h"
 #include "formats/hostile.h"
-#include "formats/script_toml.h"
+#include "formats/script.h"
 
 namespace enfilade {
 namespace {

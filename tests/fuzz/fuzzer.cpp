@@ -6,7 +6,7 @@
 
 #include "formats/map_keys.h"
 #include "formats/map_toml.h"
-#include "formats/script_toml.h"
+#include "formats/script.h"
 #include "fuzz/targets.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include "flight/flight.h"
 #include "formats/both_parsers.h"
 #include "formats/frame_hashes.h"
-#include "formats/script_toml.h"
+#include "formats/script.h"
 #include "formats/text_keys.h"
 #include "formats/toml_tree.h"
 #include "formats/views_csv.h"

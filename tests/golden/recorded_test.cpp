@@ -10,7 +10,7 @@
 #include "flight/flight.h"
 #include "formats/frame_hashes.h"
 #include "formats/png.h"
-#include "formats/script_toml.h"
+#include "formats/script.h"
 #include "map/load.h"
 
 namespace enfilade::test {

@@ -1,4 +1,4 @@
-#include "formats/script_toml.h"
+#include "formats/script.h"
 
 #include <array>
 
