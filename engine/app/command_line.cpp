@@ -1,5 +1,5 @@
-// The command line as a whole. Besides the options of authors and of accuracy the only file that knows CLI11: reading
-// its headers takes longer than compiling the rest of a command.
+// The command line as a whole. Besides the options of the tools the only file that knows CLI11: reading its headers
+// takes longer than compiling the rest of a command.
 #include "app/commands.h"
 
 #include <fmt/format.h>
@@ -10,11 +10,10 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "app/accuracy/accuracy_options.h"
-#include "app/authoring/author_options.h"
 #include "app/messages.h"
 #include "app/options.h"
 #include "app/play/settings.h"
+#include "app/tool_options.h"
 #include "base/files.h"
 #include "formats/text_parts.h"
 #include "render/view.h"
@@ -422,7 +421,7 @@ int run_command_line(int argc, const char* const* argv) {
     const CLI::App* const declared_render = declare_render(app, render);
     const CLI::App* const declared_fly = declare_fly(app, fly);
     const CLI::App* const declared_bench = declare_bench(app, bench);
-    const AccuracyCommand accuracy(app);
+    AccuracyCommand accuracy(app);
     const CLI::App* const declared_check = declare_check(app, check);
     AuthorCommands author(app);
     if (const auto status = read_arguments(app, argc, argv, about_command)) return *status;
