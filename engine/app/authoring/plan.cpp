@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 #include <vector>
 
-#include "app/authoring/plan_labels.h"
 #include "formats/text_parts.h"
 #include "formats/words.h"
 #include "math/angle.h"
@@ -22,69 +19,6 @@ constexpr double kRowWidth = 2400;     ///< where drawings go on below [px]
 constexpr double kLegendHeight = 170;  ///< [px]
 constexpr double kLeastNumbered = 36;  ///< sectors that are narrower have no numbers at their walls [px]
 constexpr double kMostSquares = 200;   ///< lines of the paper in one direction; larger drawings have wider squares
-
-Box box_of(const SectorRecord& sector) {
-    Box box;
-    for (const LoopRecord& loop : sector.loops)
-        for (const Vec2& v : loop.vertices) box.add(v);
-    return box;
-}
-
-/// Which drawing each sector is in.
-class Drawings {
-public:
-    explicit Drawings(const MapFile& map) : parent_(map.sectors.size()) {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-        std::map<std::string, std::size_t> sectors;
-        for (std::size_t i = 0; i < map.sectors.size(); ++i) {
-            sectors.try_emplace(map.sectors[i].name, i);
-            boxes_.push_back(box_of(map.sectors[i]));
-        }
-        for (std::size_t i = 0; i < map.sectors.size(); ++i)
-            for (const LoopRecord& loop : map.sectors[i].loops)
-                for (const WallRecord& wall : loop.walls)
-                    if (const auto next = sectors.find(wall.next); wall.via.empty() && next != sectors.end())
-                        join(i, next->second);
-        while (join_those_that_meet()) {
-        }
-    }
-
-    std::size_t of(std::size_t sector) const {
-        while (parent_[sector] != sector) sector = parent_[sector];
-        return sector;
-    }
-    /// The box of a drawing, by the sector that stands for it.
-    const Box& box(std::size_t drawing) const { return boxes_[drawing]; }
-
-private:
-    void join(std::size_t a, std::size_t b) {
-        a = of(a);
-        b = of(b);
-        if (a == b) return;
-        if (b < a) std::swap(a, b);
-        parent_[b] = a;
-        if (!boxes_[b].is_empty()) boxes_[a].add(boxes_[b]);
-    }
-
-    /// Drawings, from the left to the right: those whose boxes meet share one.
-    bool join_those_that_meet() {
-        std::vector<std::size_t> roots;
-        for (std::size_t i = 0; i < parent_.size(); ++i)
-            if (parent_[i] == i && !boxes_[i].is_empty()) roots.push_back(i);
-        std::ranges::sort(roots, {}, [&](std::size_t root) { return boxes_[root].low.x; });
-        bool any = false;
-        for (std::size_t i = 0; i < roots.size(); ++i)
-            for (std::size_t k = i + 1; k < roots.size() && boxes_[roots[k]].low.x <= boxes_[of(roots[i])].high.x; ++k)
-                if (of(roots[i]) != of(roots[k]) && boxes_[of(roots[i])].meets(boxes_[of(roots[k])])) {
-                    join(roots[i], roots[k]);
-                    any = true;
-                }
-        return any;
-    }
-
-    std::vector<std::size_t> parent_;
-    std::vector<Box> boxes_;
-};
 
 std::string triggers_text(const std::vector<TriggerRecord>& triggers) {
     std::string text;

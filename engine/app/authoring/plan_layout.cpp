@@ -1,14 +1,64 @@
-#include "app/authoring/plan_labels.h"
+#include "app/authoring/plan.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/terminal.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {
+
+Box box_of(const SectorRecord& sector) {
+    Box box;
+    for (const LoopRecord& loop : sector.loops)
+        for (const Vec2& v : loop.vertices) box.add(v);
+    return box;
+}
+
+Drawings::Drawings(const MapFile& map) : parent_(map.sectors.size()) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    std::map<std::string, std::size_t> sectors;
+    for (std::size_t i = 0; i < map.sectors.size(); ++i) {
+        sectors.try_emplace(map.sectors[i].name, i);
+        boxes_.push_back(box_of(map.sectors[i]));
+    }
+    for (std::size_t i = 0; i < map.sectors.size(); ++i)
+        for (const LoopRecord& loop : map.sectors[i].loops)
+            for (const WallRecord& wall : loop.walls)
+                if (const auto next = sectors.find(wall.next); wall.via.empty() && next != sectors.end())
+                    join(i, next->second);
+    while (join_those_that_meet()) {
+    }
+}
+
+void Drawings::join(std::size_t a, std::size_t b) {
+    a = of(a);
+    b = of(b);
+    if (a == b) return;
+    if (b < a) std::swap(a, b);
+    parent_[b] = a;
+    if (!boxes_[b].is_empty()) boxes_[a].add(boxes_[b]);
+}
+
+/// Drawings, from the left to the right: those whose boxes meet share one.
+bool Drawings::join_those_that_meet() {
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < parent_.size(); ++i)
+        if (parent_[i] == i && !boxes_[i].is_empty()) roots.push_back(i);
+    std::ranges::sort(roots, {}, [&](std::size_t root) { return boxes_[root].low.x; });
+    bool any = false;
+    for (std::size_t i = 0; i < roots.size(); ++i)
+        for (std::size_t k = i + 1; k < roots.size() && boxes_[roots[k]].low.x <= boxes_[of(roots[i])].high.x; ++k)
+            if (of(roots[i]) != of(roots[k]) && boxes_[of(roots[i])].meets(boxes_[of(roots[k])])) {
+                join(roots[i], roots[k]);
+                any = true;
+            }
+    return any;
+}
+
 namespace {
 
 constexpr double kCell = 64;     ///< side of a cell of the sheet [px]
