@@ -1,4 +1,4 @@
-// The subcommands of `enfilade`, one source file each: what each may be given, as typed, and what it does with it.
+// The subcommands of `enfilade`: what each may be given, as typed, and what it does with it.
 #pragma once
 #include <optional>
 #include <string>
