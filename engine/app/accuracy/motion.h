@@ -2,10 +2,12 @@
 // the wrong room, and how long a step takes. By the engine's way and by ways that are usual elsewhere.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "map/map.h"
 
 namespace enfilade {
 
@@ -72,5 +74,17 @@ std::string motion_csv(const std::vector<DriftRow>& drifts, const std::vector<Cr
 
 /// Nothing where the engine's drift is within its bounds, and none of its moves ends in a wrong room; else what is not.
 Result<void> check_motion(const std::vector<DriftRow>& drifts, const std::vector<CrossingRow>& crossings);
+
+// What both experiments need: maps made by a rule, and times of several ways in turn.
+
+/// A room without pictures, clockwise on the drawing; each side leads to the room named, if any.
+SectorRecord plain_room(std::string name, std::vector<Vec2> outline, const std::vector<std::string>& behind);
+
+/// The map of these rooms, which are sound.
+Map plain_map(std::vector<SectorRecord> rooms);
+
+/// Lets each way do all of its `count` steps, one way after the other, round after round. Times are of a step.
+std::vector<MotionPrice> prices_in_turn(const std::vector<std::function<void()>>& ways, std::uint64_t count,
+                                        std::size_t rounds);
 
 }  // namespace enfilade

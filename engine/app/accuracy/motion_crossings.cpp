@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/accuracy/motion_parts.h"
+#include "app/accuracy/motion.h"
 #include "base/hash.h"
 #include "math/predicates.h"
 #include "space/trace.h"

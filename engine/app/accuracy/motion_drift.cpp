@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/accuracy/motion_parts.h"
+#include "app/accuracy/motion.h"
 #include "app/accuracy/true_texels.h"
 #include "base/hash.h"
 #include "space/trace.h"
