@@ -10,13 +10,6 @@
 
 namespace enfilade {
 
-/// What a setting costs in one scene.
-struct AccuracyPrice {
-    double minimum_ns = 0, median_ns = 0;  ///< per pixel
-    double low_ratio = 1, high_ratio = 1;  ///< to exact in the same round: between them lie half of the rounds
-    std::optional<double> instructions;    ///< per pixel; none: not counted
-};
-
 /// One setting in one scene.
 struct AccuracyRow {
     PoseKind poses = PoseKind::random;
@@ -31,19 +24,6 @@ struct AccuracyScene {
     std::uint64_t map_hash = 0;  ///< hash_of_bytes() of the file
     std::vector<AccuracyRow> rows;
 };
-
-/// Pictures that the price is measured by.
-struct PricePlan {
-    std::size_t rounds = 1;                ///< >= 1
-    int width = 1, height = 1;             ///< [px]
-    std::string views_file;                ///< with the views, for `bench`, where instructions are counted, too: that
-                                           ///< takes fifty times as long. Empty: they are not
-    std::vector<std::string> map_options;  ///< of `bench`, for the scene: its file, and folders of pictures
-};
-
-/// Draws the views by one setting after the other, over and over, on one thread. By setting.
-Result<std::vector<AccuracyPrice>> measure_prices(const OpenMap& map, const std::vector<View>& views,
-                                                  const std::vector<AccuracySetting>& settings, const PricePlan& plan);
 
 /// A line for each row, with a line of names above.
 std::string accuracy_csv(const std::vector<AccuracyScene>& scenes);
