@@ -5,9 +5,8 @@
 
 #include "app/accuracy/crops.h"
 #include "app/accuracy/entries.h"
-#include "app/accuracy/light_error.h"
+#include "app/accuracy/errors.h"
 #include "app/accuracy/motion.h"
-#include "app/accuracy/portal_error.h"
 #include "app/accuracy/report.h"
 #include "app/child_program.h"
 #include "app/commands.h"

@@ -1,5 +1,5 @@
 // How far the light of lamps in pictures is from the truth.
-#include "app/accuracy/light_error.h"
+#include "app/accuracy/errors.h"
 
 #include <gtest/gtest.h>
 

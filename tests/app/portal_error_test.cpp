@@ -1,5 +1,5 @@
 // What portals by the graphics card's depths and planes show that is not there.
-#include "app/accuracy/portal_error.h"
+#include "app/accuracy/errors.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/accuracy/portal_error.h"
+#include "app/accuracy/errors.h"
 
 #include <fmt/format.h>
 
