@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
-#include "app/accuracy/crops.h"
-#include "app/accuracy/entries.h"
 #include "app/accuracy/errors.h"
 #include "app/accuracy/motion.h"
+#include "app/accuracy/picture_files.h"
 #include "app/accuracy/report.h"
 #include "app/child_program.h"
 #include "app/commands.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/accuracy/crops.h"
+#include "app/accuracy/picture_files.h"
 #include "app/accuracy/report.h"
 #include "app/accuracy/true_texels.h"
 #include "render/reference/reference_renderer.h"

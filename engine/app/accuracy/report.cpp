@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/accuracy/crops.h"
+#include "app/accuracy/picture_files.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {
