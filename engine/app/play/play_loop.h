@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 
-#include "app/play/end_screen.h"
 #include "app/play/game.h"
 #include "app/play/menu.h"
 #include "app/play/outside_view.h"

@@ -1,14 +1,16 @@
 #include "app/play/readout.h"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <vector>
 
 #include "app/draw/overlay.h"
 #include "world/input.h"
 
 namespace enfilade {
-
 namespace {
 
 constexpr Color kNoticeInk = 0xFFFFFFFF, kAlarm = 0xFF4040FF, kKeysPanel = 0xD0202020;
@@ -216,6 +218,43 @@ int Notices::draw(Overlay& overlay, double now_s, bool with_panel) {
     for (std::size_t i = 0; i < lines.size(); ++i)
         overlay.text(2 * margin, y + margin / 2 + int(i) * overlay.line_height(), lines[i], kNoticeInk);
     return y + panel.height;
+}
+
+namespace {
+
+std::string time_text(double seconds) {
+    const auto whole = static_cast<long>(seconds);
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::string next_text(const MapEnd& end) {
+    if (end.next.empty()) return "The way ends here; it begins again.";
+    if (end.next_path.empty()) return fmt::format("The next map, {}, is not here; this one begins again.", end.next);
+    return "Next: " + end.next;
+}
+
+}  // namespace
+
+std::size_t count_of_secrets(const Map& map) {
+    std::set<SectorId> leaders;
+    for (const Sector& sector : map.sectors)
+        if (sector.secret) leaders.insert(sector.leader);
+    return leaders.size();
+}
+
+void draw_end(Overlay& overlay, const MapEnd& end) {
+    overlay.fill({0, 0, overlay.width(), overlay.height()}, kPageShade);
+    std::vector<std::pair<std::string, Color>> lines{
+        {"You left " + end.left, kTitleInk}, {"", kValueInk}, {"Time     " + time_text(end.seconds), kValueInk}};
+    if (end.secrets > 0) lines.emplace_back(fmt::format("Secrets  {} of {}", end.found, end.secrets), kValueInk);
+    lines.insert(lines.end(),
+                 {{"", kValueInk}, {next_text(end), kValueInk}, {"", kValueInk}, {"Any key goes on", kHintInk}});
+    const int pitch = overlay.line_height() * 3 / 2;
+    int y = (overlay.height() - pitch * static_cast<int>(lines.size())) / 2;
+    for (const auto& [text, color] : lines) {
+        overlay.rimmed_text((overlay.width() - overlay.text_width(text)) / 2, y, text, color);
+        y += pitch;
+    }
 }
 
 }  // namespace enfilade

@@ -1,5 +1,4 @@
 // What is shown when a map lies behind one, and when one is hurt.
-#include "app/play/end_screen.h"
 
 #include <gtest/gtest.h>
 
