@@ -1,5 +1,5 @@
 // The maps that the title screen lists, and how one chooses among them.
-#include "app/play/map_page.h"
+#include "app/play/title.h"
 
 #include <gmock/gmock.h>
 
