@@ -9,7 +9,6 @@
 #include "app/play/pacing.h"
 #include "app/play/readout.h"
 #include "app/play/settings_file.h"
-#include "app/play/stillness.h"
 #include "app/sounds.h"
 #include "platform/window.h"
 #include "render/choice/renderer.h"
