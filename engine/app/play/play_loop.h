@@ -8,7 +8,7 @@
 #include "app/play/outside_view.h"
 #include "app/play/pacing.h"
 #include "app/play/readout.h"
-#include "app/play/settings_file.h"
+#include "app/play/settings.h"
 #include "app/sounds.h"
 #include "platform/window.h"
 #include "render/choice/renderer.h"

@@ -1,4 +1,4 @@
-#include "app/play/settings_file.h"
+#include "app/play/settings.h"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 #include "app/play/menu.h"
 #include "app/play/pacing.h"
 #include "app/play/readout.h"
-#include "app/play/settings_file.h"
+#include "app/play/settings.h"
 #include "platform/input_event.h"
 #include "platform/window.h"
 

@@ -5,7 +5,6 @@
 
 #include <set>
 
-#include "app/play/settings_file.h"
 #include "base/files.h"
 #include "support/temp_dir.h"
 
