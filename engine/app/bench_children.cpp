@@ -6,8 +6,8 @@
 #include <charconv>
 #include <string_view>
 
-#include "app/child_program.h"
 #include "app/messages.h"
+#include "app/programs.h"
 
 namespace enfilade {
 

@@ -9,6 +9,7 @@
 #include "app/messages.h"
 #include "app/open_map.h"
 #include "app/options.h"
+#include "app/programs.h"
 #include "base/files.h"
 #include "base/terminal.h"
 #include "formats/map_toml.h"

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <optional>
 
-#include "app/child_program.h"
 #include "base/files.h"
 #include "formats/map_toml.h"
 #include "formats/script.h"
@@ -156,15 +155,6 @@ std::vector<std::string> maps_in_folders(const std::vector<std::string>& paths) 
         if (maps.size() == before) maps.push_back(path);
     }
     return maps;
-}
-
-namespace fs = std::filesystem;
-
-std::string shipped_map(const std::string& name) {
-    const char* const wish = std::getenv("ENFILADE_SHARE");
-    const fs::path share =
-        wish && *wish ? fs::path(wish) : fs::path(this_program()).parent_path() / "../share/enfilade";
-    return (share / "maps" / name).lexically_normal().string();
 }
 
 }  // namespace enfilade

@@ -29,10 +29,4 @@ std::string about_file(const std::string& path);
 /// scripts. A folder without maps stays.
 std::vector<std::string> maps_in_folders(const std::vector<std::string>& paths);
 
-// The maps that come with Enfilade.
-
-/// The path of one of them, e.g. "effects.toml": in maps/ of the folder that the environment variable ENFILADE_SHARE
-/// names, else of ../share/enfilade as seen from the program.
-std::string shipped_map(const std::string& name);
-
 }  // namespace enfilade

@@ -16,7 +16,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/child_program.h"
+#include "app/programs.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {

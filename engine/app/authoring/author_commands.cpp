@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/file_kind.h"
 #include "app/open_map.h"
+#include "app/programs.h"
 #include "base/files.h"
 #include "base/terminal.h"
 #include "formats/map_toml.h"
@@ -71,10 +72,7 @@ std::string in_shell(const std::string& path) {
     const bool is_plain =
         path.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-/") ==
         std::string::npos;
-    if (is_plain) return path;
-    std::string quoted = "'";
-    for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
+    return is_plain ? path : shell_word(path);
 }
 
 std::string first_map(const fs::path& path) {

@@ -8,12 +8,12 @@
 #include <fstream>
 #include <set>
 
-#include "app/child_program.h"
 #include "app/file_kind.h"
 #include "app/open_map.h"
 #include "app/options.h"
 #include "app/pictures.h"
 #include "app/play/saved_game.h"
+#include "app/programs.h"
 #include "base/attempt.h"
 #include "base/hash.h"
 #include "formats/text_parts.h"

@@ -8,6 +8,7 @@
 #include "app/play/play_loop.h"
 #include "app/play/saved_game.h"
 #include "app/play/title.h"
+#include "app/programs.h"
 #include "base/attempt.h"
 #include "base/terminal.h"
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/file_kind.h"
 #include "app/open_map.h"
 #include "app/options.h"
 #include "app/play/saved_game.h"
+#include "app/programs.h"
 #include "base/attempt.h"
 #include "base/parallel.h"
 #include "platform/clock.h"

@@ -1,4 +1,4 @@
-#include "app/child_program.h"
+#include "app/programs.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,13 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As a shell takes it for one word, whatever is in it.
-std::string shell_word(const std::string& word) {
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
-}
-
 std::string command_of(const std::vector<std::string>& words) {
     std::string command = "exec";
     for (const std::string& word : words) command += " " + shell_word(word);
@@ -29,6 +22,12 @@ std::string command_of(const std::vector<std::string>& words) {
 }
 
 }  // namespace
+
+std::string shell_word(const std::string& word) {
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
 
 Result<ChildEnd> run_child(const std::vector<std::string>& words) {
     std::FILE* const child = popen(command_of(words).c_str(), "r");
@@ -56,6 +55,13 @@ bool is_installed(std::string_view program) {
 std::string this_program() {
     std::error_code unknown;
     return fs::read_symlink("/proc/self/exe", unknown).string();
+}
+
+std::string shipped_map(const std::string& name) {
+    const char* const wish = std::getenv("ENFILADE_SHARE");
+    const fs::path share =
+        wish && *wish ? fs::path(wish) : fs::path(this_program()).parent_path() / "../share/enfilade";
+    return (share / "maps" / name).lexically_normal().string();
 }
 
 }  // namespace enfilade

@@ -1,4 +1,4 @@
-// Other programs that a command calls for help.
+// Other programs that a command calls for help, this one, and what lies beside it.
 #pragma once
 #include <string>
 #include <string_view>
@@ -18,6 +18,9 @@ struct ChildEnd {
 /// a shell reads none of them. An error where no process can be had, or where it says more than kMostSaid bytes.
 Result<ChildEnd> run_child(const std::vector<std::string>& words);
 
+/// The word as a shell takes it for one, whatever is in it.
+std::string shell_word(const std::string& word);
+
 /// More than the rows of the longest list of views.
 inline constexpr std::size_t kMostSaid = std::size_t{256} << 20;
 
@@ -26,5 +29,11 @@ bool is_installed(std::string_view program);
 
 /// The path of the running program.
 std::string this_program();
+
+// The maps that come with Enfilade.
+
+/// The path of one of them, e.g. "effects.toml": in maps/ of the folder that the environment variable ENFILADE_SHARE
+/// names, else of ../share/enfilade as seen from the program.
+std::string shipped_map(const std::string& name);
 
 }  // namespace enfilade
