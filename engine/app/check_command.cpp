@@ -7,7 +7,6 @@
 
 #include "app/commands.h"
 #include "app/effect_prices.h"
-#include "app/file_kind.h"
 #include "app/machine_output.h"
 #include "app/messages.h"
 #include "app/open_map.h"

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/file_kind.h"
 #include "app/messages.h"
 #include "base/files.h"
 #include "base/hash.h"

@@ -7,7 +7,6 @@
 #include <optional>
 #include <string_view>
 
-#include "app/file_kind.h"
 #include "app/messages.h"
 #include "app/open_map.h"
 #include "base/files.h"

@@ -6,7 +6,7 @@
 
 #include "app/authoring/plan.h"
 #include "app/commands.h"
-#include "app/file_kind.h"
+#include "app/messages.h"
 #include "app/open_map.h"
 #include "app/programs.h"
 #include "base/files.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/file_kind.h"
+#include "app/messages.h"
 #include "app/open_map.h"
 #include "app/play/player_input.h"
 #include "base/hash.h"

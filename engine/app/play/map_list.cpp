@@ -8,7 +8,7 @@
 #include <fstream>
 #include <set>
 
-#include "app/file_kind.h"
+#include "app/messages.h"
 #include "app/open_map.h"
 #include "app/options.h"
 #include "app/pictures.h"

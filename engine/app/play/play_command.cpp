@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "app/commands.h"
-#include "app/file_kind.h"
 #include "app/messages.h"
 #include "app/play/map_list.h"
 #include "app/play/play_loop.h"
