@@ -13,7 +13,6 @@
 #include "app/messages.h"
 #include "app/options.h"
 #include "app/play/settings.h"
-#include "app/tool_options.h"
 #include "base/files.h"
 #include "formats/text_parts.h"
 #include "render/view.h"

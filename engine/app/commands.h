@@ -12,6 +12,10 @@
 #include "render/outside/outside_camera.h"
 #include "world/snapshot.h"
 
+namespace CLI {
+class App;
+}
+
 namespace enfilade {
 
 /// Notations of what a command found out (app/machine_output.h); text is for people.
@@ -113,6 +117,38 @@ int run_expand(const ExpandRequest& request);
 int run_new(const NewRequest& request);
 int run_fmt(const FmtRequest& request);
 int run_draw(const DrawRequest& request);
+
+// The options of the tools: `accuracy` for who tunes renderers; new, expand, fmt and draw for authors of maps.
+
+/// Declares `accuracy`, and runs it. Stays where it is: CLI11 writes into it.
+class AccuracyCommand {
+public:
+    explicit AccuracyCommand(CLI::App& enfilade);
+
+    bool is_asked_for() const;
+    /// Its exit code. Once it is asked for.
+    int run() const;
+
+private:
+    AccuracyRequest request_;
+    const CLI::App* declared_ = nullptr;
+};
+
+/// Declares the commands for authors, and runs the one that was read. Stays where it is, too.
+class AuthorCommands {
+public:
+    explicit AuthorCommands(CLI::App& enfilade);
+
+    /// One of them was asked for. Returns its exit code.
+    int run() const;
+
+private:
+    NewRequest new_;
+    ExpandRequest expand_;
+    FmtRequest fmt_;
+    DrawRequest draw_;
+    const CLI::App *declared_new_, *declared_expand_, *declared_fmt_;
+};
 
 // The whole command line, as a function.
 

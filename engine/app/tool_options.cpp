@@ -1,4 +1,4 @@
-#include "app/tool_options.h"
+#include "app/commands.h"
 
 #include <CLI/CLI.hpp>
 
