@@ -1,6 +1,6 @@
 #include "wild/trial.h"
 
-#include "app/play/automap.h"
+#include "app/play/game.h"
 #include "base/attempt.h"
 #include "hard_cases/comparison.h"
 #include "space/hearing.h"

@@ -1,4 +1,4 @@
-#include "app/play/automap.h"
+#include "app/play/game.h"
 
 #include <algorithm>
 #include <cmath>

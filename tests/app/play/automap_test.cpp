@@ -1,5 +1,5 @@
 // The map over the picture.
-#include "app/play/automap.h"
+#include "app/play/game.h"
 
 #include <gtest/gtest.h>
 
