@@ -1,4 +1,4 @@
-#include "app/play/outside_view.h"
+#include "app/play/play_loop.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // An eye that flies.
-#include "app/play/outside_view.h"
+#include "app/play/play_loop.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // The view from outside over the player's own.
-#include "app/play/outside_view.h"
+#include "app/play/play_loop.h"
 
 #include <gtest/gtest.h>
 
