@@ -5,7 +5,7 @@
 #include "base/attempt.h"
 #include "base/files.h"
 #include "base/parallel.h"
-#include "base/terminal.h"
+#include "base/text.h"
 #include "command/command.h"
 #include "wadconv/convert.h"
 

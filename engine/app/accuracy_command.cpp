@@ -13,7 +13,7 @@
 #include "app/programs.h"
 #include "base/files.h"
 #include "base/hash.h"
-#include "base/terminal.h"
+#include "base/text.h"
 
 namespace enfilade {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/options.h"
 #include "app/programs.h"
 #include "base/files.h"
-#include "base/terminal.h"
+#include "base/text.h"
 #include "formats/map_toml.h"
 #include "platform/clock.h"
 #include "platform/gl_context.h"

@@ -12,7 +12,7 @@
 #include "app/open_map.h"
 #include "app/sounds.h"
 #include "base/files.h"
-#include "base/terminal.h"
+#include "base/text.h"
 #include "formats/map_toml.h"
 #include "formats/text_parts.h"
 #include "map/load.h"

@@ -12,7 +12,7 @@
 #include "app/pictures.h"
 #include "app/recorded_flight.h"
 #include "base/files.h"
-#include "base/terminal.h"
+#include "base/text.h"
 #include "formats/text_parts.h"
 #include "platform/gl_context.h"
 

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "base/files.h"
-#include "base/terminal.h"
+#include "base/text.h"
 #include "formats/map_toml.h"
 #include "formats/script.h"
 #include "formats/tape.h"

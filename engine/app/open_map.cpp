@@ -13,7 +13,7 @@
 #include "app/messages.h"
 #include "base/files.h"
 #include "base/hash.h"
-#include "base/terminal.h"
+#include "base/text.h"
 #include "formats/script.h"
 
 namespace enfilade {

@@ -10,7 +10,7 @@
 #include "app/messages.h"
 #include "app/open_map.h"
 #include "base/files.h"
-#include "base/terminal.h"
+#include "base/text.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {

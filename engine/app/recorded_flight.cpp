@@ -9,7 +9,7 @@
 
 #include "app/messages.h"
 #include "base/files.h"
-#include "base/terminal.h"
+#include "base/text.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {

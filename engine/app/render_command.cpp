@@ -15,7 +15,7 @@
 #include "app/pixel_text.h"
 #include "base/files.h"
 #include "base/parallel.h"
-#include "base/terminal.h"
+#include "base/text.h"
 #include "formats/text_parts.h"
 #include "formats/views_csv.h"
 #include "platform/clock.h"

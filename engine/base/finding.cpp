@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/terminal.h"
+#include "base/text.h"
 
 namespace enfilade {
 

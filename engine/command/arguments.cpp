@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "base/terminal.h"
+#include "base/text.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {

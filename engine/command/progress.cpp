@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "base/terminal.h"
+#include "base/text.h"
 
 namespace enfilade {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "base/bytes.h"
 #include "base/result.h"
-#include "base/utf8.h"
+#include "base/text.h"
 
 // All numbers little-endian:
 //

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/terminal.h"
+#include "base/text.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {

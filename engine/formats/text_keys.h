@@ -42,7 +42,7 @@ constexpr auto color_key(std::string_view name, Dialect since) {
 // Which texts of a hostile file may become names of other files.
 
 /// Nothing where the text names a file below a folder: parts with a single '/' between them, none of them "." or "..",
-/// and no character that a terminal would obey (base/terminal.h). So a file has one name only, apart from upper and
+/// and no character that a terminal would obey (base/text.h). So a file has one name only, apart from upper and
 /// lower case, and no name leads elsewhere. Otherwise what was expected, without a place.
 Result<void> refuse_as_file_name(std::string_view text);
 

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "base/terminal.h"
-#include "base/utf8.h"
+#include "base/text.h"
 #include "formats/text_keys.h"
 
 namespace enfilade {

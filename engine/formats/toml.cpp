@@ -4,8 +4,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "base/terminal.h"
-#include "base/utf8.h"
+#include "base/text.h"
 #include "formats/toml_tree.h"
 
 // toml++ 3.3.0 states what it believes as assertions, and with NDEBUG as promises to the optimiser; fuzzing shows

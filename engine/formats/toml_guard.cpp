@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "base/utf8.h"
+#include "base/text.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {

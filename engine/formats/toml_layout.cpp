@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/utf8.h"
+#include "base/text.h"
 #include "formats/map_toml.h"
 #include "formats/toml.h"
 

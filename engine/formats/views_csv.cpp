@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "base/utf8.h"
+#include "base/text.h"
 #include "formats/map_keys.h"
 #include "formats/text_parts.h"
 

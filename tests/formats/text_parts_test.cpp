@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/hash.h"
-#include "base/utf8.h"
+#include "base/text.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {

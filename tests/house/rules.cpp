@@ -215,11 +215,11 @@ Complaints check_exceptions(const SourceFile& file) {
 
 Complaints check_printing(const SourceFile& file) {
     // A broken contract is told in words of our own, by as little code as can be.
-    if (!is_ours(file) || file.path == "engine/base/terminal.cpp" || file.path == "engine/base/attempt.cpp") return {};
+    if (!is_ours(file) || file.path == "engine/base/text.cpp" || file.path == "engine/base/attempt.cpp") return {};
     if (is_in(file, "engine/examples")) return {};  // programs of others, who print as they like
     static const std::regex calls(
         R"(\b(v?d?f?printf|f?puts|f?putc|putchar|perror)\s*\(|\bfmt::v?print(ln)?\b|\bstd::w?(cout|cerr|clog)\b)");
-    return lines_with(file, without_comments_and_strings(file.text), calls, "print by base/terminal.h");
+    return lines_with(file, without_comments_and_strings(file.text), calls, "print by base/text.h");
 }
 
 std::string without_comments_and_strings(std::string_view text) {

@@ -41,7 +41,7 @@ Complaints check_approximations(const SourceFile& file);
 /// In space/ and world/, no function of the C mathematics library whose last bit differs between machines.
 Complaints check_libm(const SourceFile& file);
 
-/// What people read goes through base/terminal.h, which lets nothing pass that a terminal obeys.
+/// What people read goes through base/text.h, which lets nothing pass that a terminal obeys.
 Complaints check_printing(const SourceFile& file);
 
 /// A source file longer than this answers more than one question [lines].

@@ -175,8 +175,8 @@ TEST(Printing, IsSeenOutsideOfTheTerminal) {
          {"fmt::print(stderr, x);", "std::printf(x);", "std::fprintf(stderr, x);", "puts(x);", "std::fputs(x, stdout);",
           "std::cout << x;", "std::cerr << x;", "putchar (c);", "perror(x);"})
         for (const char* path : {"engine/app/a.cpp", "wadconv/main.cpp"})
-            EXPECT_THAT(check_printing({path, code}), ElementsAre(HasSubstr("base/terminal.h"))) << code;
-    EXPECT_THAT(check_printing({"engine/base/terminal.cpp", "std::fputs(x, stdout);"}), IsEmpty());
+            EXPECT_THAT(check_printing({path, code}), ElementsAre(HasSubstr("base/text.h"))) << code;
+    EXPECT_THAT(check_printing({"engine/base/text.cpp", "std::fputs(x, stdout);"}), IsEmpty());
     EXPECT_THAT(check_printing({"tests/bench/a.cpp", "std::puts(x);"}), IsEmpty());
     EXPECT_THAT(
         check_printing({"engine/app/a.cpp", "std::snprintf(t, n, x); print_text(stdout, x); inputs(); // puts(x)"}),

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/terminal.h"
+#include "base/text.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {

@@ -9,7 +9,7 @@
 #include "app/play/title.h"
 #include "app/programs.h"
 #include "base/attempt.h"
-#include "base/terminal.h"
+#include "base/text.h"
 
 namespace enfilade {
 namespace {

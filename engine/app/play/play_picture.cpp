@@ -10,7 +10,7 @@
 #include "app/play/saved_game.h"
 #include "base/attempt.h"
 #include "base/parallel.h"
-#include "base/terminal.h"
+#include "base/text.h"
 #include "platform/clock.h"
 #include "platform/gl_context.h"
 

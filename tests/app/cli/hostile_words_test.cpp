@@ -3,7 +3,7 @@
 
 #include "app/cli/program.h"
 #include "base/bytes.h"
-#include "base/utf8.h"
+#include "base/text.h"
 #include "formats/tape.h"
 
 namespace enfilade {

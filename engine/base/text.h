@@ -1,10 +1,14 @@
-// UTF-8: which bytes are characters, and which.
+// Texts: which of their bytes are characters, and the one way by which they reach stdout and stderr.
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
+#include <string>
 #include <string_view>
 
 namespace enfilade {
+
+// UTF-8: which bytes are characters, and which.
 
 /// What some editors put at the start of a UTF-8 file.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -44,5 +48,26 @@ constexpr std::size_t characters_in(std::string_view text) {
     return static_cast<std::size_t>(
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
+
+// What is printed. Names and texts of files may be in it, and files may be hostile: a terminal shows all of it as
+// letters, and obeys none.
+
+/// The text with a question mark for each character that a terminal would obey: control characters (C0, DEL, C1; line
+/// feeds and tabs, too), separators of lines and paragraphs, overrides and isolates of direction (Boucher and Anderson,
+/// "Trojan Source", 2021); and for each byte that is not UTF-8. Cost: a few ns a byte.
+std::string printable_line(std::string_view text);
+
+/// The same of several lines: line feeds and tabs stay.
+std::string printable(std::string_view text);
+
+/// Whether the text is a line that can be printed as it is.
+bool is_printable_line(std::string_view text);
+
+/// Writes printable(text), which brings its line feeds along. stream : stdout or stderr. What cannot be written is
+/// lost.
+void print_text(std::FILE* stream, std::string_view text);
+
+/// Replaces the line that the cursor of stderr is in; without a text, wipes it.
+void redraw_line(std::string_view text);
 
 }  // namespace enfilade

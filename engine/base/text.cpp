@@ -1,6 +1,4 @@
-#include "base/terminal.h"
-
-#include "base/utf8.h"
+#include "base/text.h"
 
 namespace enfilade {
 

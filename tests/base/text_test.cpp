@@ -1,9 +1,7 @@
 // What may reach a terminal.
-#include "base/terminal.h"
+#include "base/text.h"
 
 #include <gtest/gtest.h>
-
-#include "base/utf8.h"
 
 namespace enfilade {
 namespace {
