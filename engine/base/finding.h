@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/boxed.h"
+#include "base/containers.h"
 
 namespace enfilade {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/boxed.h"
+#include "base/containers.h"
 #include "base/parallel.h"
 #include "formats/reading.h"
 #include "formats/text_parts.h"

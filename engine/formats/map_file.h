@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/boxed.h"
+#include "base/containers.h"
 #include "base/finding.h"
 #include "formats/effect_records.h"
 #include "math/vec.h"

@@ -47,7 +47,7 @@
 #include <string>
 #include <vector>
 
-#include "base/boxed.h"
+#include "base/containers.h"
 #include "base/id.h"
 #include "formats/map_file.h"
 #include "map/effects.h"

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/short_list.h"
+#include "base/containers.h"
 #include "map/map.h"
 #include "space/trace.h"
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "base/short_list.h"
+#include "base/containers.h"
 #include "map/map.h"
 #include "space/path_segment.h"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "base/short_list.h"
+#include "base/containers.h"
 #include "map/map.h"
 #include "math/vec.h"
 #include "space/reach.h"

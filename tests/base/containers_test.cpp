@@ -1,5 +1,5 @@
 // Short lists: like a vector, whether what they hold lies in them or on the heap.
-#include "base/short_list.h"
+#include "base/containers.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,4 @@
-// A list that is nearly always short: its first elements lie in the list itself, so that asking a question whose answer
-// is such a list takes nothing from the heap.
+// Containers that take little room for what is usual: a value that is mostly absent, a list that is mostly short.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -8,7 +7,49 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/result.h"
+
 namespace enfilade {
+
+// An optional value that takes the room of a pointer where it is absent: for large parts that few records have.
+
+/// A value, copied and compared as such, or none. Costs an allocation where there is one.
+template <class T>
+class Boxed {
+public:
+    using value_type = T;
+
+    Boxed() = default;
+    Boxed(const T& value) : value_(std::make_unique<T>(value)) {}
+    Boxed(const Boxed& other) : value_(other ? std::make_unique<T>(*other) : nullptr) {}
+    Boxed(Boxed&&) noexcept = default;
+    Boxed& operator=(Boxed other) noexcept {
+        value_ = std::move(other.value_);
+        return *this;
+    }
+    ~Boxed() = default;
+
+    T& emplace() {
+        value_ = std::make_unique<T>();
+        return *value_;
+    }
+    void reset() { value_.reset(); }
+
+    explicit operator bool() const { return value_ != nullptr; }
+    T& operator*() const {
+        ENFILADE_CHECK(value_ != nullptr);
+        return *value_;
+    }
+    T* operator->() const { return &**this; }
+
+    friend bool operator==(const Boxed& a, const Boxed& b) { return a && b ? *a == *b : !a && !b; }
+
+private:
+    std::unique_ptr<T> value_;
+};
+
+// A list that is nearly always short: its first elements lie in the list itself, so that asking a question whose answer
+// is such a list takes nothing from the heap.
 
 /// A vector of plain values of which up to kFew take no memory of their own; more of them move to the heap, all
 /// together. Pointers and iterators are good until the next change of the list, or its move.
