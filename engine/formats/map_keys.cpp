@@ -1,8 +1,11 @@
+// What all lists of keys share, all keys of a map, and the lists of what changes: triggers, effects of light, sounds.
 #include "formats/map_keys.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
+#include "formats/text_keys.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {
@@ -124,6 +127,174 @@ std::vector<KeyInfo> map_keys() {
     add_key_infos<LightEffectRecord>(all, "lights.effect.");
     add_key_infos<SunRecord>(all, "suns.");
     return all;
+}
+
+// Triggers, light effects, bobs, animations, switches and sounds.
+
+namespace {
+
+/// Times in the world: a day at most [s].
+constexpr Range kSeconds{0, 86400};
+
+/// Slow enough to be seen to move, fast enough to look instant [m/s].
+constexpr Range kSpeeds{0x1p-6, 1024};
+
+/// Heights of stairs, up and down [m].
+constexpr Range kStairs{-64, 64};
+
+/// A picture of an animation must stay for a moment [s].
+constexpr Range kPictureSeconds{0x1p-6, 86400};
+
+/// How often lights may change [1/s]: slower ones have longer times, faster ones nobody sees.
+constexpr Range kClocks{1, 240};
+
+/// A single string is an array of one, because most triggers have one target.
+void read_targets(Reading& reading, const NamedValue& value, Range range, TriggerRecord& trigger) {
+    if (value.node.kind() == TomlKind::string)
+        read_value(reading, value, range, trigger.targets.emplace_back());
+    else
+        read_value(reading, value, range, trigger.targets);
+}
+
+void write_targets(TableText& table, const Key<TriggerRecord>& key, const TriggerRecord& trigger,
+                   const TriggerRecord&) {
+    if (trigger.targets.size() == 1)
+        table.add(key.name, value_text(trigger.targets.front()));
+    else if (!trigger.targets.empty())
+        table.add(key.name, value_text(trigger.targets));
+}
+
+/// Of an exit, the target is the map it leads to.
+void check_exit(Reading& reading, const NamedValue& target) {
+    if (target.node.kind() == TomlKind::string && !target.node.text().empty())
+        expect_file_name(reading, target, Files::below_folder);
+    for (std::size_t i = 0; target.node.kind() == TomlKind::array && i < target.node.size(); ++i)
+        check_exit(reading, {target.name, target.node.at(i)});
+}
+
+/// How far a sound may reach [m]; the ways to all it reaches are looked at.
+constexpr Range kSoundReaches{0x1p-4, 1024};
+
+constexpr std::array kTriggerKeys{
+    key<&TriggerRecord::on>("on", kNew, Need::required),
+    key<&TriggerRecord::action>("do", kNew, Need::required),
+    Key<TriggerRecord>{"target", kNew, Need::optional, {}, read_targets, write_targets},
+    key<&TriggerRecord::once>("once", kNew),
+    key<&TriggerRecord::one_way>("one_way", kNew),
+    key<&TriggerRecord::key>("key", kNew),
+    key<&TriggerRecord::after>("after", kNew, Need::optional, kSeconds),
+    key<&TriggerRecord::z>("z", kNew, Need::optional, kHeights),
+    key<&TriggerRecord::to>("to", kNew),
+    key<&TriggerRecord::like>("like", kNew),
+    key<&TriggerRecord::by>("by", kNew, Need::optional, kHeights),
+    key<&TriggerRecord::speed>("speed", kNew, Need::optional, kSpeeds),
+    key<&TriggerRecord::wait>("wait", kNew, Need::optional, kSeconds),
+    key<&TriggerRecord::step>("step", kNew, Need::optional, kStairs),
+    key<&TriggerRecord::reverses>("reverses", kNew),
+    key<&TriggerRecord::crushes>("crushes", kNew),
+    key<&TriggerRecord::crush_speed>("crush_speed", kNew, Need::optional, kSpeeds),
+    file_key<&TriggerRecord::texture>("texture", kNew),
+    key<&TriggerRecord::heals>("heals", kNew),
+    key<&TriggerRecord::light>("light", kNew, Need::optional, kLight),
+    key<&TriggerRecord::light_of>("light_of", kNew),
+    key<&TriggerRecord::effect>("effect", kNew),
+    key<&TriggerRecord::sound>("sound", kNew),
+};
+
+constexpr std::array kLightEffectKeys{
+    key<&LightEffectRecord::kind>("kind", kNew, Need::required),
+    key<&LightEffectRecord::dark>("dark", kNew, Need::optional, kLight),
+    key<&LightEffectRecord::dark_s>("dark_s", kNew, Need::optional, kPictureSeconds),
+    key<&LightEffectRecord::bright_s>("bright_s", kNew, Need::optional, kPictureSeconds),
+    key<&LightEffectRecord::in_step>("in_step", kNew),
+    key<&LightEffectRecord::lasts>("lasts", kNew),
+    key<&LightEffectRecord::step>("step", kNew, Need::optional, kLight),
+    key<&LightEffectRecord::clock_hz>("clock_hz", kNew, Need::optional, kClocks),
+};
+
+/// What bobs less than a step of the vertex grid does not seem to [m].
+constexpr Range kAmplitudes{0x1p-10, 1024};
+
+/// A period is some ticks at least, else it is not the same from all sides; and a day at most [s].
+constexpr Range kPeriods{0.125, 86400};
+
+constexpr std::array kBobKeys{
+    key<&BobRecord::amplitude>("amplitude", kNew, Need::required, kAmplitudes),
+    key<&BobRecord::period>("period", kNew, Need::optional, kPeriods),
+    key<&BobRecord::phase>("phase", kNew, Need::optional, {0, 1}),
+    key<&BobRecord::shape>("shape", kNew),
+};
+
+constexpr std::array kAnimationKeys{
+    file_key<&AnimationRecord::frames>("frames", kNew, Need::required),
+    key<&AnimationRecord::seconds>("seconds", kNew, Need::optional, kPictureSeconds),
+};
+
+constexpr std::array kSwitchKeys{
+    file_key<&SwitchRecord::off>("off", kNew, Need::required),
+    file_key<&SwitchRecord::on>("on", kNew, Need::required),
+};
+
+constexpr std::array kSoundKeys{
+    key<&SoundRecord::name>("name", kNew, Need::required),
+    file_key<&SoundRecord::file>("file", kNew, Need::required),
+    key<&SoundRecord::volume>("volume", kNew, Need::optional, {0, 1}),
+    key<&SoundRecord::reach>("reach", kNew, Need::optional, kSoundReaches),
+    key<&SoundRecord::loops>("loops", kNew),
+};
+
+constexpr KeyList<TriggerRecord> kTriggerList{"a trigger", kTriggerKeys};
+constexpr KeyList<LightEffectRecord> kLightEffectList{"a light effect", kLightEffectKeys};
+constexpr KeyList<BobRecord> kBobList{"'bob'", kBobKeys};
+constexpr KeyList<AnimationRecord> kAnimationList{"an animation", kAnimationKeys};
+constexpr KeyList<SwitchRecord> kSwitchList{"a switch", kSwitchKeys};
+constexpr KeyList<SoundRecord> kSoundList{"a sound", kSoundKeys};
+
+}  // namespace
+
+template <>
+const KeyList<TriggerRecord>& keys_of() {
+    return kTriggerList;
+}
+
+template <>
+const KeyList<LightEffectRecord>& keys_of() {
+    return kLightEffectList;
+}
+
+template <>
+const KeyList<BobRecord>& keys_of() {
+    return kBobList;
+}
+
+template <>
+const KeyList<AnimationRecord>& keys_of() {
+    return kAnimationList;
+}
+
+template <>
+const KeyList<SwitchRecord>& keys_of() {
+    return kSwitchList;
+}
+
+template <>
+const KeyList<SoundRecord>& keys_of() {
+    return kSoundList;
+}
+
+template <>
+void check_record(Reading& reading, TomlNode, std::span<const TomlEntry> entries, TriggerRecord& trigger) {
+    const TomlEntry* target = find_entry(entries, "target");
+    if (target && trigger.action == TriggerAction::leave_map) check_exit(reading, {target->key, target->value});
+    refuse_both(reading, entries, "z", "to", "two-heights");
+    refuse_both(reading, entries, "z", "like", "two-heights");
+    refuse_both(reading, entries, "to", "like", "two-heights");
+    refuse_both(reading, entries, "light", "light_of", "two-lights");
+}
+
+template <>
+void check_record(Reading& reading, TomlNode table, std::span<const TomlEntry>, AnimationRecord& animation) {
+    if (animation.frames.empty()) missing_key(reading, table.place(), "an animation", "frames");
 }
 
 }  // namespace enfilade
