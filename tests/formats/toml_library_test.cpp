@@ -9,12 +9,12 @@
 namespace enfilade {
 namespace {
 
-constexpr TomlLimits kLimits;
+constexpr TomlLimits kUsualLimits;
 
 /// What a text is made of: what the rules of TOML distinguish, one of each kind, and letters of one to four bytes.
-constexpr std::string_view kParts[] = {"'", "\"", "'''", "\"\"\"", "é",  "\xC3", "漢", "𝄞",
-                                       "0", "1",  "-",   "e",      ".",  "0x",   "[",  "]",
-                                       "{", "}",  "=",   ",",      "\n", "#",    "\\", "1979-05-27"};
+constexpr std::string_view kPieces[] = {"'", "\"", "'''", "\"\"\"", "é",  "\xC3", "漢", "𝄞",
+                                        "0", "1",  "-",   "e",      ".",  "0x",   "[",  "]",
+                                        "{", "}",  "=",   ",",      "\n", "#",    "\\", "1979-05-27"};
 
 /// What may stand before them: keys and headers, a value, a member of an array.
 constexpr std::string_view kStarts[] = {"", "a = ", "a = ["};
@@ -38,9 +38,9 @@ bool library_reads(std::string_view text) {
 void ask_about(std::string& text, std::size_t parts_left, std::size_t& asked) {
     ++asked;
     const bool is_read = library_reads(text);
-    ASSERT_FALSE(is_read && scan_toml(text, kLimits)) << text;
+    ASSERT_FALSE(is_read && scan_toml(text, kUsualLimits)) << text;
     const std::size_t length = text.size();
-    for (std::string_view part : kParts) {
+    for (std::string_view part : kPieces) {
         if (parts_left == 0) return;
         ask_about(text.append(part), parts_left - 1, asked);
         text.resize(length);
@@ -53,7 +53,7 @@ TEST(TomlLibrary, SurvivesEveryShortText) {
         std::string text(start);
         ask_about(text, kLength, asked);
     }
-    EXPECT_GE(asked, std::size(kStarts) * std::size(kParts) * std::size(kParts) * std::size(kParts));
+    EXPECT_GE(asked, std::size(kStarts) * std::size(kPieces) * std::size(kPieces) * std::size(kPieces));
 }
 
 /// As UTF-8; a letter of the first plane, from U+0080 on.
