@@ -101,12 +101,17 @@ public:
         }
         begins_.notify_all();
         work.help(0);
+        for (int i = 0; i < kYields && busy_ > 0; ++i) std::this_thread::yield();
         std::unique_lock held(mutex_);
         work_ = nullptr;
         ends_.wait(held, [this] { return busy_ == 0; });
     }
 
 private:
+    /// How often the owner looks whether the helpers are done before it sleeps: some 50 microseconds long. Being woken
+    /// takes 10, and helpers end soon after their owner where they shared well.
+    static constexpr int kYields = 100;
+
     /// What one helper does as long as the pool lives.
     void serve(std::size_t worker) {
         const Cores cores;
@@ -130,12 +135,12 @@ private:
         }
     }
 
-    std::mutex mutex_;  ///< held for all that follows but the helpers themselves
+    std::mutex mutex_;  ///< held to change what follows, and to read all but busy_
     std::condition_variable begins_, ends_;
-    Work* work_ = nullptr;      ///< in which helpers may join
-    std::uint64_t number_ = 0;  ///< of the work, so that nobody joins twice
-    std::size_t busy_ = 0;      ///< helpers at work
-    int owner_core_ = -1;       ///< that the work was begun on
+    Work* work_ = nullptr;               ///< in which helpers may join
+    std::uint64_t number_ = 0;           ///< of the work, so that nobody joins twice
+    std::atomic<std::size_t> busy_ = 0;  ///< helpers at work
+    int owner_core_ = -1;                ///< that the work was begun on
     bool is_over_ = false;
     std::vector<std::jthread> helpers_;  ///< the last member: they end before what they use
 };

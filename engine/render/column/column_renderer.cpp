@@ -123,32 +123,36 @@ std::vector<ViewportOutline> ColumnRenderer::viewports() const {
 
 namespace {
 
-/// Strips for each of several threads: views differ so much from left to right that two halves take 1 : 1.2 and worse,
-/// while four strips each leave a thread idle for a twentieth of the frame; more cost more walls met twice.
-constexpr std::size_t kStripsPerThread = 4;
-
 /// A strip's canvas, drawn and then copied, stays in a core's second-level cache, of which it takes half at most: most
 /// have 1 MiB or more. A picture in one piece would go through memory twice.
-constexpr std::size_t kCanvasBytes = std::size_t{512} << 10;
+constexpr int kCanvasBytes = 512 << 10;
 
-std::size_t most_strips(const Frame& frame, std::size_t threads) {
-    const std::size_t bytes =
-        static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height) * sizeof(std::uint32_t);
-    const std::size_t for_cache = (bytes + kCanvasBytes - 1) / kCanvasBytes;
-    return std::max(for_cache, threads == 1 ? 1 : kStripsPerThread * threads);
+/// Columns that a canvas may have [pixels].
+int widest_strip(int height) {
+    const int columns = kCanvasBytes / static_cast<int>(sizeof(std::uint32_t)) / std::max(height, 1);
+    return std::max(columns / kLinePixels, 1) * kLinePixels;
 }
+
+/// Several threads take this part of what is left of a share at a time. Halves leave one of them idle for longer at the
+/// end of a picture; narrower strips meet more walls twice.
+constexpr int kPartOfShare = 3;
+
+int parts_of(int all, int part) { return (all + part - 1) / part; }
 
 }  // namespace
 
-void cut_into_strips(int width, std::size_t most, std::vector<ColumnRange>& strips) {
-    ENFILADE_CHECK(width >= 1 && most >= 1);
-    const int lines = (width + kLinePixels - 1) / kLinePixels;
-    const int count = static_cast<int>(std::min(most, static_cast<std::size_t>(lines)));
-    const int step = (lines + count - 1) / count * kLinePixels;
+void cut_into_strips(int width, std::size_t threads, int widest, std::vector<Strip>& strips) {
+    ENFILADE_CHECK(width >= 1 && threads >= 1 && widest >= kLinePixels);
+    const auto lines = static_cast<std::size_t>(parts_of(width, kLinePixels));
+    const int most = widest / kLinePixels;
     strips.clear();
-    for (int begin = 0; begin < width;) {
-        strips.push_back({begin, std::min(begin + step, width)});
-        begin += step;
+    for (std::size_t share = 0; share < threads; ++share) {
+        const int end = static_cast<int>(lines * (share + 1) / threads);
+        for (int line = static_cast<int>(lines * share / threads), next; line < end; line = next) {
+            const int left = end - line;
+            next = line + parts_of(left, std::max(parts_of(left, most), threads > 1 ? kPartOfShare : 1));
+            strips.push_back({{line * kLinePixels, std::min(next * kLinePixels, width)}, share});
+        }
     }
 }
 
@@ -167,7 +171,7 @@ ColumnStrips::ColumnStrips(const Map& map, const TextureSet& textures, std::size
 ColumnStrips::~ColumnStrips() = default;
 
 void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) {
-    cut_into_strips(frame.width, most_strips(frame, threads_), strips_);
+    cut_into_strips(frame.width, threads_, widest_strip(frame.height), strips_);
     while (renderers_.size() < strips_.size())
         renderers_.emplace_back(map_, textures_, ColumnRenderer::Shared{*lights_, dials_.get()});
     const std::size_t strips = strips_.size();
@@ -175,10 +179,11 @@ void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Snapshot& snaps
     for (std::atomic_flag& is_taken : is_taken_) is_taken.clear();
     const auto draw = [&](std::size_t i, std::size_t worker) {
         if (is_taken_[i].test_and_set()) return;
-        renderers_[i].render_columns(frame, facts, snapshot, view, strips_[i], canvases_[worker]);
+        renderers_[i].render_columns(frame, facts, snapshot, view, strips_[i].columns, canvases_[worker]);
     };
     const auto draw_some = [&](std::size_t, std::size_t worker) {
-        for (std::size_t i = strips * worker / threads_; i < strips * (worker + 1) / threads_; ++i) draw(i, worker);
+        for (std::size_t i = 0; i < strips; ++i)
+            if (strips_[i].share == worker) draw(i, worker);
         for (std::size_t i = strips; i > 0; --i) draw(i - 1, worker);
     };
     pool_.run(std::min(threads_, strips), std::cref(draw_some));  // a copied task would take memory in every frame

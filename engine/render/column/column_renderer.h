@@ -103,11 +103,21 @@ private:
 /// Pixels of a cache line.
 inline constexpr int kLinePixels = kCacheLineBytes / sizeof(std::uint32_t);
 
-/// The columns [0, width) of a picture, cut into at most `most` strips (>= 1), left to right. All but the last are
-/// equally wide. They meet where a row has a cache line's end, so that no two threads write to one line: in every row,
-/// where the width is a multiple of kLinePixels; otherwise no cut spares all rows.
-/// A picture of few columns gets fewer strips, none of them empty. The list is overwritten: it keeps its memory.
-void cut_into_strips(int width, std::size_t most, std::vector<ColumnRange>& strips);
+/// Columns that one thread draws at a time, and to whose share of the picture they belong, [0, threads).
+struct Strip {
+    ColumnRange columns;
+    std::size_t share;
+
+    bool operator==(const Strip&) const = default;
+};
+
+/// Cuts the columns [0, width) of a picture into strips, left to right, none of them empty and none wider than `widest`
+/// (>= kLinePixels), but where a picture is narrower than there are threads (>= 1) some get no share. Shares are even.
+/// One thread's strips are even, too; those of several grow narrower to the right of each share, down to kLinePixels:
+/// whoever is done first takes the last of another's share, and then nobody waits long for the end of the other.
+/// Strips meet where a row has a cache line's end, so that no two threads write to one line: in every row, where the
+/// width is a multiple of kLinePixels; otherwise no cut spares all rows. The list is overwritten: it keeps its memory.
+void cut_into_strips(int width, std::size_t threads, int widest, std::vector<Strip>& strips);
 
 /// Column renderers and threads that share a picture. There are more strips than threads. Each thread draws its own,
 /// the same ones frame after frame, whose memory is in its core's cache, and then what others have not begun yet: one
@@ -135,7 +145,7 @@ private:
     std::unique_ptr<MipChains> mips_;            ///< where dials ask for them
     std::unique_ptr<column::TexelDials> dials_;  ///< null: texels are exact
     std::vector<ColumnRenderer> renderers_;      ///< by strip: each remembers its viewports
-    std::vector<ColumnRange> strips_;            ///< of the last frame
+    std::vector<Strip> strips_;                  ///< of the last frame
     std::vector<std::atomic_flag> is_taken_;     ///< by strip: some thread draws it, or has
     std::vector<column::Canvas> canvases_;  ///< by thread: it draws strip after strip into memory that stays in cache
     ThreadPool pool_;

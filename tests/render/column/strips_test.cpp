@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "render/column/agreement.h"
 #include "support/count_allocations.h"
 
@@ -14,39 +16,54 @@ using test::random_view;
 using test::TexturedMap;
 using ::testing::ElementsAre;
 
-std::vector<ColumnRange> strips_of(int width, std::size_t most) {
-    std::vector<ColumnRange> strips;
-    cut_into_strips(width, most, strips);
+std::vector<Strip> strips_of(int width, std::size_t threads, int widest = 10'000) {
+    std::vector<Strip> strips;
+    cut_into_strips(width, threads, widest, strips);
     return strips;
 }
 
 TEST(CutIntoStrips, MeetsWhereCacheLinesEnd) {
     EXPECT_THAT(strips_of(64, 4),
-                ElementsAre(ColumnRange{0, 16}, ColumnRange{16, 32}, ColumnRange{32, 48}, ColumnRange{48, 64}));
-    EXPECT_THAT(strips_of(60, 2), ElementsAre(ColumnRange{0, 32}, ColumnRange{32, 60}));
+                ElementsAre(Strip{{0, 16}, 0}, Strip{{16, 32}, 1}, Strip{{32, 48}, 2}, Strip{{48, 64}, 3}));
+    EXPECT_THAT(strips_of(60, 1, 32), ElementsAre(Strip{{0, 32}, 0}, Strip{{32, 60}, 0}));
 }
 
 TEST(CutIntoStrips, MakesOneWhereThePictureIsNarrowOrNobodyShares) {
-    EXPECT_THAT(strips_of(1, 8), ElementsAre(ColumnRange{0, 1}));
-    EXPECT_THAT(strips_of(16, 8), ElementsAre(ColumnRange{0, 16}));
-    EXPECT_THAT(strips_of(1280, 1), ElementsAre(ColumnRange{0, 1280}));
+    EXPECT_THAT(strips_of(1, 1), ElementsAre(Strip{{0, 1}, 0}));
+    EXPECT_THAT(strips_of(16, 8), ElementsAre(Strip{{0, 16}, 7}));
+    EXPECT_THAT(strips_of(1280, 1), ElementsAre(Strip{{0, 1280}, 0}));
+}
+
+TEST(CutIntoStrips, MakesThemEvenForOneThread) {
+    EXPECT_THAT(strips_of(400, 1, 160), ElementsAre(Strip{{0, 144}, 0}, Strip{{144, 272}, 0}, Strip{{272, 400}, 0}));
+}
+
+TEST(CutIntoStrips, MakesTheLastOfEachShareNarrowSoThatNobodyWaitsLong) {
+    EXPECT_THAT(strips_of(640, 2, 96),
+                ElementsAre(Strip{{0, 80}, 0}, Strip{{80, 160}, 0}, Strip{{160, 224}, 0}, Strip{{224, 256}, 0},
+                            Strip{{256, 288}, 0}, Strip{{288, 304}, 0}, Strip{{304, 320}, 0}, Strip{{320, 400}, 1},
+                            Strip{{400, 480}, 1}, Strip{{480, 544}, 1}, Strip{{544, 576}, 1}, Strip{{576, 608}, 1},
+                            Strip{{608, 624}, 1}, Strip{{624, 640}, 1}));
 }
 
 // hard case D5
-TEST(CutIntoStrips, CoversEveryPictureOnceWithNoMoreThanAskedFor) {
-    for (int width = 1; width <= 200; ++width)
-        for (std::size_t most : {1u, 2u, 3u, 8u, 12u, 1000u}) {
-            const std::vector<ColumnRange> strips = strips_of(width, most);
-            ASSERT_LE(strips.size(), most);
-            int next = 0;
-            for (const ColumnRange& strip : strips) {
-                ASSERT_EQ(strip.begin, next);
-                ASSERT_LT(strip.begin, strip.end);
-                ASSERT_EQ(strip.begin % kLinePixels, 0);
-                next = strip.end;
+TEST(CutIntoStrips, CoversEveryPictureOnceInEvenSharesNoWiderThanAskedFor) {
+    for (int width = 1; width <= 500; ++width)
+        for (const std::size_t threads : {1u, 2u, 3u, 8u, 1000u})
+            for (const int widest : {kLinePixels, 50, 10'000}) {
+                int next = 0;
+                std::vector<int> shares(threads);
+                for (const Strip& strip : strips_of(width, threads, widest)) {
+                    ASSERT_EQ(strip.columns.begin, next);
+                    ASSERT_LT(strip.columns.begin, strip.columns.end);
+                    ASSERT_EQ(strip.columns.begin % kLinePixels, 0);
+                    next = strip.columns.end;
+                    ASSERT_LE(next - strip.columns.begin, widest);
+                    shares[strip.share] += next - strip.columns.begin;
+                }
+                ASSERT_EQ(next, width);
+                ASSERT_LT(std::ranges::max(shares) - std::ranges::min(shares), 2 * kLinePixels);
             }
-            ASSERT_EQ(next, width);
-        }
 }
 
 // hard cases D5, I13
