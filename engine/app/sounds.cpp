@@ -74,8 +74,10 @@ void Soundscape::hear(const Map& map, const World& world, double volume) {
     if (!audio_ || heard_tick_ == world.tick) return;
     heard_tick_ = world.tick;
     const Listener listener{world.player.place, world.player.yaw};
-    const auto tick = static_cast<double>(world.tick);
-    audio_->hear(voices_at(now(map, world), *hearing_, listener, lengths_s_, Hearing::kBeamsATick), tick, volume);
+    std::vector<Voice> voices = voices_at(now(map, world), *hearing_, listener, lengths_s_, Hearing::kBeamsATick);
+    const double as_usual = double{kTickRate} / ticks_per_second(world.history.rate());
+    for (Voice& voice : voices) voice.since *= as_usual;
+    audio_->hear(voices, static_cast<double>(world.tick) * as_usual, volume);
 }
 
 void Soundscape::fall_silent() {

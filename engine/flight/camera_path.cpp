@@ -195,19 +195,20 @@ CameraPose CameraPath::pose_at(const Map& map, FrameTime time) const {
 
 namespace {
 
-Result<void> refuse(const Tape& tape) {
-    if (tape.rate != kTickRate)
-        return Error{"", "expected a tape of " + std::to_string(kTickRate) + " ticks a second; found " +
-                             std::to_string(tape.rate)};
-    if (tape.ticks.size() > kMaxTapeSeconds * kTickRate) return Error{"", "the tape is longer than a day"};
-    return {};
+/// Of a tape that can be played.
+Result<TickRate> rate_of(const Tape& tape) {
+    const auto rate = rate_of_ticks(tape.rate);
+    if (!rate) return Error{"", "expected a tape of 60, 35 or 140 ticks a second; found " + std::to_string(tape.rate)};
+    if (tape.ticks.size() > kMaxTapeSeconds * tape.rate) return Error{"", "the tape is longer than a day"};
+    return *rate;
 }
 
 }  // namespace
 
 Result<TapePath> TapePath::plan(const Map& map, Tape tape) {
-    if (const Result<void> valid = refuse(tape); !valid.ok()) return valid.error();
-    auto world = start_of(map);
+    const Result<TickRate> rate = rate_of(tape);
+    if (!rate.ok()) return rate.error();
+    auto world = start_of(map, rate.value());
     if (!world) return Error{"", "the map has no player to walk"};
     Timeline timeline(std::move(*world));
     for (const TickInput& input : tape.ticks) timeline.play(map, input);
@@ -216,7 +217,7 @@ Result<TapePath> TapePath::plan(const Map& map, Tape tape) {
 }
 
 CameraPose TapePath::pose_at(const Map& map, FrameTime time) const {
-    const std::int64_t scaled = time.frame * kTickRate;
+    const std::int64_t scaled = time.frame * rate();
     const auto before = static_cast<std::size_t>(scaled / time.rate);
     const double part = static_cast<double>(scaled % time.rate) / time.rate;
     const std::size_t ticks = timeline_.inputs().size();
@@ -226,7 +227,7 @@ CameraPose TapePath::pose_at(const Map& map, FrameTime time) const {
 }
 
 std::int64_t TapePath::length_us() const {
-    return static_cast<std::int64_t>(timeline_.inputs().size()) * 1'000'000 / kTickRate;
+    return static_cast<std::int64_t>(timeline_.inputs().size()) * 1'000'000 / rate();
 }
 
 }  // namespace enfilade

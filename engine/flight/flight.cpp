@@ -66,11 +66,9 @@ FlightFrame Flight::at(const Map& map, int frame) const {
 
 Snapshot Flight::snapshot_at(const Map& map, FrameTime time) const {
     Snapshot snapshot = at_rest_;
-    const double tick = time.seconds() * kTickRate;
-    if (const auto* tape = std::get_if<TapePath>(&path_))
-        show({map, tape->history(), tick}, snapshot);
-    else
-        show({map, pressed_, tick}, snapshot);
+    const auto* tape = std::get_if<TapePath>(&path_);
+    const History& history = tape ? tape->history() : pressed_;
+    show({map, history, time.seconds() * ticks_per_second(history.rate())}, snapshot);
     snapshot.time_s = time.seconds();
     return snapshot;
 }

@@ -79,7 +79,7 @@ private:
 /// A tape that was played through once, so that any moment is found by playing only a few ticks again. Immutable.
 class TapePath {
 public:
-    /// Plays the tape. Errors: the map has no start, the tape's rate is not kTickRate, it is longer than
+    /// Plays the tape. Errors: the map has no start, no world has the tape's rate, it is longer than
     /// kMaxTapeSeconds, or it ends in another world than when it was recorded.
     static Result<TapePath> plan(const Map& map, Tape tape);
 
@@ -93,6 +93,7 @@ public:
 
 private:
     explicit TapePath(Timeline played) : timeline_(std::move(played)) {}
+    std::int64_t rate() const { return ticks_per_second(history().rate()); }
 
     Timeline timeline_;
 };

@@ -56,7 +56,7 @@ DialKind word_dial(std::string_view name) {
             [](const Dials& dials) { return std::string(to_word(dials.*member)); }};
 }
 
-std::array<DialKind, 8> all_dials() {
+std::array<DialKind, 9> all_dials() {
     return {number_dial<&Dials::span, 1, kMostSpan>("span"),
             word_dial<&Dials::number>("number"),
             word_dial<&Dials::sampling>("sampling"),
@@ -64,7 +64,8 @@ std::array<DialKind, 8> all_dials() {
             word_dial<&Dials::light>("light"),
             number_dial<&Dials::light_grid, 1, kMostLightPoints>("light_grid"),
             word_dial<&Dials::portals>("portals"),
-            number_dial<&Dials::links, 0, kMostLinks>("links")};
+            number_dial<&Dials::links, 0, kMostLinks>("links"),
+            word_dial<&Dials::tick_rate>("tick_rate")};
 }
 
 }  // namespace

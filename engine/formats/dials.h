@@ -52,6 +52,23 @@ enum class PortalMethod : std::uint8_t {
     oblique32,  ///< the same, of 32 bits
 };
 
+/// How many ticks the world takes in a second of play.
+enum class TickRate : std::uint8_t {
+    hz60,   ///< "60": the default
+    hz35,   ///< "35": Doom's
+    hz140,  ///< "140"
+};
+
+/// [1/s]
+constexpr std::uint32_t ticks_per_second(TickRate rate) {
+    switch (rate) {
+        case TickRate::hz60: return 60;
+        case TickRate::hz35: return 35;
+        case TickRate::hz140: return 140;
+    }
+    return 60;
+}
+
 /// Most columns or rows between two exact positions.
 inline constexpr int kMostSpan = 64;
 
@@ -90,6 +107,8 @@ struct Dials {
     /// pitch.
     PortalMethod portals = PortalMethod::exact;
     int links = kMostLinks;  ///< links looked through in one chain, 0..kMostLinks; never more than the map says
+    /// Of play alone: pictures know no ticks. How a body moves depends on it a little, where it gets to hardly.
+    TickRate tick_rate = TickRate::hz60;
 
     bool operator==(const Dials&) const = default;
 };
@@ -108,8 +127,8 @@ inline constexpr double kMostTexelError = 64;
 /// was expected; dials then stay as they were.
 Result<void> set_accuracy(Dials& dials, std::string_view text);
 
-/// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light, light_grid, portals or links. An error,
-/// without a place, where there is no such dial, or it has no such value; dials then stay as they were.
+/// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light, light_grid, portals, links or tick_rate. An
+/// error, without a place, where there is no such dial, or it has no such value; dials then stay as they were.
 Result<void> set_dial(Dials& dials, std::string_view text);
 
 /// What set_dial() would be given to get from the default to these, with blanks between: "span=8 number=float"; and

@@ -191,6 +191,15 @@ constexpr std::string_view to_word(LightSteps value) {
     return {};
 }
 
+constexpr std::string_view to_word(TickRate value) {
+    switch (value) {
+        case TickRate::hz60: return "60";
+        case TickRate::hz35: return "35";
+        case TickRate::hz140: return "140";
+    }
+    return {};
+}
+
 constexpr std::string_view to_word(PortalMethod value) {
     switch (value) {
         case PortalMethod::exact: return "exact";

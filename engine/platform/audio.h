@@ -36,7 +36,8 @@ public:
     explicit Mixer(std::vector<Samples> sounds) : sounds_(std::move(sounds)) {}
 
     /// What is heard from the next frame on. tick: the time in the world, to which each voice's place in its sound
-    /// belongs; where what is played is farther than kMostDrift from there, it jumps. volume: of everything, 0..1.
+    /// belongs, as if there were kTickRate ticks a second; where what is played is farther than kMostDrift from there,
+    /// it jumps. volume: of everything, 0..1.
     void hear(std::span<const Voice> voices, double tick, double volume);
 
     /// Fills the buffer with frames, left and right by turns, each value within -1..1. Cost: the frames times the

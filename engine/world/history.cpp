@@ -261,13 +261,15 @@ WallId History::way_back(double tick) const {
 }
 
 std::uint64_t History::digest() const {
-    const std::uint64_t others = mixed(0, {changes_digest_, firings_digest_, pickups_digest_});
-    // Only where it says anything: other histories keep the digests that are recorded.
-    return ways_back_.empty() ? others : mixed(others, {ways_back_digest_});
+    std::uint64_t all = mixed(0, {changes_digest_, firings_digest_, pickups_digest_});
+    // Only what says anything: other histories keep the digests that are recorded.
+    if (!ways_back_.empty()) all = mixed(all, {ways_back_digest_});
+    if (rate_ != TickRate::hz60) all = mixed(all, {ticks_per_second(rate_)});
+    return all;
 }
 
 History History::beginning(const Length& length) const {
-    History begun;
+    History begun(rate_);
     for (std::size_t i = 0; i < length.changes; ++i) begun.append(changes_[i]);
     for (std::size_t i = 0; i < length.firings; ++i) begun.add(firings_[i]);
     for (std::size_t i = 0; i < length.pickups; ++i) begun.add(pickups_[i]);

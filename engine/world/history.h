@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "formats/dials.h"
 #include "map/map.h"
 
 namespace enfilade {
@@ -106,6 +107,12 @@ struct WayBack {
 /// stays true.
 class History {
 public:
+    /// rate: of the ticks that it counts in.
+    explicit History(TickRate rate) : rate_(rate) {}
+    History() = default;
+
+    TickRate rate() const { return rate_; }
+
     /// The newest change of a value that has begun by `tick`, or null: it is as in the map. A change that begins later
     /// counts only then, and not at all if a newer one came before. Cost: log of the sectors that ever changed, and the
     /// newer changes of this value.
@@ -183,6 +190,7 @@ private:
     void append(const Change& change);
     std::vector<std::uint32_t>::const_iterator end_of_presses(WallId wall) const;
 
+    TickRate rate_ = TickRate::hz60;
     std::vector<Change> changes_;
     std::vector<ChangedSector> changed_sectors_;
     std::vector<Firing> firings_;            ///< in the order they came

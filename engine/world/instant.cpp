@@ -12,15 +12,16 @@ namespace enfilade {
 namespace {
 
 /// What a bob calls now: it stands still while it is held up, and is late from then on.
-double bob_time_s(const Change* held_up, double tick) {
-    if (!held_up) return tick * kTickSeconds;
-    const double goes_on = static_cast<double>(held_up->track.start + kPatience);
-    return (std::max(tick, goes_on) - static_cast<double>(held_up->lag)) * kTickSeconds;
+double bob_time_s(const Instant& now, const Change* held_up) {
+    const double seconds = tick_seconds(rate_of(now));
+    if (!held_up) return now.tick * seconds;
+    const double goes_on = static_cast<double>(held_up->track.start + patience_at(rate_of(now)));
+    return (std::max(now.tick, goes_on) - static_cast<double>(held_up->lag)) * seconds;
 }
 
 double value_of(const Instant& now, const Change* change, const Flat& flat, const Boxed<BobRecord>& bob) {
     if (change && !change->holds_up_bob()) return value_at(change->track, now.tick);
-    return bob ? flat.z + offset_at(*bob, bob_time_s(change, now.tick)) : flat.z;
+    return bob ? flat.z + offset_at(*bob, bob_time_s(now, change)) : flat.z;
 }
 
 /// What gave a floor what `gives` looks for, the change it follows or one before: a rising floor has it at once,

@@ -26,8 +26,11 @@ struct Heights {
     double ceiling_z;  ///< [m]; >= floor_z
 };
 
+/// The rate of its ticks.
+inline TickRate rate_of(const Instant& now) { return now.history ? now.history->rate() : TickRate::hz60; }
+
 /// How long what was held up waits before it tries again [ticks]: a quarter of a second.
-inline constexpr std::uint32_t kPatience = 15;
+constexpr std::uint32_t patience_at(TickRate rate) { return ticks_per_second(rate) / 4; }
 
 /// The change that a value of the sector, and of all its group, now follows; null: it is as in the map.
 /// Cost: History::change_of.

@@ -62,7 +62,8 @@ void find_pressed(const Instant& now, std::vector<WallId>& walls) {
         if (stays && static_cast<double>(firing.tick) <= now.tick) walls.push_back(firing.wall);
     });
     now.history->each_last_press(now.tick, [&](const Firing& firing) {
-        if (now.tick < static_cast<double>(firing.tick) + kSwitchSeconds * kTickRate) walls.push_back(firing.wall);
+        if (now.tick < static_cast<double>(firing.tick) + kSwitchSeconds * ticks_per_second(rate_of(now)))
+            walls.push_back(firing.wall);
     });
     std::sort(walls.begin(), walls.end());
     walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
@@ -117,7 +118,7 @@ Snapshot at_rest(const Map& map) {
 }
 
 void show(const Instant& now, Snapshot& snapshot) {
-    snapshot.time_s = now.tick * kTickSeconds;
+    snapshot.time_s = now.tick * tick_seconds(rate_of(now));
     if (!now.history) return;
     show_changed(now, snapshot);
     snapshot.way_back = now.history->way_back(now.tick);

@@ -144,9 +144,27 @@ void move_flats(const Map& map, World& world) {
     Carrier(map, world).run();
 }
 
-/// Share of the difference between the speed one has and the speed one wants that a tick makes up for [1]. On the
-/// ground: 90 % within a sixth of a second, both getting going and coming to rest. In the air: hardly any.
-constexpr double kGripOnGround = 0.2, kGripInAir = 0.02;
+/// What a tick does to what dies away with time.
+struct Pace {
+    double seconds;  ///< that a tick lasts
+    /// Share of the difference between the speed one has and the speed one wants that a tick makes up for [1]. On the
+    /// ground: 90 % within a sixth of a second, both getting going and coming to rest. In the air: hardly any.
+    double grip_on_ground, grip_in_air;
+    /// Share of the eye's lag that is left [1]: nine tenths of a step are made up for in a fifth of a second.
+    double lag_left;
+};
+
+/// At 60 ticks a second by choice; at others what makes a second the same: 0.8, 0.98 and 0.82 to the power of 60 /
+/// rate, worked out beforehand, because no two machines need agree on powers.
+constexpr Pace pace_at(TickRate rate) {
+    switch (rate) {
+        case TickRate::hz60: break;
+        case TickRate::hz35: return {tick_seconds(rate), 0.31786780270917064, 0.03404034682775573, 0.7116268377526048};
+        case TickRate::hz140:
+            return {tick_seconds(rate), 0.09120247152184588, 0.008620927975755803, 0.9184659904270328};
+    }
+    return {tick_seconds(TickRate::hz60), 0.2, 0.02, 0.82};
+}
 
 /// Below this, who does not want to go anywhere stands [m/s]: a quarter of a millimetre a tick. Without it the speed
 /// would halve for ever, down to denormal numbers, which some machines flush to zero and some do not.
@@ -159,8 +177,6 @@ constexpr double kMaxFallSpeed = 40;  ///< [m/s]
 /// How fast one stands up and crouches [m/s]: 0.15 s from one to the other.
 constexpr double kStanceSpeed = 5;
 
-/// Share of the eye's lag that is left after a tick [1]: nine tenths of a step are made up for in a fifth of a second.
-constexpr double kLagLeft = 0.82;
 constexpr double kLeastLag = 0x1p-10;  ///< less than this is none [m]
 
 constexpr double kFullPace = 127;  ///< InputRecord's
@@ -178,9 +194,9 @@ bool is_held(const Instant& now, const Body& body) {
 }
 
 /// Grows or shrinks towards the height asked for, as far as the ceiling and the portals that the body is in let it.
-void stand_or_crouch(const Instant& now, Player& player, bool crouch) {
+void stand_or_crouch(const Instant& now, Player& player, bool crouch, double seconds) {
     const Body body = body_of(now, player);
-    const double wanted = crouch ? kCrouchedHeight : kStandingHeight, change = kStanceSpeed * kTickSeconds;
+    const double wanted = crouch ? kCrouchedHeight : kStandingHeight, change = kStanceSpeed * seconds;
     double grown = std::clamp(wanted, player.height - change, player.height + change);
     if (grown > player.height) {
         EnteredPortals entered;
@@ -205,8 +221,8 @@ Vec2 wish(const Player& player, const TickInput& input) {
     return way * (input.buttons & kButtonRun ? kRunSpeed : kWalkSpeed);
 }
 
-void speed_up(Player& player, Vec2 wish) {
-    const double grip = player.on_ground ? kGripOnGround : kGripInAir;
+void speed_up(Player& player, Vec2 wish, const Pace& pace) {
+    const double grip = player.on_ground ? pace.grip_on_ground : pace.grip_in_air;
     player.velocity = player.velocity + (wish - player.velocity) * grip;
     const bool is_slow = dot(player.velocity, player.velocity) < kStandstill * kStandstill;
     if (is_slow && wish == Vec2{}) player.velocity = {};
@@ -227,15 +243,15 @@ void arrive(Player& player, const Walk& walk) {
 }
 
 /// Up a step at once, down a step at once, deeper under gravity; the eye follows. floor_z: what the feet stop at.
-void step_or_fall(Player& player, double floor_z) {
+void step_or_fall(Player& player, double floor_z, double seconds) {
     const double above = player.feet_z - floor_z;
     const bool takes_step = above <= 0 || (player.on_ground && is_at_most(above, kMaxStep));
     if (takes_step) {
         player.eye_lag += above;
         player.feet_z = floor_z;
     } else {
-        player.fall_speed = std::min(player.fall_speed + kGravity * kTickSeconds, kMaxFallSpeed);
-        player.feet_z = std::max(floor_z, player.feet_z - player.fall_speed * kTickSeconds);
+        player.fall_speed = std::min(player.fall_speed + kGravity * seconds, kMaxFallSpeed);
+        player.feet_z = std::max(floor_z, player.feet_z - player.fall_speed * seconds);
     }
     player.on_ground = player.feet_z <= floor_z;
     if (player.on_ground) player.fall_speed = 0;
@@ -244,7 +260,8 @@ void step_or_fall(Player& player, double floor_z) {
 /// One tick of walking, and what it sets off. Who stands still crosses nothing.
 void go(const Map& map, World& world, Vec2 velocity, bool keeps_velocity) {
     if (velocity == Vec2{}) return;
-    const Walk walked = walk(now(map, world), body_of(now(map, world), world.player), velocity, kTickSeconds);
+    const Walk walked =
+        walk(now(map, world), body_of(now(map, world), world.player), velocity, tick_seconds(world.history.rate()));
     const Vec2 own = walked.passage.turn(world.player.velocity);
     arrive(world.player, walked);
     if (!keeps_velocity) world.player.velocity = own;
@@ -258,8 +275,8 @@ void ride(const Map& map, World& world) {
     if (floor.carries && world.player.on_ground) go(map, world, map[floor.surface].scroll, false);
 }
 
-void settle_eye(Player& player, double ceiling_z) {
-    player.eye_lag = std::clamp(player.eye_lag * kLagLeft, -kMaxStep, kMaxStep);
+void settle_eye(Player& player, double ceiling_z, const Pace& pace) {
+    player.eye_lag = std::clamp(player.eye_lag * pace.lag_left, -kMaxStep, kMaxStep);
     if (std::fabs(player.eye_lag) < kLeastLag) player.eye_lag = 0;
     player.eye_z = eye_z_of(player, ceiling_z);
 }
@@ -272,7 +289,7 @@ void feel_the_floor(const Map& map, World& world) {
         world.secrets.insert(std::lower_bound(world.secrets.begin(), world.secrets.end(), found), found);
         world.message = PlayerMessage{PlayerMessageKind::secret, here.index, world.tick};
     }
-    const bool is_time = world.tick % kTickRate == 0;
+    const bool is_time = world.tick % ticks_per_second(world.history.rate()) == 0;
     const int damage = map[here].damage > 0 && is_time ? damage_of(now(map, world), here) : 0;
     if (damage == 0 || world.health == 0) return;
     world.health = std::max(0, world.health - damage);
@@ -286,14 +303,15 @@ void step(const Map& map, World& world, const TickInput& played) {
     world.before = world.player;
     world.passage = {};
     Player& player = world.player;
+    const Pace pace = pace_at(world.history.rate());
     look(player, input);
     if (input.buttons & ~world.held & kButtonUse) use_what_is_ahead(map, world);
     world.held = input.buttons;
     move_flats(map, world);
     ++world.tick;
 
-    stand_or_crouch(now(map, world), player, input.buttons & kButtonCrouch);
-    speed_up(player, wish(player, input));
+    stand_or_crouch(now(map, world), player, input.buttons & kButtonCrouch, pace.seconds);
+    speed_up(player, wish(player, input), pace);
     ride(map, world);
     go(map, world, player.velocity, true);
 
@@ -302,9 +320,9 @@ void step(const Map& map, World& world, const TickInput& played) {
     EnteredPortals entered;
     Clearance free = clearance(next, body, around(next, body, &entered).sectors);
     const double feet_z = player.feet_z;
-    step_or_fall(player, std::max(free.floor_z, lowest_feet_in(next, entered)));
+    step_or_fall(player, std::max(free.floor_z, lowest_feet_in(next, entered)), pace.seconds);
     if (body.radius < kBodyRadius || player.feet_z != feet_z) free = come_to_rest(next, player);
-    settle_eye(player, free.ceiling_z);
+    settle_eye(player, free.ceiling_z, pace);
     touch_what_is_near(map, world);
     feel_the_floor(map, world);
 }

@@ -8,8 +8,8 @@
 
 namespace enfilade {
 
-/// Lets 1/60 s pass. Phases, in this order: look, use, floors and ceilings move (world/step.cpp), stand up or
-/// crouch, wish and grip, ride, walk and what it sets off, step or fall, eye, touch, what the floor does.
+/// Lets a tick pass, 1/60 s as a rule. Phases, in this order: look, use, floors and ceilings move (world/step.cpp),
+/// stand up or crouch, wish and grip, ride, walk and what it sets off, step or fall, eye, touch, what the floor does.
 /// The same state and input give the same state on every machine. Afterwards the player's sector contains the player.
 /// Cost: a walk (world/body.h), a second one where a floor carries, and about a dozen more queries of what the body
 /// touches (space/reach.h); and what the triggers that go off change.

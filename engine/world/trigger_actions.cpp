@@ -9,13 +9,12 @@
 namespace enfilade {
 namespace {
 
-static_assert(kPatience == kTickRate / 4);
+/// Longest wait [s]: a day, as much as maps may ask for.
+constexpr double kLongestWait = 86400;
 
-/// Longest wait [ticks]: a day, as much as maps may ask for.
-constexpr double kLongestWait = 86400.0 * kTickRate;
-
-std::uint32_t ticks_of(double seconds) {
-    return static_cast<std::uint32_t>(std::min(seconds * kTickRate + 0.5, kLongestWait));
+std::uint32_t ticks_of(double seconds, TickRate rate) {
+    const double per_second = ticks_per_second(rate);
+    return static_cast<std::uint32_t>(std::min(seconds * per_second + 0.5, kLongestWait * per_second));
 }
 
 /// Everything an action may ask about one target.
@@ -26,8 +25,8 @@ struct ActionTarget {
     std::size_t number;  ///< among the targets
     Heights here;
 
-    double per_tick() const { return trigger.speed / kTickRate; }
-    std::uint32_t wait() const { return ticks_of(trigger.wait_s); }
+    double per_tick() const { return trigger.speed / ticks_per_second(rate_of(now)); }
+    std::uint32_t wait() const { return ticks_of(trigger.wait_s, rate_of(now)); }
     Stop stop(double z) const { return {z, per_tick(), 0}; }
     Stop stop_and_wait(double z) const { return {z, per_tick(), wait()}; }
     double around(HeightLevel level, double here_z) const { return height_of(now, sector, level, here_z); }
@@ -232,7 +231,7 @@ bool change_target(const Map& map, History& history, TriggerId id, std::size_t n
     const Instant now(map, history, static_cast<double>(tick));
     if (trigger.action == TriggerAction::stop) return stop_what_loops(now, history, id, sector, tick);
     const Channel channel = channel_of(trigger.action);
-    const std::uint64_t start = tick + ticks_of(trigger.after_s);
+    const std::uint64_t start = tick + ticks_of(trigger.after_s, history.rate());
     // What bobs is somewhere else when a track begins later, which sets off from there.
     const Instant there = channel != Channel::light && bobs(map, history, sector, channel)
                               ? Instant(map, history, static_cast<double>(start))
@@ -266,8 +265,8 @@ bool carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_
     return happens;
 }
 
-History begun(const Map& map) {
-    History history;
+History begun(const Map& map, TickRate rate) {
+    History history(rate);
     for (const TriggerId trigger : map.at_start) carry_out(map, history, trigger, 0);
     return history;
 }
@@ -289,7 +288,7 @@ Answer answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tic
         answer.at_once.track = {tick, z, {}, 0, false};
         answer.later = in_the_way;
         answer.later->track = rest_of(old, z, heading);
-        answer.later->track.start = tick + kPatience;
+        answer.later->track.start = tick + patience_at(rate_of(now));
     }
     answer.at_once.track.start = tick;
     return answer;
@@ -300,7 +299,7 @@ void hold_up_bob(const Map& map, History& history, SectorId sector, Channel chan
     const Change* before = change_of(now, sector, channel);
     const Change* newest = history.newest_of(sector, channel);
     const std::optional<Change> ordered = newest == before ? std::nullopt : std::optional(*newest);
-    const std::uint64_t lag = (before ? before->lag : 0) + kPatience;
+    const std::uint64_t lag = (before ? before->lag : 0) + patience_at(history.rate());
     history.add(map, {sector, channel, {tick, height_now(now, sector, channel), {}, 0, false}, TriggerId(), lag});
     if (!ordered) return;
     Change later = *ordered;  // an order that begins later stays one, and sets off from where the bob then is
@@ -319,7 +318,7 @@ std::optional<Change> slowed(const Instant& now, const Change& crusher, std::uin
     const bool goes_back = old.loops || (old.count == 2 && heading == 0);
     slow.track = goes_back ? Track{tick, z, {next, last}, 2, old.loops} : once(z, next);
     slow.track.start = tick;
-    slow.track.first_per_tick = *speed / kTickRate;
+    slow.track.first_per_tick = *speed / ticks_per_second(rate_of(now));
     return slow;
 }
 

@@ -22,7 +22,7 @@ inline constexpr double kCrushedHeight = 0.25;
 bool carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_t tick);
 
 /// What the start of the map sets off, and nothing more.
-History begun(const Map& map);
+History begun(const Map& map, TickRate rate = kUsualTickRate);
 
 /// What follows if somebody is in the way of a change.
 struct Answer {
@@ -30,12 +30,12 @@ struct Answer {
     std::optional<Change> later;  ///< to be added to the history after the first, which it ends when it begins
 };
 
-/// From `tick` on it turns round, or it waits for kPatience ticks and then goes on with what is left of it.
+/// From `tick` on it turns round, or it waits for patience_at() ticks and then goes on with what is left of it.
 /// `in_the_way`: the change, which is on its way.
 Answer answer_to(const Instant& now, const Change& in_the_way, std::uint64_t tick);
 
-/// What follows if somebody is in the way of a bob, from `tick` on: it stands still for kPatience ticks and then goes
-/// on from there. `sector`: leads its group; nothing but its bob moves the floor or ceiling at the tick.
+/// What follows if somebody is in the way of a bob, from `tick` on: it stands still for patience_at() ticks and then
+/// goes on from there. `sector`: leads its group; nothing but its bob moves the floor or ceiling at the tick.
 void hold_up_bob(const Map& map, History& history, SectorId sector, Channel channel, std::uint64_t tick);
 
 /// What follows if a change that crushes comes down on somebody, from `tick` on: the rest of its present way goes at

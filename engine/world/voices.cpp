@@ -25,7 +25,7 @@ class Listening {
 public:
     Listening(const Instant& now, Hearing& hearing, Angle yaw, std::span<const double> lengths_s)
         : now_(now), map_(now.map), hearing_(hearing), right_(right_of(direction(yaw))), lengths_s_(lengths_s) {
-        for (const double length_s : lengths_s) longest_ = std::max(longest_, length_s * kTickRate);
+        for (const double length_s : lengths_s) longest_ = std::max(longest_, length_s * rate_);
         if (now.history) note_events(*now.history);
     }
 
@@ -53,7 +53,7 @@ private:
         std::optional<Place> place;
     };
 
-    double length_of(SoundId sound) const { return lengths_s_[sound.index] * kTickRate; }
+    double length_of(SoundId sound) const { return lengths_s_[sound.index] * rate_; }
 
     std::vector<SoundSource> sources_noted() const {
         std::vector<SoundSource> sources;
@@ -163,6 +163,7 @@ private:
 
     const Instant& now_;
     const Map& map_;
+    const double rate_ = ticks_per_second(rate_of(now_));
     Hearing& hearing_;
     Vec2 right_;
     std::span<const double> lengths_s_;

@@ -10,6 +10,7 @@
 #include "space/trace.h"
 #include "world/body.h"
 #include "world/history.h"
+#include "world/input.h"
 
 namespace enfilade {
 
@@ -106,7 +107,7 @@ struct World {
 inline Instant now(const Map& map, const World& world) { return {map, world.history, static_cast<double>(world.tick)}; }
 
 /// The world as a map begins, with what its start sets off; none where the map has no start.
-std::optional<World> start_of(const Map& map);
+std::optional<World> start_of(const Map& map, TickRate rate = kUsualTickRate);
 
 /// Equal for equal states on every machine; value by value. Leaves out what is only for drawing.
 std::uint64_t hash(const World& world);

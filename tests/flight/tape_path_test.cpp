@@ -68,6 +68,15 @@ TEST_F(TapePathInHall, StaysAtTheEnd) {
 
 TEST_F(TapePathInHall, IsAsLongAsItsTicks) { EXPECT_EQ(TapePath::plan(map_, tape_).value().length_us(), 3'333'333); }
 
+TEST_F(TapePathInHall, GoesAtTheRateOfTheTape) {
+    World world = *start_of(map_, TickRate::hz35);
+    for (const TickInput& input : inputs_) step(map_, world, input);
+    const Tape tape{"hall.toml", 0, 35, inputs_, hash(world)};
+    const TapePath path = TapePath::plan(map_, tape).value();
+    EXPECT_EQ(path.length_us(), 200 * 1'000'000 / 35);
+    EXPECT_EQ(path.pose_at(map_, {200, 35}).place, world.player.place);
+}
+
 TEST_F(TapePathInHall, ShowsTheStartOfAnEmptyTape) {
     const Tape empty = tape_of(map_, {});
     EXPECT_EQ(TapePath::plan(map_, empty).value().pose_at(map_, {0, 30}).place, eye_after(0).place);
@@ -78,9 +87,9 @@ TEST_F(TapePathInHall, RefusesAWalkThatEndsElsewhere) {
     EXPECT_FALSE(TapePath::plan(map_, tape_).ok());
 }
 
-TEST_F(TapePathInHall, RefusesAnotherRate) {
-    tape_.rate = 35;
-    EXPECT_FALSE(TapePath::plan(map_, tape_).ok());
+TEST_F(TapePathInHall, RefusesARateThatNoWorldHas) {
+    tape_.rate = 50;
+    EXPECT_EQ(TapePath::plan(map_, tape_).error().what, "expected a tape of 60, 35 or 140 ticks a second; found 50");
 }
 
 TEST_F(TapePathInHall, RefusesAMapWithoutPlayer) {

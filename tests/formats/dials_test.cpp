@@ -60,6 +60,8 @@ TEST(SetDial, SetsEachDialAndNoOther) {
     set("portals=oblique24");
     expected.links = 0;
     set("links=0");
+    expected.tick_rate = TickRate::hz35;
+    set("tick_rate=35");
 }
 
 TEST(SetDial, SaysWhatADialMayBe) {
@@ -74,6 +76,7 @@ TEST(SetDial, SaysWhatADialMayBe) {
               "expected sampling=nearest, mip, bilinear, trilinear; found 'sampling=cubic'");
     EXPECT_EQ(set_dial(dials, "portals=near").error().what,
               "expected portals=exact, plane24, plane32, oblique24, oblique32; found 'portals=near'");
+    EXPECT_EQ(set_dial(dials, "tick_rate=50").error().what, "expected tick_rate=60, 35, 140; found 'tick_rate=50'");
     EXPECT_EQ(set_dial(dials, "smaples=2").error().what,
               "expected NAME=VALUE, as in span=8; found 'smaples=2'; did you mean 'samples'?");
     EXPECT_THAT(set_dial(dials, "span").error().what, HasSubstr("found 'span'"));

@@ -25,8 +25,8 @@ inline TriggerRecord trigger_on(Activation activation, TriggerAction action, std
 }
 
 struct Game {
-    explicit Game(const MapFile& file) : map(built(file)) {
-        const auto start = start_of(map);
+    explicit Game(const MapFile& file, TickRate rate = kUsualTickRate) : map(built(file)) {
+        const auto start = start_of(map, rate);
         ENFILADE_CHECK(start.has_value());
         world = *start;
     }

@@ -6,8 +6,8 @@
 
 namespace enfilade {
 
-std::optional<Replay> play(const Map& map, std::span<const TickInput> inputs) {
-    const std::optional<World> start = start_of(map);
+std::optional<Replay> play(const Map& map, std::span<const TickInput> inputs, TickRate rate) {
+    const std::optional<World> start = start_of(map, rate);
     if (!start) return {};
     Replay run{*start, {}};
     for (const TickInput& input : inputs) {
@@ -18,10 +18,9 @@ std::optional<Replay> play(const Map& map, std::span<const TickInput> inputs) {
 }
 
 Result<Replay> replay(const Map& map, const Tape& tape) {
-    if (tape.rate != kTickRate)
-        return Error{"tape",
-                     "expected " + std::to_string(kTickRate) + " ticks a second, found " + std::to_string(tape.rate)};
-    std::optional<Replay> run = play(map, tape.ticks);
+    const auto rate = rate_of_ticks(tape.rate);
+    if (!rate) return Error{"tape", "expected 60, 35 or 140 ticks a second, found " + std::to_string(tape.rate)};
+    std::optional<Replay> run = play(map, tape.ticks, *rate);
     if (!run) return Error{tape.map, "expected a map with a [player] to start from, found none"};
     if (tape.final_hash && hash(run->end) != *tape.final_hash)
         return Error{"tape", "expected the world to end as it was recorded, found that it ends differently after " +

@@ -17,10 +17,10 @@ struct Replay {
 };
 
 /// Plays the inputs from the map's start; none where the map has no start.
-std::optional<Replay> play(const Map& map, std::span<const TickInput> inputs);
+std::optional<Replay> play(const Map& map, std::span<const TickInput> inputs, TickRate rate = kUsualTickRate);
 
 /// Plays a tape and compares the world it ends in with the one recorded. Errors: the map has no start, the tape's rate
-/// is not kTickRate, or the end differs. That the map is the one recorded with is for the caller to check.
+/// is none that worlds have, or the end differs. That the map is the one recorded with is for the caller to check.
 Result<Replay> replay(const Map& map, const Tape& tape);
 
 /// The first tick after which two runs differ, or none; a run that ends earlier differs there.

@@ -66,12 +66,12 @@ std::filesystem::file_time_type MapWatch::written(const std::string& path) {
     return failed ? std::filesystem::file_time_type::min() : time;
 }
 
-Game::Game(std::string path, std::vector<std::string> texture_folders, int skill)
-    : path_(std::move(path)), texture_folders_(std::move(texture_folders)), skill_(skill) {}
+Game::Game(std::string path, std::vector<std::string> texture_folders, int skill, TickRate rate)
+    : path_(std::move(path)), texture_folders_(std::move(texture_folders)), skill_(skill), rate_(rate) {}
 
 Result<std::unique_ptr<Game>> Game::start(const std::string& map_path, std::vector<std::string> texture_folders,
-                                          int skill) {
-    std::unique_ptr<Game> game(new Game(map_path, std::move(texture_folders), skill));
+                                          int skill, TickRate rate) {
+    std::unique_ptr<Game> game(new Game(map_path, std::move(texture_folders), skill, rate));
     auto map = game->load(map_path, game->watch_);
     if (!map.ok()) return map.error();
     game->take(std::move(map).value());
@@ -108,7 +108,7 @@ void Game::take(Loaded loaded) {
 }
 
 void Game::restart() {
-    timeline_ = Timeline(*start_of(map()));  // load() made sure that there is a start
+    timeline_ = Timeline(*start_of(map(), rate_));  // load() made sure that there is a start
     from_start_ = true;
     snapshot_ = at_rest(map());
     automap_.visit(player().place.sector);
@@ -155,7 +155,11 @@ Result<void> Game::load_saved(const std::string& path) {
     if (!saved.ok()) return Error{path, saved.error().text()};
     if (saved.value().map_hash != map_hash_)
         return Error{path, "this game was saved in another map, or in this one before it was changed"};
-    Timeline played(*start_of(map()));
+    const auto rate = rate_of_ticks(saved.value().rate);
+    if (!rate)
+        return Error{path,
+                     "expected a game of 60, 35 or 140 ticks a second; found " + std::to_string(saved.value().rate)};
+    Timeline played(*start_of(map(), *rate));
     for (const TickInput& input : saved.value().ticks) played.play(map(), input);
     if (saved.value().final_hash && hash(played.world()) != *saved.value().final_hash)
         return Error{path, "this game was saved by another version of Enfilade, or played with another --skill"};
@@ -240,7 +244,7 @@ void Game::heed(const Result<void>& recorded) {
 
 Tape Game::tape() const {
     const std::span<const TickInput> inputs = timeline_.inputs();
-    return {path_, map_hash_, kTickRate, {inputs.begin(), inputs.end()}, hash(world())};
+    return {path_, map_hash_, ticks_per_second(tick_rate()), {inputs.begin(), inputs.end()}, hash(world())};
 }
 
 }  // namespace enfilade

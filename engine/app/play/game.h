@@ -94,8 +94,9 @@ class Game {
 public:
     /// Loads a map and puts the player at its start. An error where the map is refused: all its findings, a line each.
     /// skill : 1..kMostSkill
+    /// rate  : of the ticks, but while a game is played that was saved at another
     static Result<std::unique_ptr<Game>> start(const std::string& map_path, std::vector<std::string> texture_folders,
-                                               int skill = kUsualSkill);
+                                               int skill = kUsualSkill, TickRate rate = kUsualTickRate);
 
     /// Lets a tick pass and, while recording, writes it down.
     void tick(const TickInput& input);
@@ -115,7 +116,8 @@ public:
     /// file is no longer the one that is played. Then what was saved before stays as it is.
     Result<void> save(const std::string& path) const;
 
-    /// Goes on where a game was saved, or where a recording ends; one that is being recorded ends here. An error where
+    /// Goes on where a game was saved, or where a recording ends, at its rate of ticks; one that is being recorded ends
+    /// here. An error where
     /// there is none, or it is of another map, or of this one as it was before it was changed; then everything is as it
     /// was. Cost: all ticks that were played.
     Result<void> load_saved(const std::string& path);
@@ -141,6 +143,7 @@ public:
     const TextureSet& textures() const { return map_.textures; }
     const World& world() const { return timeline_.world(); }
     const Player& player() const { return world().player; }
+    TickRate tick_rate() const { return world().history.rate(); }
     const OpenMap& open_map() const { return map_; }
     const std::string& path() const { return path_; }
     /// Where the map's parts are written; nowhere where its file is no longer the map that is played.
@@ -160,7 +163,7 @@ public:
     Tape tape() const;
 
 private:
-    Game(std::string path, std::vector<std::string> texture_folders, int skill);
+    Game(std::string path, std::vector<std::string> texture_folders, int skill, TickRate rate);
 
     /// A map as it is on disk now.
     struct Loaded {
@@ -179,6 +182,7 @@ private:
     std::string path_;
     std::vector<std::string> texture_folders_;
     int skill_;
+    TickRate rate_;  ///< of games that begin
     MapWatch watch_;
     std::uint64_t map_hash_ = 0;  ///< of the map's text, as it is played
     std::vector<std::string> warnings_;

@@ -21,11 +21,11 @@ double within_world(double x) { return std::clamp(x, -kWorldLimit, kWorldLimit);
 
 }  // namespace
 
-void FreeCamera::move(const Map& map, const TickInput& input) {
+void FreeCamera::move(const Map& map, const TickInput& input, double seconds) {
     eye_.yaw = eye_.yaw + Angle{static_cast<std::uint32_t>(input.yaw_steps)};
     eye_.pitch_steps = static_cast<std::int32_t>(
         std::clamp<std::int64_t>(std::int64_t{eye_.pitch_steps} + input.pitch_steps, -kMaxPitchSteps, kMaxPitchSteps));
-    const double metres = kSpeed * kTickSeconds * (input.buttons & kButtonRun ? kRunFactor : 1);
+    const double metres = kSpeed * seconds * (input.buttons & kButtonRun ? kRunFactor : 1);
     const Vec2 ahead = direction(eye_.yaw), pitch = direction(Angle{static_cast<std::uint32_t>(eye_.pitch_steps)});
     const double forward = input.forward / kFullPace * metres, aside = input.strafe / kFullPace * metres;
     const int rise = int{(input.buttons & kButtonUse) != 0} - int{(input.buttons & kButtonCrouch) != 0};

@@ -36,11 +36,12 @@ Result<SettingsStore> settings_for(const PlayRequest& request) {
     return store;
 }
 
-Result<void> check_single_dials(const PlayRequest& request) {
+/// Beside the settings.
+Result<Dials> single_dials(const PlayRequest& request) {
     Dials dials;
     for (const std::string& dial : request.dials)
         if (const Result<void> valid = set_dial(dials, dial); !valid.ok()) return Error{"--dial", valid.error().what};
-    return {};
+    return dials;
 }
 
 Result<std::unique_ptr<Window>> window_for(const std::string& title, const Settings& settings) {
@@ -68,8 +69,8 @@ Result<bool> play_in(Window& window, SettingsStore& store, Game& game, const Pla
     return loop.is_left_for_title();
 }
 
-Result<std::unique_ptr<Game>> game_for(const TitleChoice& choice, const PlayRequest& request) {
-    auto game = Game::start(choice.map, request.texture_folders, request.skill);
+Result<std::unique_ptr<Game>> game_for(const TitleChoice& choice, const PlayRequest& request, TickRate rate) {
+    auto game = Game::start(choice.map, request.texture_folders, request.skill, rate);
     if (game.ok() && choice.goes_on)
         static_cast<void>(game.value()->load_saved(last_game_path()));  // a map that was changed begins anew
     return game;
@@ -83,14 +84,14 @@ Result<std::string> map_for(const PlayRequest& request) {
 }
 
 /// Title screen and game by turns, until the player quits.
-Result<void> show_title(Window& window, SettingsStore& store, const PlayRequest& request) {
+Result<void> show_title(Window& window, SettingsStore& store, const PlayRequest& request, TickRate rate) {
     std::string note;
     for (;;) {
         window.set_title("Enfilade");
         auto choice = TitleScreen(window, store, std::exchange(note, "")).run();
         if (!choice.ok()) return choice.error();
         if (choice.value().map.empty()) return {};
-        auto game = game_for(choice.value(), request);
+        auto game = game_for(choice.value(), request, rate);
         if (!game.ok()) {
             note = game.error().text();
             continue;
@@ -104,12 +105,14 @@ Result<void> show_title(Window& window, SettingsStore& store, const PlayRequest&
 }  // namespace
 
 int run_play(const PlayRequest& request) {
-    if (const Result<void> valid = check_single_dials(request); !valid.ok()) return refuse_usage(valid.error());
+    const Result<Dials> dials = single_dials(request);
+    if (!dials.ok()) return refuse_usage(dials.error());
+    const TickRate rate = dials.value().tick_rate;
     auto store = settings_for(request);
     if (!store.ok()) return refuse_usage(store.error());
     const auto map = map_for(request);
     if (!map.ok()) return fail(map.error());
-    auto game = Game::start(map.value(), request.texture_folders, request.skill);
+    auto game = Game::start(map.value(), request.texture_folders, request.skill, rate);
     if (!game.ok()) return fail(game.error());
     if (!request.load.empty())
         if (const Result<void> done = game.value()->load_saved(request.load); !done.ok()) return fail(done.error());
@@ -119,7 +122,7 @@ int run_play(const PlayRequest& request) {
     if (!wants_title.ok()) return fail(wants_title.error());
     if (!wants_title.value()) return kDone;
     game.value().reset();
-    if (const Result<void> done = show_title(*window.value(), store.value(), request); !done.ok())
+    if (const Result<void> done = show_title(*window.value(), store.value(), request, rate); !done.ok())
         return fail(done.error());
     return kDone;
 }
@@ -130,7 +133,7 @@ int run_title() {
     if (!store.ok()) return refuse_usage(store.error());
     auto window = window_for("Enfilade", store.value().now());
     if (!window.ok()) return fail(window.error());
-    if (const Result<void> done = show_title(*window.value(), store.value(), request); !done.ok())
+    if (const Result<void> done = show_title(*window.value(), store.value(), request, kUsualTickRate); !done.ok())
         return fail(done.error());
     return kDone;
 }

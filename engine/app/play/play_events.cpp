@@ -98,7 +98,7 @@ void PlayLoop::leave_map() {
     MapEnd end{game_.map().name,
                next,
                "",
-               static_cast<double>(world.tick) * kTickSeconds,
+               static_cast<double>(world.tick) * tick_seconds(world.history.rate()),
                world.secrets.size(),
                count_of_secrets(game_.map())};
     const std::string path = next_map_path(game_.path(), next);

@@ -13,7 +13,6 @@
 namespace enfilade {
 namespace {
 
-constexpr std::int64_t kTick = kSecond / kTickRate;   ///< [ns]
 constexpr std::int64_t kMostToCatchUp = kSecond / 4;  ///< after a longer pause the world just goes on [ns]
 constexpr double kWelcomeSeconds = 6;
 
@@ -91,7 +90,11 @@ void PlayLoop::set_pace(std::int64_t now) {
 
 double PlayLoop::now_s() const { return static_cast<double>(now_ns() - started_ns_) / kSecond; }
 
-double PlayLoop::part_of_tick(std::int64_t now) const { return static_cast<double>(now - ticked_until_ns_) / kTick; }
+std::int64_t PlayLoop::tick_ns() const { return kSecond / ticks_per_second(game_.tick_rate()); }
+
+double PlayLoop::part_of_tick(std::int64_t now) const {
+    return static_cast<double>(now - ticked_until_ns_) / static_cast<double>(tick_ns());
+}
 
 void PlayLoop::tell(const std::string& text) { notices_.say(text, now_s()); }
 
@@ -100,15 +103,16 @@ void PlayLoop::pass_time(std::int64_t now) {
     passed_until_ns_ = now;
     ticked_until_ns_ = std::max(ticked_until_ns_, now - kMostToCatchUp);
     if (!rewinding_) rewound_ticks_ = 0;
-    for (; now - ticked_until_ns_ >= kTick && !end_; ticked_until_ns_ += kTick) {
+    const double seconds = tick_seconds(game_.tick_rate());
+    for (; now - ticked_until_ns_ >= tick_ns() && !end_; ticked_until_ns_ += tick_ns()) {
         const TickInput input =
-            input_.take_tick(free_camera_ ? free_camera_->eye().pitch_steps : game_.player().pitch_steps);
+            input_.take_tick(free_camera_ ? free_camera_->eye().pitch_steps : game_.player().pitch_steps, seconds);
         if (rewinding_) {
             const std::uint64_t before = game_.world().tick;
             game_.rewind(kRewindSpeed);
             rewound_ticks_ += before - game_.world().tick;
         } else {
-            if (free_camera_) free_camera_->move(game_.map(), input);
+            if (free_camera_) free_camera_->move(game_.map(), input, seconds);
             game_.tick(free_camera_ ? TickInput() : input);
         }
     }

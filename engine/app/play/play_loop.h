@@ -31,10 +31,10 @@ public:
     /// Begins where the eye is.
     explicit FreeCamera(const Eye& eye) : eye_(eye) {}
 
-    /// Flies for a tick, the way it looks; use rises, crouch sinks, run is four times as fast. Through portals it goes
-    /// as a body would, wherever they lead, at any height; through what is solid straight on, into the room that has
-    /// that place (of several the first in the map) or out of all rooms.
-    void move(const Map& map, const TickInput& input);
+    /// Flies for a tick of so many seconds, the way it looks; use rises, crouch sinks, run is four times as fast.
+    /// Through portals it goes as a body would, wherever they lead, at any height; through what is solid straight on,
+    /// into the room that has that place (of several the first in the map) or out of all rooms.
+    void move(const Map& map, const TickInput& input, double seconds);
 
     /// Its sector contains its point unless it is outside; then it is the last one that did.
     const Eye& eye() const { return eye_; }
@@ -194,6 +194,7 @@ private:
     void tell_warnings();
     double now_s() const;
     /// How much of the present tick has passed, 0..1.
+    std::int64_t tick_ns() const;
     double part_of_tick(std::int64_t now) const;
 
     static constexpr std::int64_t kBetweenLooks = 250'000'000;  ///< at the map's files, and at what the map shows [ns]

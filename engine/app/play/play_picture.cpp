@@ -61,7 +61,7 @@ void PlayLoop::sway(View& view, double part) const {
     }
     const double speed = std::sqrt(dot(player.velocity, player.velocity));
     const double pace = player.on_ground ? std::min(speed / kFullSpeed, 1.0) : 0;
-    const double seconds = (static_cast<double>(game_.world().tick) - 1 + part) * kTickSeconds;
+    const double seconds = (static_cast<double>(game_.world().tick) - 1 + part) * tick_seconds(game_.tick_rate());
     const double turns = direction(Angle::from_degrees(std::fmod(seconds * kStepsPerSecond, 1) * 360)).y;
     view.eye_z += settings().view_bob * kBob * pace * turns;
 }
@@ -155,7 +155,7 @@ void PlayLoop::draw_words(Overlay& overlay, const View& view, double part) {
     draw_status(overlay, game_.map(), game_.world(), bottom);
     if (is_paused()) return;
     if (game_.world().health == 0) draw_death(overlay, settings().bindings);
-    if (rewinding_) draw_rewind(overlay, rewound_ticks_);
+    if (rewinding_) draw_rewind(overlay, static_cast<double>(rewound_ticks_) * tick_seconds(game_.tick_rate()));
 }
 
 int PlayLoop::draw_facts(Overlay& overlay, const View& view, double part) {

@@ -35,9 +35,7 @@ double curved(double value) { return pushed(value) * std::abs(pushed(value)); }
 
 std::int8_t pace(double value) { return static_cast<std::int8_t>(std::lround(std::clamp(value, -1.0, 1.0) * 127)); }
 
-std::int64_t steps_per_tick(double degrees_per_second) {
-    return std::llround(degrees_per_second * kTickSeconds * kStepsPerDegree);
-}
+std::int64_t steps_of(double degrees) { return std::llround(degrees * kStepsPerDegree); }
 
 /// A tape holds 32 bits; a mouse that turns further than half round in a tick is not meant.
 std::int32_t clamped(std::int64_t steps) {
@@ -117,12 +115,13 @@ double PlayerInput::strafe() const {
     return balance(Control::step_right, Control::step_left) + pushed(axis(GamepadAxis::left_x));
 }
 
-LookSteps PlayerInput::held_look() const {
+LookSteps PlayerInput::held_look(double seconds) const {
     const double key_turn = pressed() & kButtonRun ? kKeyTurnRunning : kKeyTurn;
-    return {steps_per_tick(balance(Control::turn_right, Control::turn_left) * key_turn +
-                           curved(axis(GamepadAxis::right_x)) * kStickTurn),
-            steps_per_tick(balance(Control::look_up, Control::look_down) * kKeyLook -
-                           curved(axis(GamepadAxis::right_y)) * kStickLook * upward())};
+    const double turn =
+        balance(Control::turn_right, Control::turn_left) * key_turn + curved(axis(GamepadAxis::right_x)) * kStickTurn;
+    const double look = balance(Control::look_up, Control::look_down) * kKeyLook -
+                        curved(axis(GamepadAxis::right_y)) * kStickLook * upward();
+    return {steps_of(turn * seconds), steps_of(look * seconds)};
 }
 
 bool PlayerInput::crouches() const {
@@ -139,10 +138,10 @@ std::uint8_t PlayerInput::pressed() const {
     return static_cast<std::uint8_t>((run ? kButtonRun : 0) | (crouch ? kButtonCrouch : 0) | (use ? kButtonUse : 0));
 }
 
-TickInput PlayerInput::take_tick(std::int32_t pitch_steps) {
+TickInput PlayerInput::take_tick(std::int32_t pitch_steps, double seconds) {
     mouse_tick_ = {std::llround(mouse_yaw_), std::llround(mouse_pitch_)};
     mouse_yaw_ = mouse_pitch_ = 0;
-    LookSteps look = held_look();
+    LookSteps look = held_look(seconds);
     look.yaw += mouse_tick_.yaw;
     look.pitch += mouse_tick_.pitch;
     if (std::exchange(center_, false)) {

@@ -41,8 +41,8 @@ public:
     void release_all();
 
     /// What is asked for in this tick; the mouse's motion since the last is used up. pitch_steps: where the player
-    /// looks.
-    TickInput take_tick(std::int32_t pitch_steps);
+    /// looks. seconds: that the tick lasts.
+    TickInput take_tick(std::int32_t pitch_steps, double seconds);
 
     /// What the mouse has turned beyond what a picture `part` of the way from the tick before to this one shows, so
     /// that it can be shown at once instead of a tick later.
@@ -62,7 +62,7 @@ private:
     double part_of_pace() const;
     double forward() const;
     double strafe() const;
-    LookSteps held_look() const;
+    LookSteps held_look(double seconds) const;
     bool crouches() const;
     std::uint8_t pressed() const;
     bool control_held() const { return held(KeyCode::left_control) || held(KeyCode::right_control); }

@@ -77,8 +77,8 @@ void draw_death(Overlay& overlay, const Bindings& bindings) {
         kNoticeInk);
 }
 
-void draw_rewind(Overlay& overlay, std::size_t ticks_back) {
-    draw_panel(overlay, fmt::format("<< {:.1f} s", static_cast<double>(ticks_back) / kTickRate), kNoticeInk);
+void draw_rewind(Overlay& overlay, double seconds_back) {
+    draw_panel(overlay, fmt::format("<< {:.1f} s", seconds_back), kNoticeInk);
 }
 
 namespace {

@@ -30,9 +30,9 @@ void draw_flight(Overlay& overlay, const std::string& text, int top);
 /// A red shade over everything. strength : 0..1
 void draw_hurt(Overlay& overlay, double strength);
 
-/// Across the middle: that one is dead, and which keys help; or how far back one has gone [ticks].
+/// Across the middle: that one is dead, and which keys help; or how far back one has gone [s].
 void draw_death(Overlay& overlay, const Bindings& bindings);
-void draw_rewind(Overlay& overlay, std::size_t ticks_back);
+void draw_rewind(Overlay& overlay, double seconds_back);
 
 /// F1: what all keys do, in the middle, on a panel. lines : keys, and what they do
 void draw_keys(Overlay& overlay, const std::vector<std::pair<std::string, std::string>>& lines);

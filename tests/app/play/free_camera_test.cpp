@@ -18,7 +18,7 @@ Eye eye_at(Vec2 point, double yaw_degrees = 0) {
 
 /// Flies for a second, straight on unless said otherwise.
 void fly(FreeCamera& camera, const Map& map, TickInput input = {127, 0, 0, 0, 0}, int ticks = 60) {
-    for (int i = 0; i < ticks; ++i) camera.move(map, input);
+    for (int i = 0; i < ticks; ++i) camera.move(map, input, kTickSeconds);
 }
 
 TEST(FreeCamera, FliesTheWayItLooks) {
@@ -27,7 +27,7 @@ TEST(FreeCamera, FliesTheWayItLooks) {
     fly(camera, map);
     EXPECT_NEAR(camera.eye().place.point.x, 7, 1e-6);
     EXPECT_EQ(camera.eye().z, 1);
-    camera.move(map, {0, 0, 0, static_cast<std::int32_t>(Angle::from_degrees(30).steps), 0});
+    camera.move(map, {0, 0, 0, static_cast<std::int32_t>(Angle::from_degrees(30).steps), 0}, kTickSeconds);
     fly(camera, map);
     EXPECT_NEAR(camera.eye().place.point.x, 7 + 5 * 0.8660254, 1e-6);
     EXPECT_NEAR(camera.eye().z, 3.5, 1e-6);

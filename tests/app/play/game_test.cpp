@@ -293,6 +293,23 @@ TEST_F(GameOnDisk, GoesBackInTime) {
     EXPECT_EQ(game_->world().tick, 0u);
 }
 
+TEST_F(GameOnDisk, TicksAtTheRateThatWasAskedForOrAtThatOfASavedGame) {
+    const std::unique_ptr<Game> doom = Game::start(path(), {}, kUsualSkill, TickRate::hz35).value();
+    TickInput input;
+    input.forward = 127;
+    for (int i = 0; i < 50; ++i) doom->tick(input);
+    EXPECT_EQ(doom->tape().rate, 35u);
+    ASSERT_TRUE(doom->save(dir_.path("saved")).ok());
+    walk(10);
+    ASSERT_TRUE(game_->load_saved(dir_.path("saved")).ok());
+    EXPECT_EQ(game_->tick_rate(), TickRate::hz35);
+    EXPECT_EQ(hash(game_->world()), hash(doom->world()));
+    game_->rewind(20);
+    EXPECT_EQ(game_->tick_rate(), TickRate::hz35);
+    game_->restart();
+    EXPECT_EQ(game_->tick_rate(), TickRate::hz60);
+}
+
 TEST_F(GameOnDisk, EntersAnotherMapAndRefusesOneThatIsNotThere) {
     walk(20);
     const std::uint64_t before = hash(game_->world());

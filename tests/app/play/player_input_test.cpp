@@ -18,7 +18,7 @@ protected:
         input_.obey(settings_);
         input_.handle(MouseMotion{dx, dy, 0, 0}, looks);
     }
-    TickInput tick() { return input_.take_tick(0); }
+    TickInput tick() { return input_.take_tick(0, kTickSeconds); }
 
     PlayerInput input_;
     Settings settings_;
@@ -112,7 +112,7 @@ TEST_F(PlayerInputFromEvents, ShowsTheMousesTurnAtOnceAndNothingTwice) {
     move_mouse(16, 0);
     const auto all = input_.ahead(1).yaw;
     EXPECT_GT(all, 0);
-    EXPECT_EQ(input_.take_tick(0).yaw_steps, all);
+    EXPECT_EQ(input_.take_tick(0, kTickSeconds).yaw_steps, all);
     EXPECT_EQ(input_.ahead(0).yaw, all);  // the picture is still at the tick before
     EXPECT_EQ(input_.ahead(1).yaw, 0);    // the picture has caught up
 }
@@ -127,8 +127,8 @@ TEST_F(PlayerInputFromEvents, TurnsWithArrowsAndFasterWhileRunning) {
 
 TEST_F(PlayerInputFromEvents, LooksAheadWithHome) {
     press(KeyCode::home);
-    EXPECT_EQ(input_.take_tick(12345).pitch_steps, -12345);
-    EXPECT_EQ(input_.take_tick(0).pitch_steps, 0);
+    EXPECT_EQ(input_.take_tick(12345, kTickSeconds).pitch_steps, -12345);
+    EXPECT_EQ(input_.take_tick(0, kTickSeconds).pitch_steps, 0);
 }
 
 TEST_F(PlayerInputFromEvents, SurvivesAMouseThatJumps) {
