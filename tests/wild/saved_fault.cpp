@@ -56,7 +56,7 @@ std::string fault_now(const FaultyWorld& world) {
     const TrialMap on{*map, textures};
     std::vector<TickInput> inputs = world.fault.inputs;
     if (world.fault.pose) return fault_in_pose(on, *world.fault.pose, world.sector);
-    return inputs.empty() ? ground_fault(on, world.plan.seed) : walk_fault(on, inputs);
+    return inputs.empty() ? ground_fault(on, world.plan.seed) : walk_fault(on, world.fault.rate, inputs);
 }
 
 }  // namespace
@@ -82,7 +82,11 @@ Result<void> save(const FaultyWorld& world, const std::string& folder) {
         return done.error();
     if (world.fault.pose) return write_file(folder + kPose, text_of(*world.fault.pose, world.sector));
     if (world.fault.inputs.empty()) return {};
-    const Bytes tape = write_tape({.map = "map.toml", .map_hash = 0, .ticks = world.fault.inputs, .final_hash = {}});
+    const Bytes tape = write_tape({.map = "map.toml",
+                                   .map_hash = 0,
+                                   .rate = ticks_per_second(world.fault.rate),
+                                   .ticks = world.fault.inputs,
+                                   .final_hash = {}});
     return write_file(folder + kTape, std::span<const std::byte>(tape));
 }
 
@@ -102,6 +106,7 @@ Result<FaultyWorld> load_fault(const std::string& folder) {
         const auto read = read_tape(tape.value());
         if (!read.ok()) return read.error();
         world.fault.inputs = read.value().ticks;
+        world.fault.rate = rate_of_ticks(read.value().rate).value_or(kUsualTickRate);
     }
     world.fault.what = fault_now(world);
     return world;

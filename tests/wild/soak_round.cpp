@@ -43,7 +43,7 @@ public:
 private:
     void find(std::string what) {
         if (what.empty() || result_.fault) return;
-        result_.fault = Fault{std::move(what), {}, game_->tape().ticks};
+        result_.fault = Fault{std::move(what), {}, game_->tape().ticks, game_->tick_rate()};
     }
 
     void play(const TickInput& keys) {
@@ -163,10 +163,11 @@ SoakCounts& SoakCounts::operator+=(const SoakCounts& other) {
 }
 
 SoakResult soak_round(const std::string& map_path, const std::string& folder, std::uint64_t seed) {
-    auto game = Game::start(map_path, {});
+    Random lot(seed);
+    auto game = Game::start(map_path, {}, kUsualSkill, random_rate(lot));
     if (!game.ok()) {
         SoakResult refused;
-        refused.fault = Fault{game.error().text(), {}, {}};
+        refused.fault = Fault{game.error().text(), {}, {}, kUsualTickRate};
         return refused;
     }
     return Round(std::move(game).value(), folder, seed).run();

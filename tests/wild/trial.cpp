@@ -122,8 +122,13 @@ std::string fault_of_ground(const TrialMap& on, std::uint64_t seed) {
 
 }  // namespace
 
-std::string walk_fault(const TrialMap& on, std::vector<TickInput>& inputs) {
-    const std::optional<World> start = start_of(on.map);
+TickRate random_rate(Random& random) {
+    const std::uint64_t lot = random.below(4);
+    return lot == 0 ? TickRate::hz35 : lot == 1 ? TickRate::hz140 : kUsualTickRate;
+}
+
+std::string walk_fault(const TrialMap& on, TickRate rate, std::vector<TickInput>& inputs) {
+    const std::optional<World> start = start_of(on.map, rate);
     return start ? what_is_wrong([&] { return fault_of_walk(on, *start, inputs); }) : "";
 }
 
@@ -139,7 +144,9 @@ std::optional<Fault> first_fault(const TrialMap& on, const TrialPlan& plan) {
         if (std::string what = picture_fault(on, pose); !what.empty()) return Fault{std::move(what), pose, {}};
     }
     std::vector<TickInput> inputs = random_inputs(plan.ticks, random);
-    if (std::string what = walk_fault(on, inputs); !what.empty()) return Fault{std::move(what), {}, std::move(inputs)};
+    const TickRate rate = random_rate(random);
+    if (std::string what = walk_fault(on, rate, inputs); !what.empty())
+        return Fault{std::move(what), {}, std::move(inputs), rate};
     return {};
 }
 
