@@ -26,6 +26,14 @@ struct Mover {
 };
 using Movers = ShortList<Mover, 8>;
 
+/// The room that is left below a ceiling, also in the portals that the body is in [m]. A portal that closed on it all
+/// the same is a wall beside it.
+double room_above(const Instant& now, Body body, double ceiling_z, const EnteredPortals& entered) {
+    body.ceiling_z = ceiling_z;
+    const double in_portals = height_in(now, body, entered);
+    return std::min(ceiling_z - body.feet_z, in_portals < kCrushedHeight ? kWorldLimit : in_portals);
+}
+
 class Carrier {
 public:
     Carrier(const Map& map, World& world)
@@ -37,8 +45,13 @@ public:
         const Clearance next = clearance(then(), body_, around_.sectors);
         stand_on(floor_before, std::max(next.floor_z, lowest_feet_in(then(), entered_)));
         Player& player = world_.player;
-        player.height = std::clamp(room_above(player.feet_z, next.ceiling_z), 0.0, player.height);
-        player.eye_z = eye_z_of(player, next.ceiling_z);
+        Body there = body_;
+        there.feet_z = player.feet_z;
+        // Who sinks may come to be below a thing that was beside him.
+        const bool is_same = there.feet_z == body_.feet_z;
+        const double ceiling_z = (is_same ? next : clearance(then(), there, around_.sectors)).ceiling_z;
+        player.height = std::clamp(room_above(then(), there, ceiling_z, entered_), 0.0, player.height);
+        player.eye_z = eye_z_of(player, ceiling_z);
     }
 
 private:
@@ -48,21 +61,10 @@ private:
     /// How much room the body would have at the next tick, also in the portals that it is in [m].
     double room() const {
         const Clearance next = clearance(then(), body_, around_.sectors);
-        const double feet_z = std::max(next.floor_z, body_.feet_z);
-        return std::min(next.ceiling_z - feet_z, room_in_portals(feet_z, next.ceiling_z));
-    }
-
-    double room_in_portals(double feet_z, double ceiling_z) const {
         Body there = body_;
-        there.feet_z = feet_z;
-        there.ceiling_z = ceiling_z;
-        return height_in(then(), there, entered_);
-    }
-
-    /// The room that is left when everything has answered. A portal that closed all the same is a wall beside the body.
-    double room_above(double feet_z, double ceiling_z) const {
-        const double in_portals = room_in_portals(feet_z, ceiling_z);
-        return std::min(ceiling_z - feet_z, in_portals < kCrushedHeight ? kWorldLimit : in_portals);
+        there.feet_z = std::max(next.floor_z, body_.feet_z);
+        there.ceiling_z = next.ceiling_z;
+        return std::min(next.ceiling_z - there.feet_z, height_in(then(), there, entered_));
     }
 
     /// The changes that narrow the sectors around the body in this tick.
