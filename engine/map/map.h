@@ -14,7 +14,7 @@
 //   portal      a wall that one sees and walks through, into the sector behind it
 //   exit        of a portal: the wall of that sector one comes out of
 //   link        a portal whose exit lies elsewhere; its passage carries points there. A mirror is a link to itself
-//   passage     the motion from one space into another: a turn, a shift, a rise, for mirrors a flip (math/rigid.h)
+//   passage     the motion from one space into another: a turn, a shift, a rise, for mirrors a flip (math/vec.h)
 //   way back    a wall that is a portal only for who just came out of it, by a one-way portal
 //   panel       a wall without thickness that stands free in a sector, as a fence does
 //   thing       a picture that stands or hangs in a sector; lamps and other things have places, too
@@ -52,7 +52,6 @@
 #include "formats/map_file.h"
 #include "map/effects.h"
 #include "math/angle.h"
-#include "math/rigid.h"
 #include "math/vec.h"
 
 namespace enfilade {

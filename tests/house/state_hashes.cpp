@@ -5,7 +5,6 @@
 #include "base/hash.h"
 #include "math/angle.h"
 #include "math/predicates.h"
-#include "math/rigid.h"
 #include "math/vec.h"
 
 namespace enfilade::house {

@@ -1,5 +1,5 @@
 // Turns of the point grid: nobody who goes there and back comes to another point.
-#include "math/rigid.h"
+#include "math/vec.h"
 
 #include <gtest/gtest.h>
 

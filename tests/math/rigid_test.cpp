@@ -1,5 +1,5 @@
 // Rigid maps: composing and undoing them is exact where maps need it, and tightly bounded elsewhere.
-#include "math/rigid.h"
+#include "math/vec.h"
 
 #include <gtest/gtest.h>
 

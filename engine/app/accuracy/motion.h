@@ -61,7 +61,7 @@ std::vector<DriftRow> measure_drift(const MotionPlan& plan);
 /// Rows: rates, then ways.
 std::vector<CrossingRow> measure_crossings(const MotionPlan& plan);
 
-/// The most that the engine may drift by what its headers say: GridMap (math/rigid.h), one and a half grid steps a
+/// The most that the engine may drift by what its headers say: GridMap (math/vec.h), one and a half grid steps a
 /// pass [m]; fine_turn_of() (math/angle.h), 1e-15 rad a pass [rad].
 double most_drift_m(std::uint64_t passes);
 double most_drift_rad(std::uint64_t passes);
