@@ -29,7 +29,7 @@
 //   instant     a map, its history and a time: what heights and lights are asked of (world/instant.h)
 //   snapshot    heights, lights and pictures of one moment (world/snapshot.h)
 //   tick        the sixtieth of a second in which the player moves (world/step.h)
-//   path        a straight way through sectors; its segment is the part in one of them (space/path_segment.h)
+//   path        a straight way through sectors; its segment is the part in one of them (space/trace.h)
 //   tie rule    who is said to be first where a path meets a vertex or runs along a wall (math/predicates.h)
 //   beam        what is seen of a room from one corner, as sound goes round it (space/hearing.h)
 //   view        the eye, where it looks and how wide (render/view.h)

@@ -1,4 +1,4 @@
-#include "space/path_segment.h"
+#include "space/trace.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "math/predicates.h"
-#include "space/path_segment.h"
+#include "space/trace.h"
 
 namespace enfilade {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "map/sector_finder.h"
 #include "math/predicates.h"
-#include "space/path_segment.h"
 
 namespace enfilade {
 

@@ -7,7 +7,7 @@
 
 #include "map/map.h"
 #include "render/view.h"
-#include "space/path_segment.h"
+#include "space/trace.h"
 #include "world/snapshot.h"
 
 namespace enfilade {
