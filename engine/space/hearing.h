@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "space/tiling.h"
 #include "space/trace.h"
+#include "space/triangulate.h"
 
 namespace enfilade {
 

@@ -1,4 +1,4 @@
-#include "space/tiling.h"
+#include "space/triangulate.h"
 
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,6 @@
 
 #include "base/result.h"
 #include "math/predicates.h"
-#include "space/triangulate.h"
 
 namespace enfilade {
 namespace {

@@ -1,5 +1,5 @@
 // Which rooms are bigger inside.
-#include "space/tiling.h"
+#include "space/triangulate.h"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 
 #include "math/predicates.h"
 #include "space/mosaic.h"
-#include "space/tiling.h"
 #include "space/triangle_faults.h"
+#include "space/triangulate.h"
 
 namespace enfilade {
 namespace {

@@ -7,7 +7,7 @@
 #include "render/stencil/in_space.h"
 #include "render/stencil/layer_painter.h"
 #include "render/stencil/panorama.h"
-#include "space/tiling.h"
+#include "space/triangulate.h"
 
 namespace enfilade {
 

@@ -5,7 +5,7 @@
 
 #include "hard_cases/poses.h"
 #include "hard_cases/scenes.h"
-#include "space/tiling.h"
+#include "space/triangulate.h"
 #include "support/map_builder.h"
 
 namespace enfilade::stencil {

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "render/stencil/agreement.h"
-#include "space/tiling.h"
 #include "space/triangle_faults.h"
+#include "space/triangulate.h"
 #include "wadconv/freedoom/wads.h"
 
 namespace enfilade::test {
