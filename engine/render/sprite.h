@@ -1,7 +1,7 @@
 // The rules by which things are seen, shared by all renderers: which picture, how large, and what hides it.
 //
 // A thing's picture stands upright through the thing's place, parallel to the picture plane, so all of it has one
-// depth. It is part of the rooms it reaches into (space/presence.h): a ray sees it in a room if the ray, while it is in
+// depth. It is part of the rooms it reaches into (space/reach.h): a ray sees it in a room if the ray, while it is in
 // that room, reaches the picture's depth between the room's floor and ceiling. Since a ray is in one room at each
 // depth, no pixel shows a picture twice, and where it stands in a doorway it is cut at the doorway and goes on behind
 // it. What is below the floor, above the ceiling or behind a wall is hidden, as in any world with depth.
@@ -23,7 +23,7 @@
 #include "math/vec.h"
 #include "render/built_in.h"
 #include "render/lighting.h"
-#include "space/presence.h"
+#include "space/reach.h"
 #include "world/snapshot.h"
 
 namespace enfilade {

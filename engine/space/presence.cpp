@@ -1,9 +1,8 @@
-#include "space/presence.h"
+#include "space/reach.h"
 
 #include <algorithm>
 
 #include "math/vec.h"
-#include "space/reach.h"
 
 namespace enfilade {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "formats/effect_records.h"
 #include "map/map.h"
-#include "space/presence.h"
+#include "space/reach.h"
 #include "world/instant.h"
 
 namespace enfilade {

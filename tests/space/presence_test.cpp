@@ -1,5 +1,5 @@
 // In which sectors things are to be seen.
-#include "space/presence.h"
+#include "space/reach.h"
 
 #include <gmock/gmock.h>
 

@@ -7,7 +7,7 @@
 #include "math/predicates.h"
 #include "render/openings.h"
 #include "render/view.h"
-#include "space/presence.h"
+#include "space/reach.h"
 
 namespace enfilade {
 
