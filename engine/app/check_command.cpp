@@ -16,7 +16,6 @@
 #include "formats/map_toml.h"
 #include "formats/text_parts.h"
 #include "map/load.h"
-#include "map/names.h"
 #include "render/light_images.h"
 
 namespace enfilade {

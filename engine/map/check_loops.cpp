@@ -11,7 +11,6 @@
 #include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/edge_sweep.h"
-#include "map/names.h"
 #include "math/predicates.h"
 
 namespace enfilade {

@@ -5,7 +5,6 @@
 
 #include "formats/text_parts.h"
 #include "map/draft.h"
-#include "map/names.h"
 
 namespace enfilade {
 namespace {

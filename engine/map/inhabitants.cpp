@@ -5,7 +5,6 @@
 
 #include "formats/text_parts.h"
 #include "map/draft.h"
-#include "map/names.h"
 #include "map/sector_finder.h"
 #include "math/vec.h"
 

@@ -1,7 +1,11 @@
-#include "map/names.h"
+// Names: which one is meant, and which sectors a trigger is about.
+#include "map/draft.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include "formats/text_parts.h"
 
@@ -47,5 +51,88 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> NameIndex::duplicates() con
 }
 
 std::string edge_text(Vec2 a, Vec2 b) { return point_text(a) + "-" + point_text(b); }
+
+namespace {
+
+/// Members of all lists together [1]: 64 MB. Equal lists are one, so that only triggers that each put large tags
+/// together in another way come near.
+constexpr std::size_t kMostListed = std::size_t{1} << 24;
+
+std::vector<ScopedName> scoped_names(const MapFile& file) {
+    std::vector<ScopedName> names;
+    for (std::uint32_t i = 0; i < file.sectors.size(); ++i) {
+        names.push_back({0, file.sectors[i].name, i});
+        for (const std::string& tag : file.sectors[i].tags) names.push_back({0, tag, i});
+    }
+    return names;
+}
+
+}  // namespace
+
+TargetLists::TargetLists(Draft& draft)
+    : draft_(draft), last_list_(draft.map.sectors.size(), 0), index_(scoped_names(draft.file)) {
+    std::vector<ScopedName> names = scoped_names(draft.file);
+    const auto key = [](const ScopedName& name) { return std::pair(name.name, name.id); };
+    std::ranges::sort(names, {}, key);
+    const auto again = std::ranges::unique(names, {}, key);
+    names.erase(again.begin(), again.end());
+    for (const ScopedName& name : names) {
+        names_.push_back(name.name);
+        named_.emplace_back(name.id);
+    }
+}
+
+std::span<const SectorId> TargetLists::sectors_of(std::string_view name) const {
+    const auto [first, last] = std::ranges::equal_range(names_, name);
+    return std::span(named_).subspan(static_cast<std::size_t>(first - names_.begin()),
+                                     static_cast<std::size_t>(last - first));
+}
+
+SectorId TargetLists::first_of(std::string_view name) const {
+    const auto sectors = sectors_of(name);
+    return sectors.empty() ? SectorId() : sectors.front();
+}
+
+TargetRange TargetLists::list_of(const TriggerRecord& record) {
+    std::vector<std::span<const SectorId>> parts;
+    std::set<const SectorId*> seen;
+    for (const std::string& name : record.targets)
+        if (const auto sectors = sectors_of(name); !sectors.empty() && seen.insert(sectors.data()).second)
+            parts.push_back(sectors);
+    std::vector<const SectorId*> key;
+    for (const auto part : parts) key.push_back(part.data());
+    const auto [it, is_new] = known_.try_emplace(std::move(key));
+    if (is_new && has_room_for(record, parts)) it->second = new_list(parts);
+    return it->second;
+}
+
+TargetRange TargetLists::list_of(SectorId sector) {
+    const auto [it, is_new] = alone_.try_emplace(sector);
+    if (is_new) it->second = new_list(std::array{std::span<const SectorId>(&sector, 1)});
+    return it->second;
+}
+
+bool TargetLists::has_room_for(const TriggerRecord& record, std::span<const std::span<const SectorId>> parts) {
+    const bool had_room = listed_ <= kMostListed;
+    for (const auto part : parts) listed_ += part.size();
+    if (had_room && listed_ > kMostListed)
+        draft_.error(record, "target", "too-many-targets",
+                     "with this trigger the different lists of targets of the map have more than " +
+                         std::to_string(kMostListed) +
+                         " sectors together; give triggers that are about the same sectors the same targets");
+    return listed_ <= kMostListed;
+}
+
+TargetRange TargetLists::new_list(std::span<const std::span<const SectorId>> parts) {
+    std::vector<SectorId>& targets = draft_.map.targets;
+    const std::size_t first = targets.size();
+    ++list_count_;
+    for (const auto part : parts)
+        for (const SectorId sector : part) {
+            const SectorId leader = draft_.map[sector].leader;  // who calls one sector of a group calls the group
+            if (std::exchange(last_list_[leader.index], list_count_) != list_count_) targets.push_back(leader);
+        }
+    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(targets.size() - first)};
+}
 
 }  // namespace enfilade

@@ -10,7 +10,6 @@
 #include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/edge_sweep.h"
-#include "map/names.h"
 #include "map/sector_finder.h"
 #include "math/predicates.h"
 #include "math/vec.h"

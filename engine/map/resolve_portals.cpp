@@ -9,7 +9,6 @@
 #include "formats/text_parts.h"
 #include "map/draft.h"
 #include "map/map.h"
-#include "map/names.h"
 #include "math/predicates.h"
 
 namespace enfilade {

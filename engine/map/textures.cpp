@@ -9,7 +9,7 @@
 #include "base/parallel.h"
 #include "formats/png.h"
 #include "formats/text_parts.h"
-#include "map/names.h"
+#include "map/draft.h"
 
 namespace enfilade {
 namespace {

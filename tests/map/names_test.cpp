@@ -1,5 +1,5 @@
 // Finding names, the nearest ones, and those used twice.
-#include "map/names.h"
+#include "map/draft.h"
 
 #include <gmock/gmock.h>
 
