@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "map/compiled_map.h"
-#include "map/packing.h"
+#include "map/map_fields.h"
 #include "math/vec.h"
 
 namespace enfilade {

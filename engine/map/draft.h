@@ -50,6 +50,8 @@ private:
 /// "(x, y)-(x, y)", as an edge appears in findings.
 std::string edge_text(Vec2 a, Vec2 b);
 
+// The map as far as it is built.
+
 /// A closed loop of a sector: its walls are [first_wall, first_wall + wall_count) of Map::walls.
 struct DraftLoop {
     const LoopRecord* record;

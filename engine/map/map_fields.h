@@ -9,6 +9,9 @@
 
 namespace enfilade {
 
+template <class T>
+concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
 /// Whole, also where it is const.
 template <class T, class Whole>
 concept Some = std::is_same_v<std::remove_const_t<T>, Whole>;
