@@ -1,4 +1,4 @@
-#include "map/compiled_map.h"
+#include "map/load.h"
 
 #include <algorithm>
 #include <bit>

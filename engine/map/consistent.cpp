@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "map/compiled_map.h"
+#include "map/load.h"
 #include "map/map_fields.h"
 #include "math/vec.h"
 

@@ -1,12 +1,11 @@
 // Maps as bytes and back: the same map, and nothing from bytes that are not whole.
-#include "map/compiled_map.h"
+#include "map/load.h"
 
 #include <gmock/gmock.h>
 
 #include "base/hash.h"
 #include "formats/map_toml.h"
 #include "formats/png.h"
-#include "map/load.h"
 #include "support/generate_map.h"
 
 namespace enfilade {
