@@ -41,6 +41,7 @@
 //   facts       of a pixel: which surface it shows, how deep, which texel (render/frame.h)
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -49,12 +50,17 @@
 
 #include "base/containers.h"
 #include "base/id.h"
+#include "formats/effect_records.h"
 #include "formats/map_file.h"
-#include "map/effects.h"
 #include "math/angle.h"
 #include "math/vec.h"
 
 namespace enfilade {
+
+/// Some of Map::triggers: [first, first + count).
+struct TriggerRange {
+    std::uint32_t first = 0, count = 0;
+};
 
 /// How a picture lies on a wall, flat or sky. Texel coordinates are tiles * picture size, wrapped.
 ///   wall:  u = distance along the wall from a / tile_m.x,  v = (peg height - z) / tile_m.y
@@ -164,6 +170,72 @@ struct Sector {
     SoundId up_sound, down_sound;  ///< of its floor and ceiling when they set off, or none
     SoundId stop_sound;            ///< when they arrive, or none
 };
+
+// What can happen in a map: triggers with the sectors they are about, pictures that change with time, and sounds.
+// Nothing of it moves here; world/ says when and how.
+
+/// Keys in one map [1]: who carries which is kept in 64 bits.
+inline constexpr std::size_t kMostKeys = 64;
+
+/// Some of Map::targets: [first, first + count). Triggers with the same targets share them.
+struct TargetRange {
+    std::uint32_t first = 0, count = 0;
+};
+
+/// What happens, to whom, and what sets it off. The fields mean what they mean in TriggerRecord.
+struct Trigger {
+    Activation on = Activation::use;
+    TriggerAction action = TriggerAction::door;
+    bool once = false, one_way = false, reverses = true, crushes = false, heals = false;
+    std::uint32_t key = kNoKey;  ///< index into Map::keys, or kNoKey: works for everybody
+    TargetRange targets;         ///< in the order of the file, each once; of a group its leader
+    ThingId destination;         ///< teleport: where to
+    std::string leads_to;        ///< exit: the map named, may be empty
+    double after_s = 0;          ///< [s]
+    std::optional<double> z;     ///< [m]
+    HeightLevel to = HeightLevel::here;
+    SectorId like;                      ///< none: `to` counts
+    double by = 0;                      ///< [m]
+    double speed = 0;                   ///< > 0 [m/s]
+    double wait_s = 0;                  ///< [s]
+    double step = 0;                    ///< [m]
+    std::optional<double> crush_speed;  ///< [m/s]
+    TextureId texture;                  ///< none: as it was
+    std::optional<double> light;
+    LightLevel light_of = LightLevel::given;
+    std::optional<LightEffectRecord> effect;
+    SoundId sound;  ///< none: silent
+    /// Where it is heard from, what it is on: one of the four, where it has a sound.
+    SectorId on_sector;
+    WallId on_wall;
+    PanelId on_panel;
+    ThingId on_thing;
+    static constexpr std::uint32_t kNoKey = 0xFFFFFFFFu;
+};
+
+/// Something that can be heard. The fields mean what they mean in SoundRecord.
+struct Sound {
+    std::string name, file;
+    double volume = 1;
+    double reach_m = 0;  ///< > 0 [m]
+    bool loops = false;
+};
+
+/// Pictures that follow one another.
+struct Animation {
+    std::vector<TextureId> frames;  ///< at least one
+    double seconds = 0;             ///< each, > 0 [s]
+};
+
+/// How pictures of surfaces change, by TextureId; empty where the map has none of its kind.
+struct PictureChanges {
+    std::vector<Animation> animations;
+    std::vector<std::uint32_t> animation_of;  ///< index into animations, or kNone
+    std::vector<TextureId> other_face;        ///< of a switch; none: it is no switch
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+};
+
+// Things, lamps and the player.
 
 /// One picture of an animation, from each direction.
 struct SpriteFrame {
