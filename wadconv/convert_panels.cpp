@@ -3,7 +3,6 @@
 #include <cmath>
 #include <optional>
 
-#include "wadconv/line_actions.h"
 #include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {

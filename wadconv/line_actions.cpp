@@ -1,4 +1,4 @@
-#include "wadconv/line_actions.h"
+#include "wadconv/workbench.h"
 
 #include <algorithm>
 #include <array>

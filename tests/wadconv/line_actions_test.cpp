@@ -1,5 +1,5 @@
 // The table of what Doom's lines do.
-#include "wadconv/line_actions.h"
+#include "wadconv/workbench.h"
 
 #include <gmock/gmock.h>
 
