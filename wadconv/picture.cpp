@@ -1,4 +1,4 @@
-#include "wadconv/picture.h"
+#include "wadconv/pictures.h"
 
 #include <algorithm>
 #include <limits>

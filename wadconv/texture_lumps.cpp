@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "base/bytes.h"
-#include "wadconv/picture.h"
 #include "wadconv/thing_table.h"
 
 namespace enfilade::wadconv {
