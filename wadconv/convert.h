@@ -8,10 +8,10 @@
 
 #include "base/result.h"
 #include "formats/map_file.h"
-#include "wadconv/map_lumps.h"
 #include "wadconv/pictures.h"
 #include "wadconv/report.h"
 #include "wadconv/sounds.h"
+#include "wadconv/wad.h"
 
 namespace enfilade::wadconv {
 

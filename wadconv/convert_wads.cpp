@@ -10,10 +10,10 @@
 #include "formats/map_toml.h"
 #include "formats/text_parts.h"
 #include "map/load.h"
-#include "wadconv/map_lumps.h"
 #include "wadconv/pictures.h"
 #include "wadconv/sounds.h"
 #include "wadconv/thing_table.h"
+#include "wadconv/wad.h"
 
 namespace enfilade::wadconv {
 namespace {

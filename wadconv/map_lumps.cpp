@@ -1,11 +1,10 @@
-#include "wadconv/map_lumps.h"
+#include "wadconv/wad.h"
 
 #include <algorithm>
 #include <array>
 
 #include "base/bytes.h"
 #include "formats/text_parts.h"
-#include "wadconv/wad.h"
 
 namespace enfilade::wadconv {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "wadconv/map_lumps.h"
 #include "wadconv/report.h"
+#include "wadconv/wad.h"
 
 namespace enfilade::wadconv {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "wadconv/map_lumps.h"
 #include "wadconv/thing_table.h"
+#include "wadconv/wad.h"
 
 namespace enfilade::wadconv {
 namespace {

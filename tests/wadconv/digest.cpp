@@ -2,7 +2,7 @@
 
 #include "map/load.h"
 #include "wadconv/convert.h"
-#include "wadconv/map_lumps.h"
+#include "wadconv/wad.h"
 
 namespace enfilade::wadconv::test {
 namespace {

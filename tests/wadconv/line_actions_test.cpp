@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "wadconv/map_lumps.h"
+#include "wadconv/wad.h"
 
 namespace enfilade::wadconv {
 namespace {

@@ -1,5 +1,5 @@
 // Finding maps, and refusing those in other formats.
-#include "wadconv/map_lumps.h"
+#include "wadconv/wad.h"
 
 #include <gmock/gmock.h>
 

@@ -15,7 +15,6 @@
 
 #include "base/bytes.h"
 #include "base/files.h"
-#include "wadconv/map_lumps.h"
 #include "wadconv/wad.h"
 
 namespace enfilade::wadconv::test {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "wadconv/freedoom/doom_specials.h"
-#include "wadconv/map_lumps.h"
+#include "wadconv/wad.h"
 
 namespace enfilade::test {
 

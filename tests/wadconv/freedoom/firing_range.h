@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "map/map.h"
-#include "wadconv/map_lumps.h"
+#include "wadconv/wad.h"
 #include "world/history.h"
 
 namespace enfilade::test {

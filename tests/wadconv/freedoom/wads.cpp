@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "wadconv/map_lumps.h"
 #include "wadconv/thing_table.h"
+#include "wadconv/wad.h"
 
 namespace enfilade::test {
 

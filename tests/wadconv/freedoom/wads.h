@@ -10,7 +10,6 @@
 #include "map/load.h"
 #include "support/temp_dir.h"
 #include "wadconv/convert.h"
-#include "wadconv/map_lumps.h"
 #include "wadconv/pictures.h"
 #include "wadconv/sounds.h"
 #include "wadconv/wad.h"
