@@ -11,7 +11,6 @@
 #include "formats/text_parts.h"
 #include "map/load.h"
 #include "wadconv/pictures.h"
-#include "wadconv/sounds.h"
 #include "wadconv/thing_table.h"
 #include "wadconv/wad.h"
 

@@ -1,4 +1,4 @@
-#include "wadconv/sounds.h"
+#include "wadconv/convert.h"
 
 #include <array>
 #include <filesystem>

@@ -10,10 +10,10 @@
 
 #include "formats/effect_records.h"
 #include "formats/map_file.h"
+#include "wadconv/convert.h"
 #include "wadconv/parts.h"
 #include "wadconv/pictures.h"
 #include "wadconv/report.h"
-#include "wadconv/sounds.h"
 #include "wadconv/wad.h"
 
 namespace enfilade::wadconv {

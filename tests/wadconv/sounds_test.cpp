@@ -1,5 +1,5 @@
 // Doom's sounds, and what they are heard of.
-#include "wadconv/sounds.h"
+#include "wadconv/convert.h"
 
 #include <gmock/gmock.h>
 

@@ -11,7 +11,6 @@
 #include "support/temp_dir.h"
 #include "wadconv/convert.h"
 #include "wadconv/pictures.h"
-#include "wadconv/sounds.h"
 #include "wadconv/wad.h"
 
 namespace enfilade::test {
