@@ -24,6 +24,6 @@
 #include "map/load.h"
 #include "render/choice/renderer.h"
 #include "render/frame.h"
-#include "render/view_from.h"
+#include "render/view.h"
 #include "world/snapshot.h"
 #include "world/step.h"

@@ -11,7 +11,7 @@
 #include "formats/views_csv.h"
 #include "map/map.h"
 #include "render/choice/renderer.h"
-#include "render/view_from.h"
+#include "render/view.h"
 #include "world/snapshot.h"
 
 namespace enfilade {

@@ -18,7 +18,7 @@
 #include "base/result.h"
 #include "formats/tape.h"
 #include "map/map.h"
-#include "render/view_from.h"
+#include "render/view.h"
 #include "space/trace.h"
 #include "world/snapshot.h"
 #include "world/step.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "render/view_from.h"
+#include "render/view.h"
 
 namespace enfilade {
 

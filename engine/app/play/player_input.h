@@ -6,7 +6,7 @@
 
 #include "app/play/settings.h"
 #include "platform/input_event.h"
-#include "render/view_from.h"
+#include "render/view.h"
 #include "world/input.h"
 #include "world/world.h"
 
