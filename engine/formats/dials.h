@@ -19,7 +19,7 @@ enum class NumberKind : std::uint8_t {
     vanilla,  ///< by Doom's tables and formulas of 1993, for comparison
 };
 
-/// Which texels a pixel shows (render/texel_blend.h).
+/// Which texels a pixel shows (render/sampling.h).
 enum class Sampling : std::uint8_t {
     nearest,    ///< the one at its middle, of the picture as painted: the default
     mip,        ///< the one at its middle, of the picture made smaller until its texels are about as large as pixels

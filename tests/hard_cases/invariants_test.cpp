@@ -8,7 +8,7 @@
 #include "hard_cases/scenes.h"
 #include "hard_cases/world.h"
 #include "render/reference/reference_renderer.h"
-#include "render/supersample.h"
+#include "render/sampling.h"
 
 namespace enfilade::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "render/supersample.h"
+#include "render/sampling.h"
 
 namespace enfilade {
 namespace {

@@ -13,7 +13,7 @@
 #include "platform/gl_context.h"
 #include "render/choice/renderer.h"
 #include "render/reference/reference_renderer.h"
-#include "render/supersample.h"
+#include "render/sampling.h"
 #include "space/trace.h"
 
 namespace enfilade {

@@ -8,8 +8,8 @@
 #include "render/column/column_renderer.h"
 #include "render/column/kernels.h"
 #include "render/reference/reference_renderer.h"
+#include "render/sampling.h"
 #include "render/stencil/stencil_renderer.h"
-#include "render/supersample.h"
 
 namespace enfilade {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "base/result.h"
 #include "render/column/texel_dials.h"
-#include "render/texel_blend.h"
+#include "render/sampling.h"
 
 #if defined(__x86_64__)
 #include <emmintrin.h>

@@ -1,4 +1,4 @@
-// The inner loops where a pixel shows several texels (render/texel_blend.h): what stands in for fill_walls and
+// The inner loops where a pixel shows several texels (render/sampling.h): what stands in for fill_walls and
 // fill_flats of kernels.h then, pixel by pixel, and as far away as one likes.
 #pragma once
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include "formats/dials.h"
 #include "render/column/kernels.h"
 #include "render/frame.h"
-#include "render/texel_blend.h"
+#include "render/sampling.h"
 
 namespace enfilade::column {
 

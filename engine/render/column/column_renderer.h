@@ -19,7 +19,7 @@
 #include "render/column/canvas.h"
 #include "render/frame.h"
 #include "render/light_grids.h"
-#include "render/mips.h"
+#include "render/sampling.h"
 #include "render/view.h"
 #include "world/snapshot.h"
 

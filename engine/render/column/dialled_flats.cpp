@@ -50,7 +50,7 @@ FlatPainter::RowDials FlatPainter::dials_at(const ColumnScene& scene, double dep
     return row;
 }
 
-/// By texels per pixel (render/texel_blend.h).
+/// By texels per pixel (render/sampling.h).
 MipPlace FlatPainter::mip_at(const ColumnScene& scene, double depth) const {
     if (!scene.dials->mips || is_extended_) return {};
     const double most = std::max(depth * texels_across_, depth * depth * texels_down_);

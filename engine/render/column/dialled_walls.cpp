@@ -157,7 +157,7 @@ WallPainter::AlikeColumns WallPainter::alike_at(const ColumnScene& scene, const 
     return alike;
 }
 
-/// By texels per pixel (render/texel_blend.h).
+/// By texels per pixel (render/sampling.h).
 MipPlace WallPainter::mip_at(const ColumnScene& scene, const ExactColumns& exact, int x) const {
     const ProjectedWall& wall = *exact.looks.wall;
     const double depth = exact.depth(x);

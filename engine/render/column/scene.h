@@ -13,7 +13,7 @@
 #include "render/column/sector_projection.h"
 #include "render/frame.h"
 #include "render/light_grids.h"
-#include "render/mips.h"
+#include "render/sampling.h"
 #include "render/view.h"
 #include "world/snapshot.h"
 

@@ -9,10 +9,10 @@
 #include "math/vec.h"
 #include "render/frame.h"
 #include "render/lighting.h"
-#include "render/mips.h"
 #include "render/openings.h"
 #include "render/reference/own_light.h"
 #include "render/reference/ray_path.h"
+#include "render/sampling.h"
 #include "render/shade.h"
 #include "world/snapshot.h"
 
@@ -102,7 +102,7 @@ inline std::uint32_t lit(const ReferenceScene& scene, const Texel& texel, const 
 /// What a pixel shows of a picture.
 struct TexelsSeen {
     TilePlace u, v;           ///< at its middle
-    double texels_per_pixel;  ///< render/texel_blend.h
+    double texels_per_pixel;  ///< render/sampling.h
 };
 
 /// The colour of an opaque picture by scene.sampling, which is not null, in this light and that of point lights.

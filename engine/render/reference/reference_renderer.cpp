@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "base/result.h"
 #include "render/reference/cast_ray.h"
-#include "render/supersample.h"
+#include "render/sampling.h"
 
 namespace enfilade {
 namespace {

@@ -4,7 +4,7 @@
 #include "map/textures.h"
 #include "render/frame.h"
 #include "render/light_grids.h"
-#include "render/mips.h"
+#include "render/sampling.h"
 #include "render/view.h"
 #include "world/snapshot.h"
 

@@ -1,12 +1,12 @@
-// Which texels a pixel shows where it is not the one at its middle: the rules of render/texel_blend.h and
-// render/mips.h once more, in the plainest numbers. Only the smaller pictures themselves are shared with the column
+// Which texels a pixel shows where it is not the one at its middle: the rules of render/sampling.h and
+// render/sampling.h once more, in the plainest numbers. Only the smaller pictures themselves are shared with the column
 // renderer.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "render/reference/cast_ray.h"
-#include "render/texel_blend.h"
+#include "render/sampling.h"
 
 namespace enfilade {
 namespace {
