@@ -16,7 +16,7 @@
 #include "formats/map_toml.h"
 #include "formats/text_parts.h"
 #include "map/load.h"
-#include "render/light_images.h"
+#include "render/light_patch.h"
 
 namespace enfilade {
 namespace {

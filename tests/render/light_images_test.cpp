@@ -1,5 +1,5 @@
 // Where lights shine, and that no map, however hostile, makes more of it than can be worked out.
-#include "render/light_images.h"
+#include "render/light_patch.h"
 
 #include <gmock/gmock.h>
 
