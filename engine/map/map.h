@@ -37,7 +37,7 @@
 //   look        what one line of sight goes through, and may cost (render/openings.h)
 //   viewport    a sector seen through one chain of portals: its columns, and their open rows
 //   run         pixels of one surface down one column (render/column/kernels.h)
-//   pane        a picture with holes in a room: a panel, a thing, what hangs in a portal (render/stencil/pane.h)
+//   pane        a picture with holes in a room: a panel, a thing, what hangs in a portal (render/stencil/plan.h)
 //   facts       of a pixel: which surface it shows, how deep, which texel (render/frame.h)
 #pragma once
 #include <array>

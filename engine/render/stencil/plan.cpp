@@ -7,7 +7,6 @@
 #include "render/openings.h"
 #include "render/stencil/panorama.h"
 #include "render/stencil/room_look.h"
-#include "render/stencil/room_panes.h"
 #include "render/stencil/tilted.h"
 
 namespace enfilade::stencil {

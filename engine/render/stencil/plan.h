@@ -4,15 +4,78 @@
 // through doorways alone. Sectors of one layer never overlap in the plane, so the depth buffer is enough for them;
 // whatever lies behind a link, a mirror or a doorway into an overlapping room is a layer of its own.
 #pragma once
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <variant>
 #include <vector>
 
 #include "map/textures.h"
-#include "render/stencil/pane.h"
+#include "render/frame.h"
+#include "render/sprite.h"
 #include "render/stencil/panorama.h"
 #include "render/stencil/room_look.h"
+#include "render/stencil/wall_on_screen.h"
 #include "world/snapshot.h"
 
 namespace enfilade::stencil {
+
+// Pictures with holes that stand or hang in rooms: things, panels, and what hangs in portals.
+
+// Where a thing's picture stands on the screen, as seen in one sector of one layer.
+
+/// A picture that is met in a room. Its place is like a wall's that faces the eye squarely: all of it has one depth.
+struct ThingOnScreen {
+    WallOnScreen place;
+    ThingId thing;
+    Vec2 position;  ///< of the thing, in the sector's space
+    PixelSurface id = kNothing;
+    TextureId texture;
+    Lighting lighting;
+    double depth = 0;            ///< along `forward`; in tilted pictures maybe behind the eye, below 0 [m]
+    double top = 0, height = 0;  ///< of the whole picture; top: above the eye [m]
+    RelativeHeights shown;       ///< the part of it that no floor or ceiling cuts off, above the eye
+};
+
+/// In no column yet. none: too near, or no picture, or all of it is cut off. room: above the eye; what cuts the
+/// picture.
+std::optional<ThingOnScreen> in_view(const Map& map, const TextureSet& textures, const Snapshot& snapshot,
+                                     const Presence& presence, const Pose& pose, const RelativeHeights& room);
+
+/// The room of a thing that nothing cuts.
+inline constexpr RelativeHeights kNoRoom{-std::numeric_limits<double>::infinity(),
+                                         std::numeric_limits<double>::infinity()};
+
+/// Finds the columns of a thing ahead of the eye. False: there are none.
+bool put_on_screen(ThingOnScreen& thing, const Screen& screen);
+
+/// A panel, from the side on which the eye is.
+struct PanelOnScreen {
+    PanelId panel;
+    WallOnScreen place;
+    RelativeHeights shown;       ///< the part of it that is inside the room, above the eye
+    bool is_in_doorway = false;  ///< on the line of the doorway that one sees it through, whose room hides it
+};
+
+/// In no column yet; shown.is_empty(): not at all.
+PanelOnScreen in_view(const Map& map, const Snapshot& snapshot, PanelId panel, const Pose& pose);
+
+/// The picture that hangs in a portal.
+struct Hanging {
+    WallOnScreen place;
+};
+
+/// A picture with holes, in those columns of its place in which one chain of portals shows it.
+using Pane = std::variant<ThingOnScreen, PanelOnScreen, Hanging>;
+
+inline const WallOnScreen& place_of(const Pane& pane) {
+    return std::visit([](const auto& it) -> const WallOnScreen& { return it.place; }, pane);
+}
+inline WallOnScreen& place_of(Pane& pane) {
+    return std::visit([](auto& it) -> WallOnScreen& { return it.place; }, pane);
+}
+
+// Layers, and the plan of them.
 
 /// A portal that leads out of a layer.
 struct Exit {
@@ -77,5 +140,53 @@ struct FrameInput {
 /// seen may be in the plan, never less. screen: of the picture, or if it is tilted, of its panorama.
 /// Cost: for each sector looked into its walls, and the columns it is seen in.
 Plan make_plan(const FrameInput& input, const Screen& screen, const RayField& rays, const View& view);
+
+// What stands in a room, in the order in which each column meets it.
+
+/// Finds the things and panels of one visit at a time. A room without them costs a look at two empty lists.
+class RoomPanes {
+public:
+    RoomPanes(const FrameInput& input, const Screen& screen) : input_(input), screen_(screen) {}
+
+    /// For a new frame: nothing is passed yet.
+    void start() { passed_.assign(static_cast<std::size_t>(screen_.width), 0); }
+
+    /// Adds what stands in the room that is looked into, and is seen, to the layer's panes: for every run of columns
+    /// that meet the same pictures in the same order these pictures, the nearest first;
+    /// of a thing and a panel at one depth, in steps (render/sprite.h), the thing.
+    /// Those beyond kMostPictures in a column, the farthest, are left out: of two rooms the nearer is to be noted
+    /// first.
+    void note(Layer& layer, const RoomLook& room);
+
+    /// One more in column x, of a portal. False: it is left out.
+    bool pass(int x) { return !is_full(x) && ++passed_[static_cast<std::size_t>(x)] > 0; }
+
+private:
+    struct PaneBoard {
+        Pane pane;
+        Segment facing{{}, {}};  ///< panels only
+        PanelId panel;           ///< none: a thing
+        double depth = 0;        ///< things only [m]
+    };
+
+    bool is_full(int x) const { return passed_[static_cast<std::size_t>(x)] >= kMostPictures; }
+    void add_met(std::size_t board, int x);
+    void find_boards(const Pose& pose, const RoomLook& room);
+    void add_panel(const Pose& pose, const RoomLook& room, PanelId id);
+    void meet(const Pose& pose, const RoomLook& room, int x);
+    bool is_met(const Pose& pose, const RoomLook& room, const PaneBoard& thing, int x) const;
+    void meet_panels(const RoomLook& room, int x);
+    bool is_before(const PaneBoard& a, const PaneBoard& b) const;
+    bool is_before_wall(const RoomLook& room, const PaneBoard& panel, int x) const;
+    void add_run(Layer& layer, int begin, int end, int rank);
+
+    const FrameInput& input_;
+    const Screen& screen_;
+    std::vector<PaneBoard> boards_;        ///< things first, the nearest of them first; then panels
+    std::size_t things_ = 0;               ///< how many of them are things
+    std::vector<std::size_t> met_, run_;   ///< by the present column, and by those before it: numbers of boards
+    std::vector<std::size_t> met_panels_;  ///< by the present column
+    std::vector<std::uint32_t> passed_;    ///< pictures, by column
+};
 
 }  // namespace enfilade::stencil

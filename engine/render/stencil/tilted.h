@@ -3,7 +3,6 @@
 #pragma once
 #include <vector>
 
-#include "render/stencil/pane.h"
 #include "render/stencil/plan.h"
 
 namespace enfilade::stencil {
