@@ -6,7 +6,6 @@
 #include <initializer_list>
 #include <vector>
 
-#include "render/stencil/paint_params.h"
 #include "render/stencil/panorama.h"
 #include "render/stencil/surfaces.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/result.h"
 #include "render/stencil/gl_object.h"
-#include "render/stencil/paint_params.h"
+#include "render/stencil/surfaces.h"
 
 namespace enfilade::stencil {
 

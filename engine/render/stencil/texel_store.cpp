@@ -1,4 +1,4 @@
-#include "render/stencil/texel_store.h"
+#include "render/stencil/surfaces.h"
 
 #include <algorithm>
 #include <bit>
