@@ -1,4 +1,4 @@
-#include "render/stencil/shaders.h"
+#include "render/stencil/layer_painter.h"
 
 #include <string>
 
