@@ -1,4 +1,4 @@
-#include "render/stencil/in_space.h"
+#include "render/stencil/mesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,6 @@
 #include "base/result.h"
 #include "render/frame.h"
 #include "render/stencil/gl_object.h"
-#include "render/stencil/in_space.h"
 #include "render/stencil/mesh.h"
 #include "render/stencil/surfaces.h"
 
@@ -25,7 +24,7 @@ namespace enfilade::stencil {
 enum class VertexPlacing : std::uint8_t {
     upright,   ///< they are where they are drawn
     tilted,    ///< the same, and each pixel asks which wall it shows
-    in_space,  ///< they are in space (in_space.h)
+    in_space,  ///< they are in space (in_space.cpp)
 };
 inline constexpr std::size_t kVertexPlacings = 3;
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "base/result.h"
-#include "render/stencil/in_space.h"
 #include "render/stencil/layer_painter.h"
+#include "render/stencil/mesh.h"
 #include "render/stencil/panorama.h"
 #include "space/triangulate.h"
 

@@ -16,7 +16,7 @@
 // most, there is none. Nor has depth to tell walls apart: the depth buffer holds ranks, upright through how many
 // portals a wall is seen, tilted its place in the order of a sweep round the eye (tilted.h), so that walls through the
 // very eye, or a millimetre apart at 10 km, are in the order that was found exactly. The dial `portals` draws by the
-// classic ways, to see what they cost (in_space.h). What 24 bits of depth would tell
+// classic ways, to see what they cost (in_space.cpp). What 24 bits of depth would tell
 // apart, in a picture 90 degrees wide before a portal that is square to the view (one that slants is up to 1.4 times
 // worse; tests/render/stencil/near_plane_test.cpp):
 //
@@ -67,7 +67,7 @@ class StencilRenderer {
 public:
     /// map, textures: outlive it. An error where the context is too old or has no stencil buffer, or the graphics card
     /// has no room for the pictures. light_points_per_m: of LightGrids. portals: exact, or another way to see what it
-    /// costs (in_space.h). Cost: the pictures' texels, and overlapping_sectors().
+    /// costs (in_space.cpp). Cost: the pictures' texels, and overlapping_sectors().
     static Result<std::unique_ptr<StencilRenderer>> make(std::unique_ptr<GlContext> context, const Map& map,
                                                          const TextureSet& textures,
                                                          int light_points_per_m = kUsualLightPoints,
