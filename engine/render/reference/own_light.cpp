@@ -1,4 +1,4 @@
-#include "render/reference/own_light.h"
+#include "render/reference/cast_ray.h"
 
 #include <algorithm>
 #include <cmath>

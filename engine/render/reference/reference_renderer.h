@@ -20,7 +20,7 @@ struct ReferenceOptions {
     Sampling sampling = Sampling::nearest;  ///< of walls, steps, floors and ceilings
     const MipChains* mips = nullptr;        ///< of the textures, likewise
     /// Light of lamps is not taken from grids, as the other renderers have it, but worked out for each ray, by straight
-    /// ways to the lamps (render/reference/own_light.h): some microseconds for each lamp that is near.
+    /// ways to the lamps (render/reference/own_light.cpp): some microseconds for each lamp that is near.
     bool own_light = false;
 };
 

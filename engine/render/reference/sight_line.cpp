@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "math/predicates.h"
-#include "render/reference/own_light.h"
+#include "render/reference/cast_ray.h"
 #include "render/reference/ray_path.h"
 
 namespace enfilade {

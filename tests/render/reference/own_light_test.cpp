@@ -1,6 +1,6 @@
 // The reference's own light of lamps: what a formula says, shadows where they begin to the grid's last step, and what
 // grids come near to as they get finer.
-#include "render/reference/own_light.h"
+#include "render/reference/cast_ray.h"
 
 #include <gtest/gtest.h>
 
