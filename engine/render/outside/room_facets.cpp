@@ -1,4 +1,4 @@
-#include "render/outside/facet_painter.h"
+#include "render/outside/outside_renderer.h"
 
 #include <algorithm>
 

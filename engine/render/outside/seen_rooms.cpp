@@ -1,4 +1,4 @@
-#include "render/outside/seen_rooms.h"
+#include "render/outside/outside_renderer.h"
 
 #include <algorithm>
 #include <cmath>

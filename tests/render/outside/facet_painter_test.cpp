@@ -1,5 +1,5 @@
 // Facets cover what they should, and neighbours leave no pixel out and cover none twice.
-#include "render/outside/facet_painter.h"
+#include "render/outside/outside_renderer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What of which room a picture shows, and where it appears to be.
-#include "render/outside/seen_rooms.h"
+#include "render/outside/outside_renderer.h"
 
 #include <gtest/gtest.h>
 

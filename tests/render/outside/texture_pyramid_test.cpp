@@ -1,5 +1,5 @@
 // Pictures made smaller.
-#include "render/outside/facet_painter.h"
+#include "render/outside/outside_renderer.h"
 
 #include <gtest/gtest.h>
 
