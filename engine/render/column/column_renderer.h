@@ -5,7 +5,7 @@
 // to a new viewport with tightened bounds. Where to read: column_renderer.cpp (the stack, and the strips that threads
 // share), viewport_drawer.h (one viewport), sector_projection.h (where is this wall on screen?), viewport.h (which
 // wall does a column see, and which rows are what?), masked_columns.h (where are things and panels?), painters.h
-// (which texel?), kernels.h and passes.h (the inner loops).
+// (which texel?), kernels.h (the inner loops).
 #pragma once
 #include <atomic>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #if defined(__x86_64__)
 #include <immintrin.h>
 
-#include "render/column/passes.h"
+#include "render/column/kernels.h"
 
 #define WITH_AVX2 [[gnu::target("avx2,bmi2")]]  // bmi2: shifts by any register
 

@@ -1,4 +1,4 @@
-#include "render/column/passes.h"
+#include "render/column/kernels.h"
 
 #include <algorithm>
 

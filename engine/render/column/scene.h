@@ -9,7 +9,7 @@
 #include "map/textures.h"
 #include "render/built_in.h"
 #include "render/column/canvas.h"
-#include "render/column/passes.h"
+#include "render/column/kernels.h"
 #include "render/column/sector_projection.h"
 #include "render/frame.h"
 #include "render/light_grids.h"

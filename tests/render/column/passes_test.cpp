@@ -1,5 +1,5 @@
 // Light of lamps, fog and holes on runs that are drawn: by their definition, and the same bits eight pixels at a time.
-#include "render/column/passes.h"
+#include "render/column/kernels.h"
 
 #include <gtest/gtest.h>
 
