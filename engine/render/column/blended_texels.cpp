@@ -1,9 +1,8 @@
-#include "render/column/blended_texels.h"
+#include "render/column/texel_dials.h"
 
 #include <algorithm>
 
 #include "base/result.h"
-#include "render/column/texel_dials.h"
 #include "render/sampling.h"
 
 #if defined(__x86_64__)

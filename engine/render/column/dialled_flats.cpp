@@ -1,8 +1,8 @@
 // Floors and ceilings drawn by the dials of texels.
 #include <cmath>
 
-#include "render/column/blended_texels.h"
 #include "render/column/painters.h"
+#include "render/column/texel_dials.h"
 
 namespace enfilade::column {
 namespace {

@@ -3,10 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "render/column/blended_texels.h"
 #include "render/column/scene.h"
 #include "render/column/texel_dials.h"
-#include "render/column/vanilla.h"
 #include "render/column/viewport.h"
 #include "render/lighting.h"
 #include "render/sprite.h"

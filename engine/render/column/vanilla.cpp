@@ -1,4 +1,4 @@
-#include "render/column/vanilla.h"
+#include "render/column/texel_dials.h"
 
 #include <algorithm>
 #include <cmath>

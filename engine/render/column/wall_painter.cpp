@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/column/blended_texels.h"
 #include "render/column/kernels.h"
 #include "render/column/scene.h"
+#include "render/column/texel_dials.h"
 #include "render/sprite.h"
 
 namespace enfilade::column {

@@ -1,5 +1,5 @@
 // Pixels that show several texels: the blend in closed form, and the inner loops pixel by pixel.
-#include "render/column/blended_texels.h"
+#include "render/column/texel_dials.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Doom's own texel positions: as far off as was measured of them elsewhere.
-#include "render/column/vanilla.h"
+#include "render/column/texel_dials.h"
 
 #include <gtest/gtest.h>
 
