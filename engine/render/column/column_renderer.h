@@ -3,9 +3,9 @@
 // A frame is a stack of viewports. Drawing one: project its sector's walls, find in each open column the nearest wall
 // beyond the portal looked through, draw ceiling, wall or steps, and floor, and hand what is still open behind a portal
 // to a new viewport with tightened bounds. Where to read: column_renderer.cpp (the stack, and the strips that threads
-// share), viewport_drawer.h (one viewport), sector_projection.h (where is this wall on screen?), viewport.h (which
-// wall does a column see, and which rows are what?), masked_columns.h (where are things and panels?), painters.h
-// (which texel?), kernels.h (the inner loops).
+// share), viewport_drawer.h (one viewport; where are its things and panels?), sector_projection.h (where is this wall
+// on screen?), viewport.h (which wall does a column see, and which rows are what?), painters.h (which texel?),
+// kernels.h (the inner loops).
 #pragma once
 #include <atomic>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "render/column/masked_columns.h"
+#include "render/column/viewport_drawer.h"
 
 #include <algorithm>
 

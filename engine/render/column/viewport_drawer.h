@@ -1,13 +1,186 @@
 // Draws one viewport: its sector's surfaces where they are open, and the viewports seen through its portals.
 #pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
-#include "render/column/masked_columns.h"
 #include "render/column/painters.h"
+#include "render/column/scene.h"
 #include "render/column/sector_projection.h"
 #include "render/column/viewport.h"
+#include "render/sprite.h"
+#include "render/view.h"
 
 namespace enfilade::column {
+
+// What cannot be drawn in order: fences and things are noted while the viewports are drawn, together with the rows that
+// were open, and laid over the finished picture back to front. A frame without such pictures keeps nothing here.
+
+// A viewport while what stands in its room is looked for.
+
+struct RoomView {
+    const ColumnScene& scene;
+    const Viewport& viewport;
+    const Pose& pose;
+    const RelativeHeights& here;
+    const NearestWalls& nearest;
+};
+
+/// The part of a picture that is between the room's floor and ceiling.
+inline RelativeHeights within(const RelativeHeights& room, double bottom, double top) {
+    return {bottom > room.floor ? bottom : room.floor, top < room.ceiling ? top : room.ceiling};
+}
+
+class MaskedColumns {
+public:
+    /// For a picture of this width [px].
+    void clear(int width);
+
+    /// A picture that columns may be noted of; to be added when the first is.
+    int add(const WallPainter& painter);
+    static constexpr int kNotAdded = -1;
+
+    /// Rows of column x that show the picture, if any. Of two that share a column the nearer one is to be noted first:
+    /// a viewport is drawn before those seen through its portals, so its own pictures come before theirs. Those beyond
+    /// kMostPictures, the farthest of what shares the column, are left out.
+    void note(int painter, int x, OpenRows rows, const WallHit& hit) {
+        if (is_full(x)) return;
+        ++noted_[static_cast<std::size_t>(x)];
+        if (!rows.is_closed()) columns_.push_back({painter, x, rows, hit});
+    }
+
+    /// Nothing more is to be noted of column x.
+    bool is_full(int x) const { return noted_[static_cast<std::size_t>(x)] >= kMostPictures; }
+
+    /// How many columns of pictures are to be laid over the picture.
+    std::size_t count() const { return columns_.size(); }
+
+    /// Lays all of them over the picture, the last noted first.
+    void draw(const ColumnScene& scene) const;
+
+private:
+    struct MaskedColumn {
+        int painter;
+        int x;
+        OpenRows rows;
+        WallHit hit;
+    };
+
+    std::vector<WallPainter> painters_;
+    std::vector<MaskedColumn> columns_;
+    std::vector<std::uint32_t> noted_;  ///< by column: pictures
+};
+
+// Which columns and rows of a viewport show panels, and in which order.
+
+/// The panels of one viewport, column by column from left to right. Panels cross nothing, so of two that share a column
+/// the same one is the nearer in all of them: a row of those that cover the present column is kept in order, and a
+/// panel is put in where it begins and taken out where it ends.
+class PanelColumns {
+public:
+    /// Finds the panels that are somewhere on the screen. False: there are none.
+    bool gather(const RoomView& view);
+
+    /// What column x shows of a panel.
+    struct PanelColumn {
+        int panel;  ///< number of this search
+        WallHit hit;
+    };
+
+    /// Those in column x that are met between the entry to the room and the wall behind, the nearest first; their
+    /// depths never fall. Valid until the next call. x grows from call to call after gather().
+    std::span<const PanelColumn> at(const RoomView& view, int x);
+
+    /// Notes what column x shows of the panel.
+    void note(const RoomView& view, const PanelColumn& shown, int x, MaskedColumns& masked);
+
+private:
+    /// A panel that is somewhere on the screen.
+    struct PanelBoard {
+        Segment facing;       ///< turned so that it faces the eye
+        ProjectedWall place;  ///< `swapped` says whether its left end is the panel's b
+        RelativeHeights rows;
+        PanelId panel;
+        int painter = MaskedColumns::kNotAdded;
+    };
+
+    void add(const RoomView& view, PanelId id);
+    static int painter_of(const RoomView& view, const PanelBoard& board, MaskedColumns& masked);
+    bool is_before(int a, int b) const;
+    void move_to(int x);
+    bool is_before_wall(const RoomView& view, const PanelBoard& board, int x) const;
+
+    std::vector<PanelBoard> boards_;  ///< by where they begin, from left to right
+    std::size_t next_ = 0;            ///< the first that begins to the right of the present column
+    std::vector<int> row_;            ///< those that cover the present column, the nearest first
+    std::vector<PanelColumn> shown_;
+};
+
+// Which columns and rows of a viewport show things, and in which order.
+
+/// The things of one viewport at a time.
+class ThingColumns {
+public:
+    /// Finds the things that are somewhere on the screen and puts them in order, the nearest first. False: there are
+    /// none.
+    bool gather(const RoomView& view);
+
+    std::size_t count() const { return boards_.size(); }
+
+    /// Of the i-th of them. All of a picture has one depth, so the order is the same in all columns [m].
+    double depth(std::size_t i) const { return boards_[i].depth; }
+
+    /// Notes what column x shows of the i-th of them, if it does.
+    void note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked);
+
+    /// Notes every column of all of them.
+    void note_all(const RoomView& view, MaskedColumns& masked);
+
+private:
+    /// A picture that is somewhere on the screen.
+    struct ThingBoard {
+        int begin, end;  ///< columns, within the viewport
+        double depth;    ///< [m]
+        double left_v;   ///< its left edge in view space [m]
+        double width;    ///< [m]
+        bool mirrored;   ///< its left edge is the picture's right one
+        RelativeHeights rows;
+        double top;  ///< of the picture, above the eye [m]
+        SpritePicture picture;
+        ThingId thing;
+        Vec2 place;          ///< of the thing
+        std::size_t number;  ///< among those of the room
+        int painter = MaskedColumns::kNotAdded;
+    };
+
+    static bool is_nearer(const ThingBoard& a, const ThingBoard& b);
+    static bool is_aside(const RoomView& view, const Presence& presence, double depth, double aside);
+    void add(const RoomView& view, const Presence& presence);
+    static int painter_of(const RoomView& view, const ThingBoard& board, MaskedColumns& masked);
+    static bool is_met(const RoomView& view, const ThingBoard& board, int x);
+
+    std::vector<ThingBoard> boards_;
+};
+
+// What stands in a room: its things and panels, in one order in every column.
+
+/// Notes the things and panels of one viewport at a time. A viewport without them costs a look at two empty lists.
+class RoomColumns {
+public:
+    /// Notes every column of every picture, of each column the nearest first; of a thing and a panel at one depth, in
+    /// steps (render/sprite.h), the thing. To be called before the viewport's masked walls are noted: they stand at the
+    /// end of the room, behind all that is in it.
+    void note(const RoomView& view, MaskedColumns& masked);
+
+private:
+    void note_column(const RoomView& view, int x, MaskedColumns& masked);
+
+    ThingColumns things_;
+    PanelColumns panels_;
+};
+
+// The viewport.
 
 /// What grows while a frame is drawn: poses met, viewports taken, viewports waiting.
 struct FrameState {

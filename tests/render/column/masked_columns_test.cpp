@@ -1,5 +1,5 @@
 // How much is laid over a picture: a map may stack as many things as it likes, a frame has a limit.
-#include "render/column/masked_columns.h"
+#include "render/column/viewport_drawer.h"
 
 #include <gtest/gtest.h>
 
