@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "math/vec.h"
-#include "render/light_grid.h"
+#include "render/shade.h"
 #include "space/reach.h"
 
 namespace enfilade {

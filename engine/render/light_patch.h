@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "map/map.h"
-#include "render/light_grid.h"
+#include "render/shade.h"
 #include "space/trace.h"
 #include "world/snapshot.h"
 

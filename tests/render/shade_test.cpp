@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "base/hash.h"
-#include "render/light_grid.h"
 #include "render/sprite.h"
 
 namespace enfilade {

@@ -10,7 +10,6 @@
 
 #include "base/result.h"
 #include "map/textures.h"
-#include "render/light_grid.h"
 #include "render/shade.h"
 
 namespace enfilade::column {
