@@ -293,7 +293,7 @@ struct NearThing {
     Rigid passage;  ///< from the space of the sector into that of the thing's own
 };
 
-/// A lamp. What it throws on the surfaces around it is worked out by render/light_grids.h.
+/// A lamp. What it throws on the surfaces around it is worked out by render/lighting.h.
 struct PointLight {
     SectorId sector;                          ///< contains its position
     Vec2 position;                            ///< on the point grid

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "base/files.h"
-#include "render/light_grids.h"
+#include "render/lighting.h"
 #include "support/count_allocations.h"
 #include "support/map_builder.h"
 

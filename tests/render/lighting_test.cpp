@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "render/light_grids.h"
 #include "support/map_builder.h"
 
 namespace enfilade {

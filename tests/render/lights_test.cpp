@@ -2,7 +2,7 @@
 // portals, and that it is a function of the moment.
 #include <gtest/gtest.h>
 
-#include "render/light_grids.h"
+#include "render/lighting.h"
 #include "support/map_builder.h"
 
 namespace enfilade {

@@ -18,7 +18,7 @@
 #include "map/textures.h"
 #include "render/column/canvas.h"
 #include "render/frame.h"
-#include "render/light_grids.h"
+#include "render/lighting.h"
 #include "render/sampling.h"
 #include "render/view.h"
 #include "world/snapshot.h"

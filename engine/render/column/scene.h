@@ -12,7 +12,7 @@
 #include "render/column/kernels.h"
 #include "render/column/sector_projection.h"
 #include "render/frame.h"
-#include "render/light_grids.h"
+#include "render/lighting.h"
 #include "render/sampling.h"
 #include "render/view.h"
 #include "world/snapshot.h"

@@ -9,7 +9,6 @@
 #include "map/textures.h"
 #include "math/vec.h"
 #include "render/frame.h"
-#include "render/light_grids.h"
 #include "render/lighting.h"
 #include "render/openings.h"
 #include "render/reference/ray_path.h"
@@ -20,7 +19,7 @@
 namespace enfilade {
 
 // What lamps and suns throw onto the places that rays meet: from the grids that all renderers share
-// (render/light_grids.h), or worked out anew for each place, by sight lines, so that grids can be held against it.
+// (render/lighting.h), or worked out anew for each place, by sight lines, so that grids can be held against it.
 
 // Straight ways of light from lamps to places. They share the map and the predicates (math/predicates.h) with the ways
 // of render/light_patch.h, and nothing else: no grid, no search, no path.

@@ -3,7 +3,7 @@
 #include "formats/dials.h"
 #include "map/textures.h"
 #include "render/frame.h"
-#include "render/light_grids.h"
+#include "render/lighting.h"
 #include "render/sampling.h"
 #include "render/view.h"
 #include "world/snapshot.h"

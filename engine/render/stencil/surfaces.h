@@ -11,7 +11,7 @@
 #include "base/result.h"
 #include "map/map.h"
 #include "map/textures.h"
-#include "render/light_grids.h"
+#include "render/lighting.h"
 #include "render/shade.h"
 #include "render/sprite.h"
 #include "render/stencil/gl_object.h"

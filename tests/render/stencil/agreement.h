@@ -9,7 +9,7 @@
 #include "hard_cases/scenes.h"
 #include "map/textures.h"
 #include "platform/gl_context.h"
-#include "render/light_grids.h"
+#include "render/lighting.h"
 #include "render/stencil/stencil_renderer.h"
 #include "world/snapshot.h"
 
