@@ -3,7 +3,6 @@
 #pragma once
 #include <vector>
 
-#include "render/stencil/room_look.h"
 #include "render/stencil/wall_on_screen.h"
 #include "render/view.h"
 

@@ -6,8 +6,8 @@
 
 #include "render/openings.h"
 #include "render/stencil/panorama.h"
-#include "render/stencil/room_look.h"
 #include "render/stencil/tilted.h"
+#include "render/stencil/wall_on_screen.h"
 
 namespace enfilade::stencil {
 namespace {

@@ -14,7 +14,6 @@
 #include "render/frame.h"
 #include "render/sprite.h"
 #include "render/stencil/panorama.h"
-#include "render/stencil/room_look.h"
 #include "render/stencil/wall_on_screen.h"
 #include "world/snapshot.h"
 

@@ -1,4 +1,4 @@
-#include "render/stencil/room_look.h"
+#include "render/stencil/wall_on_screen.h"
 
 #include <algorithm>
 #include <cmath>
