@@ -1,5 +1,6 @@
 #include "space/reach.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/predicates.h"
@@ -65,6 +66,13 @@ ShortList<Cone, 2> without(const Cone& cone, const Cone& other, Vec2 p) {
 Stretch stretch_in(const Face& wall, Vec2 p, const Cone& cone) {
     return {cone.left == wall.a ? wall.a : seen_past(wall, p, cone.left, wall.a),
             cone.right == wall.b ? wall.b : seen_past(wall, p, cone.right, wall.b)};
+}
+
+Vec2 nearest_point(const Stretch& stretch, Vec2 p) {
+    const Vec2 along = stretch.b - stretch.a;
+    const double length_squared = dot(along, along);
+    if (length_squared == 0) return stretch.a;
+    return stretch.a + along * std::clamp(dot(p - stretch.a, along) / length_squared, 0.0, 1.0);
 }
 
 bool is_beyond(const Face& wall, const Face& window_wall, Vec2 p, const Cone& cone) {

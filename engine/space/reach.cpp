@@ -293,11 +293,4 @@ Reach reach(const Map& map, const Place& place, double radius, const MayPass& ma
     return Search(map, place, radius, may_pass).run();
 }
 
-Vec2 nearest_point(const Stretch& stretch, Vec2 p) {
-    const Vec2 along = stretch.b - stretch.a;
-    const double length_squared = dot(along, along);
-    if (length_squared == 0) return stretch.a;
-    return stretch.a + along * std::clamp(dot(p - stretch.a, along) / length_squared, 0.0, 1.0);
-}
-
 }  // namespace enfilade

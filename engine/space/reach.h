@@ -51,6 +51,9 @@ struct Stretch {
 /// The stretch of the wall inside a cone that cone_of() gave for it. Ends that the cone does not cut are exact.
 Stretch stretch_in(const Face& wall, Vec2 p, const Cone& cone);
 
+/// The point of the stretch that is nearest to p, rounded.
+Vec2 nearest_point(const Stretch& stretch, Vec2 p);
+
 /// True where the wall, inside a cone that lies within `window_wall`, is farther from p than that one: seen through
 /// it, not before it. Where both lie on one line, the wall bounds a part of its room on the side of p, and is not. The
 /// two do not cross.
@@ -101,9 +104,6 @@ inline constexpr std::size_t kMaxReachedSectors = 1024;
 
 /// Around a point where links meet at a small angle a disc overlaps one sector many times: at one of two degrees, 90.
 inline constexpr std::size_t kMaxReachedLinks = 128;
-
-/// The point of the stretch that is nearest to p, rounded.
-Vec2 nearest_point(const Stretch& stretch, Vec2 p);
 
 // In which sectors things are to be seen (presence.cpp): their own, and every one that their pictures reach into
 // through portals. So a thing in a doorway is on both sides of it.
