@@ -278,68 +278,87 @@ uvec3 with_layers(uvec3 color, vec2 known, uvec3 lamplight, uint shade) {
 }
 #endif
 
+// What a pixel shows, before it is lit.
+struct Look {
+    uvec4 color;
+    float depth;
+    uint shade;
+    vec2 tile, known;  // where on its picture; what lamps and layers are told of the place
+};
+
+// t: way(). up: what the pixel's ray climbs. met: the depth at which it meets the wall.
+#if defined WALLS
+Look look_at(vec2 t, float up, float met) {
+    float along = clamp(even(a.xyz, t) / max(even(line.xyz, t), 1e-30), c.x, c.y);  // from the part that is known
+    float v = b.y - up * met * b.z;
+    vec2 spot = nearest(vec2(along * a.w - b.x, v));
+    bool is_once = (what.x >> 24u & 7u) == kPicture;  // a picture is shown once
+    vec2 tile = vec2(part(spot.x), is_once ? clamp(spot.y, 0.0, 1.0) : part(spot.y));
+    return Look(texel(tile), met, shade_at(met), tile, vec2(along - c.x, up * met));
+}
+#elif defined FLATS
+Look look_at(vec2 t, float up, float met) {
+    float depth = flat_depth(c.z, up, met);
+    vec2 known = depth * vec2(even(a.xyz, t), even(b.xyz, t));
+    vec2 spot = nearest(c.xy + known);
+    vec2 tile = vec2(part(spot.x), part(spot.y));
+    return Look(texel(tile), depth, shade_at(depth), tile, known);
+}
+#elif defined SKIES
+Look look_at(vec2 t, float up, float met) {
+    vec2 ahead = vec2(even(a.xyz, t), even(b.xyz, t));
+    float turns = part(atan(ahead.y, ahead.x) * 0.15915494309189535);
+    float elevation = is_sky_round != 0 ? up / length(ahead) : up;
+    vec2 tile = sky_tile(turns, elevation, c.xy, c.zw);
+    uvec4 color = texel(tile);
+#ifdef LAYERED_SKY
+    color = with_layers(color, turns, elevation);
+#endif
+    return Look(color, met, 256u, tile, vec2(0.0));
+}
+#else
+Look look_at(vec2 t, float up, float met) {
+    uvec4 color = uvec4(what.y & 255u, what.y >> 8u & 255u, what.y >> 16u & 255u, 255u);
+    return Look(color, met, 256u, vec2(0.0), vec2(0.0));
+}
+#endif
+
+// Its colour in the light of its room and of lamps, under layers and in fog.
+uvec3 lit(Look look) {
+#ifdef LIT
+    uvec3 lamplight = lamplight_at(look.known);
+    uvec3 color = lit_by(lamplight, look.color.rgb, own_picture(), look.tile, look.shade);
+#else
+    uvec3 color = darkened(look.color.rgb, own_picture(), look.tile, look.shade);
+#endif
+#ifdef LAYERED_FLAT
+    color = with_layers(color, look.known, lamplight, look.shade);
+#endif
+#if defined WALLS || defined FLATS
+    if (fog.w > 0.0) color = in_fog(color, look.depth);
+#endif
+    return color;
+}
+
 void main() {
 #ifdef TILTED
     if (is_beside()) discard;
 #endif
     vec2 t = way();
-    float up = even(climb, gl_FragCoord.xy - level);
-    float met = wall_depth(t), depth = met;
-    uint shade = 256u;
-    vec2 tile = vec2(0.0), known = vec2(0.0);
-#if defined WALLS
-    float along = clamp(even(a.xyz, t) / max(even(line.xyz, t), 1e-30), c.x, c.y);  // from the part that is known
-    float v = b.y - up * met * b.z;
-    tile = nearest(vec2(along * a.w - b.x, v));
-    bool is_once = (what.x >> 24u & 7u) == kPicture;  // a picture is shown once
-    tile = vec2(part(tile.x), is_once ? clamp(tile.y, 0.0, 1.0) : part(tile.y));
-    shade = shade_at(depth);
-    uvec4 color = texel(tile);
-    known = vec2(along - c.x, up * met);
-#elif defined FLATS
-    depth = flat_depth(c.z, up, met);
-    known = depth * vec2(even(a.xyz, t), even(b.xyz, t));
-    vec2 spot = nearest(c.xy + known);
-    tile = vec2(part(spot.x), part(spot.y));
-    shade = shade_at(depth);
-    uvec4 color = texel(tile);
-#elif defined SKIES
-    vec2 ahead = vec2(even(a.xyz, t), even(b.xyz, t));
-    float turns = part(atan(ahead.y, ahead.x) * 0.15915494309189535);
-    float elevation = is_sky_round != 0 ? up / length(ahead) : up;
-    tile = sky_tile(turns, elevation, c.xy, c.zw);
-    uvec4 color = texel(tile);
-#ifdef LAYERED_SKY
-    color = with_layers(color, turns, elevation);
-#endif
-#else
-    uvec4 color = uvec4(what.y & 255u, what.y >> 8u & 255u, what.y >> 16u & 255u, 255u);
-#endif
+    Look look = look_at(t, even(climb, gl_FragCoord.xy - level), wall_depth(t));
 #ifdef WITH_HOLES
-    if (color.a < least_alpha) discard;
-    uint alpha = color.a;
+    if (look.color.a < least_alpha) discard;
+    uint alpha = look.color.a;
 #else
     uint alpha = 255u;
 #endif
-#ifdef LIT
-    uvec3 lamplight = lamplight_at(known);
-    uvec3 lit = lit_by(lamplight, color.rgb, own_picture(), tile, shade);
-#else
-    uvec3 lit = darkened(color.rgb, own_picture(), tile, shade);
-#endif
-#ifdef LAYERED_FLAT
-    lit = with_layers(lit, known, lamplight, shade);
-#endif
-#if defined WALLS || defined FLATS
-    if (fog.w > 0.0) lit = in_fog(lit, depth);
-#endif
-    out_color = vec4(uvec4(lit, alpha)) / 255.0;
+    out_color = vec4(uvec4(lit(look), alpha)) / 255.0;
 #ifdef SKIES
     uint depth_bits = kInfinity;
 #else
-    uint depth_bits = floatBitsToUint(depth);
+    uint depth_bits = floatBitsToUint(look.depth);
 #endif
-    out_facts = uvec4(what.x & 0xFFFFFFu, depth_bits, floatBitsToUint(tile.x), floatBitsToUint(tile.y));
+    out_facts = uvec4(what.x & 0xFFFFFFu, depth_bits, floatBitsToUint(look.tile.x), floatBitsToUint(look.tile.y));
 }
 )";
 
