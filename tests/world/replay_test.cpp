@@ -74,7 +74,8 @@ TEST(Replay, RefusesATapeOfARateThatNoWorldHas) {
     Tape tape = recorded(map);
     tape.rate = 50;
     ASSERT_FALSE(replay(map, tape).ok());
-    EXPECT_NE(replay(map, tape).error().what.find("expected 60, 35 or 140 ticks a second, found 50"), std::string::npos);
+    EXPECT_NE(replay(map, tape).error().what.find("expected 60, 35 or 140 ticks a second, found 50"),
+              std::string::npos);
 }
 
 TEST(Replay, RefusesAMapWithoutAStart) {

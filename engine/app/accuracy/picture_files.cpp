@@ -12,7 +12,7 @@
 #include "base/files.h"
 #include "formats/png.h"
 #include "render/reference/reference_renderer.h"
-#include "render/view_from.h"
+#include "render/view.h"
 
 namespace enfilade {
 namespace {
