@@ -28,7 +28,7 @@
 //   history     all that happened; what is, at any moment, is a function of it (world/history.h)
 //   instant     a map, its history and a time: what heights and lights are asked of (world/instant.h)
 //   snapshot    heights, lights and pictures of one moment (world/snapshot.h)
-//   tick        the sixtieth of a second in which the player moves (world/step.h)
+//   tick        the 1/60 s, or 1/35 or 1/140, in which the player moves (world/step.h)
 //   path        a straight way through sectors; its segment is the part in one of them (space/trace.h)
 //   tie rule    who is said to be first where a path meets a vertex or runs along a wall (math/predicates.h)
 //   beam        what is seen of a room from one corner, as sound goes round it (space/hearing.h)
