@@ -50,7 +50,7 @@ figures() {
         awk '
             / *<testcase / {
                 folder = $0; sub(/.* file="/, "", folder); sub(/".*/, "", folder)
-                sub(/.*\/tests\//, "", folder); sub(/\/[^\/]*$/, "", folder)
+                sub(/^(.*\/)?tests\//, "", folder); sub(/\/[^\/]*$/, "", folder)
                 suite = $0; sub(/.* classname="/, "", suite); sub(/".*/, "", suite); sub(/.*\//, "", suite)
                 name = $0; sub(/.*<testcase name="/, "", name); sub(/".*/, "", name); sub(/\/.*/, "", name)
             }
@@ -121,6 +121,7 @@ case $1 in
     --tests) filled_page tests >"$work/page" ;;
     *)
         figures "$1" >"$work/figures"
+        [ -s "$work/figures" ] || { echo "catalogue: no test told what it tried; CASES.md stays as it is" >&2 && exit 1; }
         filled_page all >"$work/page"
         ;;
 esac
