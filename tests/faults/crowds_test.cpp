@@ -119,9 +119,9 @@ public:
 
     const test::TempDir& dir() const { return dir_; }
     /// Without a display a picture is taken of the level.
-    std::string play() const {
+    std::string play(const std::string& words = "doom.wad MAP01") const {
         return "env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER PATH='" + dir_.path("tools") +
-               "':\"$PATH\" XDG_CACHE_HOME='" + dir_.path("cache") + "' ./run play doom.wad MAP01";
+               "':\"$PATH\" XDG_CACHE_HOME='" + dir_.path("cache") + "' ./run play " + words;
     }
     std::string cached_map() const {
         for (const auto& entry : fs::directory_iterator(dir_.path("cache/enfilade")))
@@ -140,6 +140,16 @@ TEST(Crowd, ThatPlaysOneLevelFindsItConverted) {
         ASSERT_THAT(statuses, Each(Eq(0))) << said(checkout.dir());
         fs::remove_all(checkout.dir().path("cache"));
     }
+}
+
+TEST(RunScript, RefusesWordsThatItWouldOverlookWithoutADisplay) {
+    const Checkout checkout;
+    for (const char* words :
+         {"nonsense", "doom.wad nonsense", "doom.wad MAP01 nonsense", "a.toml b.toml", "a.toml --size 64x40 nonsense"})
+        EXPECT_THAT(all_at_once(checkout.dir(), [&](int) { return checkout.play(words); }), Each(Eq(1))) << words;
+    EXPECT_THAT(all_at_once(checkout.dir(), [&](int) { return checkout.play("doom.wad MAP01 --size 64x40"); }),
+                Each(Eq(0)))
+        << said(checkout.dir());
 }
 
 TEST(Crowd, ThatPlaysALevelFromADamagedCacheMakesItAnew) {
