@@ -239,8 +239,11 @@ std::size_t weight_of(const WallRecord& wall) {
 namespace {
 
 void lacks_outline(Reading& reading, const SectorRecord& sector) {
-    if (reading.dialect == Dialect::tutorial || sector.places.has("loops"))
-        return missing_key(reading, key_place(sector, "loops"), "a sector", "loops");
+    if (sector.places.has("loops")) return missing_key(reading, key_place(sector, "loops"), "a sector", "loops");
+    if (reading.dialect == Dialect::tutorial)
+        return reading.error(sector.place, "missing-key",
+                             "a sector needs 'loops', found none; in a file that says `format = 1` on its first line "
+                             "it may have a 'rect' or 'polygon' instead");
     if (!sector.places.is_sound()) return;  // it may be the key that was not understood
     reading.error(sector.place, "missing-key", "a sector needs 'rect', 'polygon' or [[sectors.loops]], found none");
 }

@@ -406,7 +406,9 @@ TEST(ReadMap, NamesTheShortWordsThatAreMissing) {
     const auto sentence = [](const std::string& text) { return read_map(text).findings.at(0).sentence; };
     EXPECT_EQ(sentence("format = 1\n[[sectors]]\nname = 'a'\n"),
               "a sector needs 'rect', 'polygon' or [[sectors.loops]], found none");
-    EXPECT_EQ(sentence("[[sectors]]\nname = 'a'\n"), "a sector needs 'loops', found none");
+    EXPECT_EQ(sentence("[[sectors]]\nname = 'a'\n"),
+              "a sector needs 'loops', found none; in a file that says `format = 1` on its first line it may have a "
+              "'rect' or 'polygon' instead");
     EXPECT_EQ(sentence("format = 1\n[[sectors]]\nname = 'a'\nrect = [0, 0, 1, 1]\n"),
               "expected 'wall', which all walls of the outline are like, or 'walls'; found neither");
     EXPECT_EQ(sentence("format = 1\n[[sectors]]\nname = 'a'\n[sectors]\nname = 'b'\n"),
