@@ -133,9 +133,9 @@ int widest_strip(int height) {
     return std::max(columns / kLinePixels, 1) * kLinePixels;
 }
 
-/// Several threads take this part of what is left of a share at a time. Halves leave one of them idle for longer at the
-/// end of a picture; narrower strips meet more walls twice.
-constexpr int kPartOfShare = 3;
+/// Several threads take one of so many parts of what is left of a share at a time. Of halves the last are wider, and
+/// one thread waits longer for the other; narrower strips meet more walls twice.
+constexpr int kPartsOfShare = 3;
 
 int parts_of(int all, int part) { return (all + part - 1) / part; }
 
@@ -150,7 +150,7 @@ void cut_into_strips(int width, std::size_t threads, int widest, std::vector<Str
         const int end = static_cast<int>(lines * (share + 1) / threads);
         for (int line = static_cast<int>(lines * share / threads), next; line < end; line = next) {
             const int left = end - line;
-            next = line + parts_of(left, std::max(parts_of(left, most), threads > 1 ? kPartOfShare : 1));
+            next = line + parts_of(left, std::max(parts_of(left, most), threads > 1 ? kPartsOfShare : 1));
             strips.push_back({{line * kLinePixels, std::min(next * kLinePixels, width)}, share});
         }
     }
