@@ -107,7 +107,7 @@ struct Dials {
     /// pitch.
     PortalMethod portals = PortalMethod::exact;
     int links = kMostLinks;  ///< links looked through in one chain, 0..kMostLinks; never more than the map says
-    /// Of play alone: pictures know no ticks. How a body moves depends on it a little, where it gets to hardly.
+    /// Of play alone: pictures know no ticks. What takes a second takes one at each rate, to within a tick or two.
     TickRate tick_rate = TickRate::hz60;
 
     bool operator==(const Dials&) const = default;

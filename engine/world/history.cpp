@@ -10,7 +10,7 @@
 namespace enfilade {
 namespace {
 
-/// Ways take a day at most, whatever speeds a map asks for [ticks].
+/// Ways take a day at most, at the usual rate of ticks, whatever speeds a map asks for [ticks].
 constexpr double kLongestWay = 60 * 86400.0;
 
 std::uint64_t ticks_between(double from, const Stop& to) {

@@ -13,8 +13,8 @@ namespace {
 
 // What moves under, over and against the player in one tick.
 
-/// How often who is crushed is hurt, and how much: Doom's 10 points every 4 of its 35 tics a second.
-constexpr std::uint64_t kTicksBetweenCrushes = 7;
+/// How often who is crushed is hurt [ticks], and how much [points]: Doom's 10 points every 4 of its 35 tics a second.
+constexpr std::uint64_t ticks_between_crushes(TickRate rate) { return (ticks_per_second(rate) * 4 + 17) / 35; }
 constexpr int kCrushDamage = 10;
 
 /// Something that comes nearer to a body in a sector around it.
@@ -116,7 +116,7 @@ private:
     }
 
     void hurt() {
-        if (world_.tick % kTicksBetweenCrushes != 0) return;
+        if (world_.tick % ticks_between_crushes(world_.history.rate()) != 0) return;
         world_.health = std::max(0, world_.health - kCrushDamage);
         world_.message =
             PlayerMessage{world_.health > 0 ? PlayerMessageKind::hurt : PlayerMessageKind::died, 0, world_.tick};

@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-constexpr double kBodyFall = 16;  // world/step.cpp [m/s^2]
+constexpr double kGravity = 16;  // world/step.cpp [m/s^2]
 
 class AtRate : public ::testing::TestWithParam<TickRate> {
 protected:
@@ -68,7 +68,7 @@ TEST_P(AtRate, OneFallsAsLong) {
         in_air += !game.player().on_ground;
     }
     EXPECT_EQ(game.player().feet_z, 0);
-    EXPECT_NEAR(in_air / second(), std::sqrt(2 * 3 / kBodyFall), 2 / second());
+    EXPECT_NEAR(in_air / second(), std::sqrt(2 * 3 / kGravity), 2 / second());
 }
 
 TEST_P(AtRate, OneCrouchesAsFast) {
@@ -109,7 +109,7 @@ TEST_P(AtRate, AFloorHurtsOnceASecond) {
     EXPECT_EQ(game.world.health, kFullHealth - 5 * 7);
 }
 
-TEST_P(AtRate, FloorsBobAndPicturesMoveWithTheSeconds) {
+TEST_P(AtRate, ASnapshotIsOfAsManySeconds) {
     Game game(long_hall(), GetParam());
     hold(game, kNoKeys, 2);
     Snapshot snapshot = at_rest(game.map);

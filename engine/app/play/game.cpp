@@ -66,16 +66,16 @@ std::filesystem::file_time_type MapWatch::written(const std::string& path) {
     return failed ? std::filesystem::file_time_type::min() : time;
 }
 
-Game::Game(std::string path, std::vector<std::string> texture_folders, int skill, TickRate rate)
-    : path_(std::move(path)), texture_folders_(std::move(texture_folders)), skill_(skill), rate_(rate) {}
+Game::Game(std::string path, std::vector<std::string> texture_folders, int skill)
+    : path_(std::move(path)), texture_folders_(std::move(texture_folders)), skill_(skill) {}
 
 Result<std::unique_ptr<Game>> Game::start(const std::string& map_path, std::vector<std::string> texture_folders,
                                           int skill, TickRate rate) {
-    std::unique_ptr<Game> game(new Game(map_path, std::move(texture_folders), skill, rate));
+    std::unique_ptr<Game> game(new Game(map_path, std::move(texture_folders), skill));
     auto map = game->load(map_path, game->watch_);
     if (!map.ok()) return map.error();
     game->take(std::move(map).value());
-    game->restart();
+    game->begin(rate);
     return game;
 }
 
@@ -107,8 +107,10 @@ void Game::take(Loaded loaded) {
     automap_ = Automap(map());
 }
 
-void Game::restart() {
-    timeline_ = Timeline(*start_of(map(), rate_));  // load() made sure that there is a start
+void Game::restart() { begin(tick_rate()); }
+
+void Game::begin(TickRate rate) {
+    timeline_ = Timeline(*start_of(map(), rate));  // load() made sure that there is a start
     from_start_ = true;
     snapshot_ = at_rest(map());
     automap_.visit(player().place.sector);

@@ -94,7 +94,7 @@ class Game {
 public:
     /// Loads a map and puts the player at its start. An error where the map is refused: all its findings, a line each.
     /// skill : 1..kMostSkill
-    /// rate  : of the ticks, but while a game is played that was saved at another
+    /// rate  : of the ticks, until a game is loaded that was saved at another
     static Result<std::unique_ptr<Game>> start(const std::string& map_path, std::vector<std::string> texture_folders,
                                                int skill = kUsualSkill, TickRate rate = kUsualTickRate);
 
@@ -117,9 +117,8 @@ public:
     Result<void> save(const std::string& path) const;
 
     /// Goes on where a game was saved, or where a recording ends, at its rate of ticks; one that is being recorded ends
-    /// here. An error where
-    /// there is none, or it is of another map, or of this one as it was before it was changed; then everything is as it
-    /// was. Cost: all ticks that were played.
+    /// here. An error where there is none, or it is of another map, or of this one as it was before it was changed;
+    /// then everything is as it was. Cost: all ticks that were played.
     Result<void> load_saved(const std::string& path);
 
     /// True where the map or one of its pictures was saved since it was loaded.
@@ -163,7 +162,8 @@ public:
     Tape tape() const;
 
 private:
-    Game(std::string path, std::vector<std::string> texture_folders, int skill, TickRate rate);
+    Game(std::string path, std::vector<std::string> texture_folders, int skill);
+    void begin(TickRate rate);
 
     /// A map as it is on disk now.
     struct Loaded {
@@ -182,7 +182,6 @@ private:
     std::string path_;
     std::vector<std::string> texture_folders_;
     int skill_;
-    TickRate rate_;  ///< of games that begin
     MapWatch watch_;
     std::uint64_t map_hash_ = 0;  ///< of the map's text, as it is played
     std::vector<std::string> warnings_;
