@@ -109,6 +109,20 @@ TEST_P(AtRate, AFloorHurtsOnceASecond) {
     EXPECT_EQ(game.world.health, kFullHealth - 5 * 7);
 }
 
+TEST_P(AtRate, ACrusherHurtsAsOften) {
+    MapFile file = long_hall();
+    sector(file, "hall").triggers = {trigger_on(Activation::start, TriggerAction::crush)};
+    Game game(file, GetParam());
+    std::vector<int> hurt_at;  // [ticks]
+    for (int tick = 0, health = kFullHealth; tick < 5 * second() && game.world.health > 0; ++tick) {
+        game.hold(kNoKeys);
+        if (game.world.health < health) hurt_at.push_back(tick);
+        health = game.world.health;
+    }
+    ASSERT_GE(hurt_at.size(), 3u);
+    EXPECT_NEAR((hurt_at[2] - hurt_at[0]) / second(), 2 * 4 / 35.0, 1 / second());  // Doom's, to half a tick each
+}
+
 TEST_P(AtRate, ASnapshotIsOfAsManySeconds) {
     Game game(long_hall(), GetParam());
     hold(game, kNoKeys, 2);
