@@ -10,8 +10,9 @@ namespace enfilade {
 /// What is done for one index by one worker.
 using ParallelTask = std::function<void(std::size_t index, std::size_t worker)>;
 
-/// Threads that sleep between one run and the next: for work of a millisecond, of which starting threads would be a
-/// good part. They start with the first run that has something for them, and end with the pool.
+/// Threads that sleep between one run and the next, if that does not follow at once: for work of a millisecond, of
+/// which starting threads would be a good part. They start with the first run that has something for them, and end with
+/// the pool.
 class ThreadPool {
 public:
     /// workers: how many work at the same time, the calling thread among them, >= 1.
