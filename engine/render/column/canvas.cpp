@@ -83,7 +83,9 @@ void Canvas::set(int begin, int end, int height) {
     height_ = height;
     const int lines = (height + kBlock - 1) / kBlock | 1;
     pitch_ = std::ptrdiff_t{lines} * kBlock;
-    pixels_.resize(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(pitch_));
+    const std::size_t pixels = static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(pitch_);
+    // Made larger anew after each smaller one, it would be cleared.
+    if (pixels_.size() < pixels) pixels_.resize(pixels);
 }
 
 // Blocks begin where the picture's own cache lines do.

@@ -26,5 +26,15 @@ TEST(Canvas, PutsEachPixelOfEachColumnInItsPlaceForAnySize) {
         }
 }
 
+/// All of it is drawn over: clearing what a wider strip has more than the one before would be in vain.
+TEST(Canvas, ClearsNothingWhenItGrowsAgain) {
+    Canvas canvas;
+    canvas.set(0, 32, 50);
+    canvas.column(31)[49] = 7;
+    canvas.set(0, 16, 50);
+    canvas.set(0, 32, 50);
+    EXPECT_EQ(canvas.column(31)[49], 7u);
+}
+
 }  // namespace
 }  // namespace enfilade::column
