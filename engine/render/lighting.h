@@ -66,6 +66,7 @@ struct Lighting {
     LightModel model = LightModel::smooth;
     double light = 1;     ///< 0..1
     double contrast = 1;  ///< as Wall::contrast
+    bool operator==(const Lighting&) const = default;
 };
 
 /// Of a surface in a sector that has this light, 0..1. contrast: Wall::contrast, 1 for flats and things.

@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "render/built_in.h"
+#include "render/column/canvas.h"
 #include "render/column/viewport_drawer.h"
 #include "render/openings.h"
 
@@ -14,37 +15,73 @@ namespace enfilade {
 
 using namespace column;
 
-struct ColumnRenderer::Scratch {
-    const Map& map;
-    const TextureSet& textures;
+// Aligned, and so padded, for threads write into neighbouring ones all the time.
+class alignas(kCacheLineBytes) ColumnRenderer::Workspace {
+public:
+    /// Before each part of a picture.
+    void start(const View& view, const Frame& frame, std::uint64_t picture) {
+        if (picture == picture_) return;
+        picture_ = picture;
+        screen.set(Projection(view, frame.width, frame.height));
+        column.start_frame(frame.width, frame.height);
+        state.projections.start_frame();
+        state.poses.assign(1, pose_of(view));
+    }
+
+    Canvas canvas;
     RayTables screen;
-    Canvas own_canvas;  ///< without memory as long as others are given
+    ColumnScratch column;
     FrameState state;
     ViewportDrawer drawer;
+
+private:
+    std::uint64_t picture_ = 0;  ///< that what is known is of; none has this number
+};
+
+struct alignas(kCacheLineBytes) ColumnRenderer::Parts {
+    const Map& map;
+    const TextureSet& textures;
     std::optional<LightGrids> own_lights;
     LightGrids& lights;
-    ColumnScratch column;
     PlainKernels kernels = chosen_kernels();
     Passes passes = passes_beside(kernels);
     const TexelDials* dials = nullptr;
+    ViewportRecord record;
+    std::unique_ptr<Workspace> own_workspace;  ///< none as long as others are given
+    std::uint64_t own_pictures = 0;            ///< drawn in it
 
-    Scratch(const Map& of, const TextureSet& pictures) : map(of), textures(pictures), lights(own_lights.emplace(of)) {}
-    Scratch(const Map& of, const TextureSet& pictures, const Shared& shared)
+    Parts(const Map& of, const TextureSet& pictures) : map(of), textures(pictures), lights(own_lights.emplace(of)) {}
+    Parts(const Map& of, const TextureSet& pictures, const Shared& shared)
         : map(of), textures(pictures), lights(shared.lights), dials(shared.dials) {}
 };
 
+ColumnRenderer::ColumnRenderer(const Map& map, const TextureSet& textures)
+    : parts_(std::make_unique<Parts>(map, textures)) {}
+ColumnRenderer::ColumnRenderer(const Map& map, const TextureSet& textures, const Shared& shared)
+    : parts_(std::make_unique<Parts>(map, textures, shared)) {}
+ColumnRenderer::~ColumnRenderer() = default;
+ColumnRenderer::ColumnRenderer(ColumnRenderer&&) noexcept = default;
+ColumnRenderer& ColumnRenderer::operator=(ColumnRenderer&&) noexcept = default;
+
+void ColumnRenderer::render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) {
+    render_columns(frame, facts, snapshot, view, {0, frame.width});
+    frame.is_cut_short = parts_->record.is_cut_short;
+}
+
+void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
+                                    ColumnRange columns) {
+    if (!parts_->own_workspace) parts_->own_workspace = std::make_unique<Workspace>();
+    render_columns(frame, facts, snapshot, view, columns, *parts_->own_workspace, ++parts_->own_pictures);
+}
+
 namespace {
 
-void start_frame(FrameState& state, const Map& map, const View& view, ColumnRange columns, int height) {
-    state.pool.take_all_back();
+/// The whole of the columns is open on the eye's own sector.
+void start_columns(FrameState& state, const Map& map, const View& view, ColumnRange columns, int height) {
+    state.record->start();
     state.stack.clear();
-    state.projections.start_frame();
     state.masked.clear(columns.end);
-    state.poses.assign(1, pose_of(view));
-    state.deepest = 0;
-    state.cut = 0;
-    state.is_cut_short = false;
-    Viewport& first = state.pool.take(columns.begin, columns.end);
+    Viewport& first = state.record->pool.take(columns.begin, columns.end);
     first.sector = view.sector;
     first.entry = {};
     first.pose = 0;
@@ -59,56 +96,40 @@ void start_frame(FrameState& state, const Map& map, const View& view, ColumnRang
 
 }  // namespace
 
-ColumnRenderer::ColumnRenderer(const Map& map, const TextureSet& textures)
-    : scratch_(std::make_unique<Scratch>(map, textures)) {}
-ColumnRenderer::ColumnRenderer(const Map& map, const TextureSet& textures, const Shared& shared)
-    : scratch_(std::make_unique<Scratch>(map, textures, shared)) {}
-ColumnRenderer::~ColumnRenderer() = default;
-ColumnRenderer::ColumnRenderer(ColumnRenderer&&) noexcept = default;
-ColumnRenderer& ColumnRenderer::operator=(ColumnRenderer&&) noexcept = default;
-
-void ColumnRenderer::render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) {
-    render_columns(frame, facts, snapshot, view, {0, frame.width});
-    frame.is_cut_short = scratch_->state.is_cut_short;
-}
-
 void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
-                                    ColumnRange columns) {
-    render_columns(frame, facts, snapshot, view, columns, scratch_->own_canvas);
-}
-
-void ColumnRenderer::render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
-                                    ColumnRange columns, Canvas& canvas) {
-    Scratch& s = *scratch_;
-    const std::size_t sectors = s.map.sectors.size();
+                                    ColumnRange columns, Workspace& workspace, std::uint64_t picture) {
+    Parts& p = *parts_;
+    const std::size_t sectors = p.map.sectors.size();
     ENFILADE_CHECK(view.sector.index < sectors && snapshot.sectors.size() == sectors);
     ENFILADE_CHECK(0 <= columns.begin && columns.begin < columns.end && columns.end <= frame.width);
     ENFILADE_CHECK(!view.tilt);  // columns stay upright
-    s.screen.set(Projection(view, frame.width, frame.height));
-    canvas.set(columns.begin, columns.end, frame.height);
-    s.column.start_frame(frame.width, frame.height);
-    LightGrids* lights = built_in::kPointLights ? s.lights.where_lit() : nullptr;
-    const TexelDials* const dials = s.dials && is_promise_too_narrow(*s.dials, s.screen) ? nullptr : s.dials;
-    const ColumnScene scene{s.map,  s.textures, snapshot,  s.screen, canvas, facts,
-                            lights, s.column,   s.kernels, s.passes, dials};
-    start_frame(s.state, s.map, view, columns, frame.height);
-    while (!s.state.stack.empty()) {
-        Viewport& next = *s.state.stack.back();
-        s.state.stack.pop_back();
-        s.drawer.draw(scene, s.state, next);
+    workspace.start(view, frame, picture);
+    workspace.canvas.set(columns.begin, columns.end, frame.height);
+    const RayTables& screen = workspace.screen;
+    LightGrids* lights = built_in::kPointLights ? p.lights.where_lit() : nullptr;
+    const TexelDials* const dials = p.dials && is_promise_too_narrow(*p.dials, screen) ? nullptr : p.dials;
+    const ColumnScene scene{p.map,     p.textures, snapshot, screen, workspace.canvas, facts, lights, workspace.column,
+                            p.kernels, p.passes,   dials};
+    FrameState& state = workspace.state;
+    state.record = &p.record;
+    start_columns(state, p.map, view, columns, frame.height);
+    while (!state.stack.empty()) {
+        Viewport& next = *state.stack.back();
+        state.stack.pop_back();
+        workspace.drawer.draw(scene, state, next);
     }
-    s.state.masked.draw(scene);
-    canvas.copy_to(frame);
+    state.masked.draw(scene);
+    workspace.canvas.copy_to(frame);
 }
 
 ColumnCounts ColumnRenderer::counts() const {
-    const FrameState& state = scratch_->state;
-    return {state.pool.used(), state.deepest, state.cut, state.is_cut_short};
+    const ViewportRecord& record = parts_->record;
+    return {record.pool.used(), record.deepest, record.cut, record.is_cut_short};
 }
 
 std::vector<ViewportOutline> ColumnRenderer::viewports() const {
     std::vector<ViewportOutline> outlines;
-    const ViewportPool& pool = scratch_->state.pool;
+    const ViewportPool& pool = parts_->record.pool;
     for (std::size_t i = 0; i < pool.used(); ++i) {
         const Viewport& v = pool[i];
         ViewportOutline outline{v.sector, v.depth, v.begin, v.end, {}, {}, v.boundary};
@@ -161,8 +182,8 @@ ColumnStrips::ColumnStrips(const Map& map, const TextureSet& textures, std::size
       textures_(textures),
       threads_(threads),
       lights_(std::make_unique<LightGrids>(map, dials.light_grid)),
-      canvases_(threads),
       pool_(threads) {
+    while (workspaces_.size() < threads) workspaces_.push_back(std::make_unique<ColumnRenderer::Workspace>());
     if (needs_smaller_pictures(dials.sampling)) mips_ = std::make_unique<MipChains>(textures);
     if (!are_texels_exact(dials))
         dials_ = std::make_unique<TexelDials>(TexelDials{dials, mips_.get(), least_texels_per_m(map, textures)});
@@ -177,14 +198,15 @@ void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Snapshot& snaps
     const std::size_t strips = strips_.size();
     if (is_taken_.size() < strips) is_taken_ = std::vector<std::atomic_flag>(strips);
     for (std::atomic_flag& is_taken : is_taken_) is_taken.clear();
+    ++pictures_;
     const auto draw = [&](std::size_t i, std::size_t worker) {
         if (is_taken_[i].test_and_set()) return;
-        renderers_[i].render_columns(frame, facts, snapshot, view, strips_[i].columns, canvases_[worker]);
+        renderers_[i].render_columns(frame, facts, snapshot, view, strips_[i].columns, *workspaces_[worker], pictures_);
     };
     const auto draw_some = [&](std::size_t, std::size_t worker) {
         for (std::size_t i = 0; i < strips; ++i)
             if (strips_[i].share == worker) draw(i, worker);
-        for (std::size_t i = strips; i > 0; --i) draw(i - 1, worker);
+        for (std::size_t i = 0; i < strips; ++i) draw(i, worker);  // the widest that are left first
     };
     pool_.run(std::min(threads_, strips), std::cref(draw_some));  // a copied task would take memory in every frame
     frame.is_cut_short =

@@ -16,7 +16,6 @@
 #include "formats/dials.h"
 #include "map/map.h"
 #include "map/textures.h"
-#include "render/column/canvas.h"
 #include "render/frame.h"
 #include "render/lighting.h"
 #include "render/sampling.h"
@@ -26,7 +25,6 @@
 namespace enfilade {
 
 namespace column {
-class Canvas;
 struct TexelDials;
 }  // namespace column
 
@@ -84,9 +82,14 @@ public:
     void render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
                         ColumnRange columns);
 
-    /// The same by way of a canvas that renderers share which draw one after another.
+    /// Memory that a picture is drawn by way of, and what is known of the picture so far. Renderers that draw parts of
+    /// it one after another may share one: then rays and walls are worked out once for all of them.
+    class Workspace;
+
+    /// The same in a shared workspace. picture: a number that the parts of this picture have, and no other picture that
+    /// is drawn in that workspace.
     void render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
-                        ColumnRange columns, column::Canvas& canvas);
+                        ColumnRange columns, Workspace& workspace, std::uint64_t picture);
 
     ColumnCounts counts() const;
 
@@ -94,8 +97,8 @@ public:
     std::vector<ViewportOutline> viewports() const;
 
 private:
-    struct Scratch;
-    std::unique_ptr<Scratch> scratch_;
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
 };
 
 // One picture drawn by several threads, each a strip of columns at a time.
@@ -147,7 +150,9 @@ private:
     std::vector<ColumnRenderer> renderers_;      ///< by strip: each remembers its viewports
     std::vector<Strip> strips_;                  ///< of the last frame
     std::vector<std::atomic_flag> is_taken_;     ///< by strip: some thread draws it, or has
-    std::vector<column::Canvas> canvases_;  ///< by thread: it draws strip after strip into memory that stays in cache
+    /// By thread: it draws strip after strip in memory that stays in cache.
+    std::vector<std::unique_ptr<ColumnRenderer::Workspace>> workspaces_;
+    std::uint64_t pictures_ = 0;  ///< drawn
     ThreadPool pool_;
 };
 

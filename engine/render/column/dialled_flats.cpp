@@ -27,9 +27,10 @@ void FlatPainter::start_dials(const ColumnScene& scene) {
     if (scene.dials->dials.number == NumberKind::vanilla && !is_extended_)
         vanilla_.emplace(VanillaScreen{screen.width, screen.column_scale},
                          height_ * picture_.texture->width / picture_.tile_m.x, pose_->forward, pose_->flip);
-    texel_depths_.resize(row_depths_.size());
-    row_dials_.resize(row_depths_.size());
-    row_mip_parts_.resize(row_depths_.size());
+    const auto rows = static_cast<std::size_t>(screen.height);
+    texel_depths_.resize(rows + kRowsBeyond);
+    row_dials_.resize(rows);
+    row_mip_parts_.resize(rows);
 }
 
 /// Whether exact texels are all that the dials leave to these rows, which are prepared: nearer ones are held longer.
@@ -65,15 +66,16 @@ double FlatPainter::depth_in_span(const ColumnScene& scene, int row) const {
     int first = row - row % span, last = std::min(first + span, screen.height - 1);
     while (is_floor && first < row && !(screen.row_rises[static_cast<std::size_t>(first)] < 0)) ++first;
     while (!is_floor && last > row && !(screen.row_rises[static_cast<std::size_t>(last)] > 0)) --last;
-    return on_line(level_depth(scene, first), level_depth(scene, last), first, last, row);
+    return on_line(level_depth(screen, height_, first), level_depth(screen, height_, last), first, last, row);
 }
 
-void FlatPainter::prepare_dials(const ColumnScene& scene, int top, int bottom) {
-    for (int row = top; row < bottom; ++row) {
+void FlatPainter::prepare_dials(const ColumnScene& scene, OpenRows rows) {
+    for (int row = rows.top; row < rows.bottom; ++row) {
         const auto i = static_cast<std::size_t>(row);
-        texel_depths_[i] = scene.dials->dials.span == 1 || is_extended_ ? row_depths_[i] : depth_in_span(scene, row);
-        row_dials_[i] = dials_at(scene, row_depths_[i]);
-        row_mip_parts_[i] = mip_at(scene, row_depths_[i]).part;
+        const double depth = rows_->depths()[row];
+        texel_depths_[i] = scene.dials->dials.span == 1 || is_extended_ ? depth : depth_in_span(scene, row);
+        row_dials_[i] = dials_at(scene, depth);
+        row_mip_parts_[i] = mip_at(scene, depth).part;
     }
 }
 
@@ -100,7 +102,7 @@ void FlatPainter::paint_by_dials(const ColumnScene& scene, const WallLooks& look
     const int top = *std::min_element(tops, tops + looks.count),
               end = *std::max_element(bottoms, bottoms + looks.count);
     int some_tops[WallLooks::kMost], some_bottoms[WallLooks::kMost];
-    for (int row = std::max(top, prepared_top_); row < std::min(end, prepared_bottom_);) {
+    for (int row = std::max(top, rows_->known().top); row < std::min(end, rows_->known().bottom);) {
         const int next = end_of_alike_rows(row, end);
         for (int i = 0; i < looks.count; ++i) {
             some_tops[i] = std::max(tops[i], row);
@@ -127,7 +129,7 @@ void FlatPainter::paint_alike(const ColumnScene& scene, const WallLooks& looks, 
     fill_alike(runs, like, [&](const ColumnRuns& some) {
         fill_texels(scene,
                     {some, picture_.texture, picture_.base_u, picture_.base_v, step_u, step_v, looks.depth,
-                     texel_depths_.data(), row_darkness_.data(), picture_.color_table},
+                     texel_depths_.data(), rows_->darkness(), picture_.color_table},
                     {looks.begin, dials.level, true});
     });
 }
@@ -180,7 +182,7 @@ TexelPosition FlatPainter::drawn_at(const ColumnScene& scene, const FlatColumn& 
     const auto i = static_cast<std::size_t>(row);
     if (vanilla_) return by_vanilla(scene, column.x, row);
     const Vec2 step = steps_at(scene, column.x, is_dialled_ && is_alike ? row_dials_[i].held : 1);
-    const double depth = std::min(is_dialled_ ? texel_depths_[i] : row_depths_[i], column.farthest);
+    const double depth = std::min(is_dialled_ ? texel_depths_[i] : rows_->depths()[row], column.farthest);
     const NumberKind number = is_dialled_ ? scene.dials->dials.number : NumberKind::real64;
     return {flat_position(number, picture_.base_u, depth, step.x, picture_.texture->width),
             flat_position(number, picture_.base_v, depth, step.y, picture_.texture->height)};

@@ -20,6 +20,8 @@ double rise_per_row(const ColumnScene& scene, Vec2 ray) {
     return 1 / (scene.screen.focal_y * std::sqrt(dot(ray, ray)));
 }
 
+std::size_t rows_in(const ColumnScene& scene) { return scene.screen.row_depths.size() + kRowsBeyond; }
+
 /// The largest length of a ray's part along an axis, per metre of depth.
 double longest_ray(const RayTables& screen) {
     return 1 + std::max(std::fabs(screen.slopes.front()), std::fabs(screen.slopes.back()));
@@ -34,16 +36,9 @@ void FlatPainter::start(const ColumnScene& scene, const Pose& pose, const FlatNo
     picture_ = picture_of(scene, flat.surface);
     id_ = id;
     height_ = height;
-    dimming_ = dimming_of(lighting);
     lamplight_ = lamplight;
     fog_ = fog_of(scene.map);
     is_extended_ = side == FlatSide::floor ? height >= 0 : height <= 0;
-    prepared_top_ = prepared_bottom_ = 0;
-    row_depths_.resize(scene.screen.row_depths.size() + kRowsBeyond);
-    row_shades_.resize(row_depths_.size());
-    row_darkness_.resize(row_depths_.size());
-    if (lamplight_) full_light_.resize(row_depths_.size(), darkness_of(nullptr, kFullBright));
-    if (is_there(fog_)) row_fog_parts_.resize(row_depths_.size());
     const bool has_layers = built_in::kFlatLayers && flat.layer_count > 0;
     is_plain_ = !(built_in::kSky && flat.sky) && !(built_in::kPointLights && lamplight) && !is_there(fog_) &&
                 !is_extended_ && !has_layers;
@@ -51,10 +46,22 @@ void FlatPainter::start(const ColumnScene& scene, const Pose& pose, const FlatNo
     sky_layers_.clear();
     if (has_layers) start_layers(scene);
     start_dials(scene);
+    start_rows(scene, lighting);
+}
+
+void FlatPainter::start_rows(const ColumnScene& scene, const Lighting& lighting) {
+    const FlatRowsKey key{height_, lighting, picture_.color_table, is_there(fog_) ? fog_.reach : 0};
+    if (is_extended_ || is_dialled_) {
+        rows_ = &own_rows_;
+        rows_->start(key, scene.screen);
+    } else {
+        rows_ = &scene.scratch.flat_rows.of(key, scene.screen);
+    }
+    if (lamplight_) full_light_.resize(rows_in(scene), darkness_of(nullptr, kFullBright));
 }
 
 void FlatPainter::start_layers(const ColumnScene& scene) {
-    layer_darkness_.resize(row_depths_.size());
+    layer_darkness_.resize(rows_in(scene));
     for (std::uint32_t i = 0; i < flat_.layer_count; ++i) {
         const Surface layer = layer_now(scene.map, scene.snapshot, flat_, i);
         if (built_in::kSky && flat_.sky)
@@ -110,7 +117,7 @@ void FlatPainter::paint_plain(const ColumnScene& scene, const WallLooks& looks, 
     }
     const ColumnRuns runs{scene.canvas.column(looks.begin), scene.canvas.pitch(), looks.count, tops, bottoms};
     scene.kernels.fill_flats({runs, picture_.texture, picture_.base_u, picture_.base_v, step_u, step_v, looks.depth,
-                              row_depths_.data(), row_darkness_.data(), picture_.color_table});
+                              rows_->depths(), rows_->darkness(), picture_.color_table});
     note_plain(scene, looks, tops, bottoms);
 }
 
@@ -130,10 +137,10 @@ void FlatPainter::paint_level(const ColumnScene& scene, const FlatColumn& column
     const auto [top, bottom] = column.rows;
     prepare_rows(scene, top, bottom);
     if (is_extended_) shade_extended_rows(top, bottom, column.farthest);
-    paint_picture(scene, picture_, column, {scene.canvas.column(column.x), row_darkness_.data()});
+    paint_picture(scene, picture_, column, {scene.canvas.column(column.x), rows_->darkness()});
     for (const LevelPicture& layer : level_layers_) lay_layer(scene, layer, column);
     if (is_there(fog_))
-        scene.passes.add_fog(scene.canvas.run(column.x, top, bottom), fog_.color, &row_fog_parts_[std::size_t(top)]);
+        scene.passes.add_fog(scene.canvas.run(column.x, top, bottom), fog_.color, rows_->fog_parts() + top);
     if (scene.facts != nullptr) note_level(scene, column, false);
 }
 
@@ -152,7 +159,7 @@ void FlatPainter::with_flats(const LevelPicture& picture, const FlatColumn& colu
     const double step_u = column.ray.x / picture.tile_m.x, step_v = column.ray.y / picture.tile_m.y;
     const ColumnRuns runs{to.row_0, 0, 1, &column.rows.top, &column.rows.bottom};
     draw(PlainFlats{runs, picture.texture, picture.base_u, picture.base_v, &step_u, &step_v, &column.farthest,
-                    row_depths_.data(), to.darkness, picture.color_table});
+                    rows_->depths(), to.darkness, picture.color_table});
 }
 
 void FlatPainter::fill(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
@@ -190,7 +197,8 @@ void FlatPainter::lay_layer(const ColumnScene& scene, const LevelPicture& layer,
     constexpr std::uint32_t kAlpha = 0xFF000000u;
     std::vector<std::uint32_t>&texels = scene.scratch.texels, &colors = scene.scratch.colors;
     const auto [top, bottom] = column.rows;
-    for (int row = top; row < bottom; ++row) layer_darkness_[row] = darkness_of(layer.color_table, row_shades_[row]);
+    for (int row = top; row < bottom; ++row)
+        layer_darkness_[row] = darkness_of(layer.color_table, rows_->shades()[row]);
     paint_picture(scene, layer, column, {colors.data(), layer_darkness_.data()});
     with_flats(layer, column, {texels.data(), nullptr}, read_flats);
     for (int row = top; row < bottom; ++row) colors[row] = (colors[row] & ~kAlpha) | (texels[row] & kAlpha);
@@ -205,14 +213,14 @@ FlatLamplight FlatPainter::lamplight_at(const FlatColumn& column) const {
             column.ray.x * per_m,
             column.ray.y * per_m,
             column.farthest,
-            row_depths_.data(),
-            row_shades_.data()};
+            rows_->depths(),
+            rows_->shades()};
 }
 
 /// Which of the rows may be lit: only their ends are looked at.
 OpenRows FlatPainter::lit_rows(const FlatLamplight& lamplight, const OpenRows& rows) const {
     const auto is_dark = [&](int row) {
-        const double depth = std::min(row_depths_[row], lamplight.farthest);
+        const double depth = std::min(rows_->depths()[row], lamplight.farthest);
         return is_beyond_light(*lamplight.grid, lamplight.base_u + depth * lamplight.step_u,
                                lamplight.base_v + depth * lamplight.step_v);
     };
@@ -225,7 +233,7 @@ OpenRows FlatPainter::lit_rows(const FlatLamplight& lamplight, const OpenRows& r
 void FlatPainter::note_level(const ColumnScene& scene, const FlatColumn& column, bool is_alike) const {
     for (int y = column.rows.top; y < column.rows.bottom; ++y) {
         const TexelPosition at = drawn_at(scene, column, y, is_alike);
-        note(scene, column.x, y, id_, std::min(row_depths_[y], column.farthest), at.u, at.v);
+        note(scene, column.x, y, id_, std::min(rows_->depths()[y], column.farthest), at.u, at.v);
     }
 }
 
@@ -256,43 +264,21 @@ SkyRun FlatPainter::sky_run(const ColumnScene& scene, const Surface& surface, co
 }
 
 void FlatPainter::prepare_rows(const ColumnScene& scene, int top, int bottom) {
-    if (top >= prepared_top_ && bottom <= prepared_bottom_) return;
-    if (prepared_top_ >= prepared_bottom_) prepared_top_ = prepared_bottom_ = top;
-    if (top < prepared_top_) prepare_more_rows(scene, top, prepared_top_);
-    if (bottom > prepared_bottom_) prepare_more_rows(scene, prepared_bottom_, bottom);
-    prepared_top_ = std::min(prepared_top_, top);
-    prepared_bottom_ = std::max(prepared_bottom_, bottom);
-}
-
-// A level ray meets a level plane at infinity, also one at its own height. Behind the eye (below 0) only where the eye
-// is above the ceiling or below the floor it looks at.
-double FlatPainter::level_depth(const ColumnScene& scene, int row) const {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    const double depth_per_metre = scene.screen.row_depths[static_cast<std::size_t>(row)];
-    const double depth = height_ * depth_per_metre;
-    return std::fabs(depth_per_metre) == kInfinity ? depth_per_metre : depth > 0 ? depth : 0;
-}
-
-void FlatPainter::prepare_more_rows(const ColumnScene& scene, int top, int bottom) {
-    for (int row = top; row < bottom; ++row) row_depths_[row] = level_depth(scene, row);
-    if (is_dialled_) prepare_dials(scene, top, bottom);
-    shade_rows(top, bottom, &row_depths_[static_cast<std::size_t>(top)]);
-}
-
-/// depths: [bottom - top].
-void FlatPainter::shade_rows(int top, int bottom, const double* depths) {
-    dimming_.at_all(depths, bottom - top, &row_shades_[static_cast<std::size_t>(top)]);
-    for (int row = top; row < bottom; ++row) row_darkness_[row] = darkness_of(picture_.color_table, row_shades_[row]);
-    if (is_there(fog_))
-        for (int row = top; row < bottom; ++row) row_fog_parts_[row] = fog_part_at(fog_.reach, depths[row - top]);
+    OpenRows before = rows_->known();
+    rows_->prepare(scene.screen, top, bottom);
+    if (!is_dialled_) return;
+    const OpenRows now = rows_->known();
+    if (before.is_closed()) before = {now.bottom, now.bottom};
+    prepare_dials(scene, {now.top, before.top});
+    prepare_dials(scene, {before.bottom, now.bottom});
 }
 
 /// A flat seen from its wrong side (past a step that is not drawn, or by an eye outside the room's heights) never comes
 /// nearer than the wall it is stretched to: its rows are lit as far away as they are drawn, column by column.
 void FlatPainter::shade_extended_rows(int top, int bottom, double wall_depth) {
     for (int y = top; y < bottom; ++y) {
-        const double depth = std::min(row_depths_[y], wall_depth);
-        shade_rows(y, y + 1, &depth);
+        const double depth = std::min(rows_->depths()[y], wall_depth);
+        rows_->shade(y, y + 1, &depth);
     }
 }
 

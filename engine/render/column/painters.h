@@ -162,12 +162,12 @@ private:
     };
     LevelPicture picture_of(const ColumnScene& scene, const Surface& surface) const;
     void start_layers(const ColumnScene& scene);
+    void start_rows(const ColumnScene& scene, const Lighting& lighting);
     void paint_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms);
     void note_level(const ColumnScene& scene, const FlatColumn& column, bool is_alike) const;
     void note_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
     TexelPosition drawn_at(const ColumnScene& scene, const FlatColumn& column, int row, bool is_alike) const;
     Vec2 steps_at(const ColumnScene& scene, int x, int held) const;
-    double level_depth(const ColumnScene& scene, int row) const;
     int end_of_alike_rows(int row, int end) const;
     bool is_exact_in(const ColumnScene& scene, int top, int bottom) const;
     void start_dials(const ColumnScene& scene);
@@ -176,7 +176,7 @@ private:
     MipPlace mip_at(const ColumnScene& scene, double depth) const;
     void fill_texels(const ColumnScene& scene, PlainFlats flats, const TexelSource& from) const;
     double depth_in_span(const ColumnScene& scene, int row) const;
-    void prepare_dials(const ColumnScene& scene, int top, int bottom);
+    void prepare_dials(const ColumnScene& scene, OpenRows rows);
     void paint_by_dials(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
     void paint_alike(const ColumnScene& scene, const WallLooks& looks, const ColumnRuns& runs, RowDials dials) const;
     void fill_by_dials(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
@@ -202,8 +202,6 @@ private:
     };
     SkyRun sky_run(const ColumnScene& scene, const Surface& surface, const SkyColumn& column) const;
     void prepare_rows(const ColumnScene& scene, int top, int bottom);
-    void prepare_more_rows(const ColumnScene& scene, int top, int bottom);
-    void shade_rows(int top, int bottom, const double* depths);
     void shade_extended_rows(int top, int bottom, double wall_depth);
 
     const Pose* pose_ = nullptr;
@@ -213,22 +211,18 @@ private:
     std::vector<Surface> sky_layers_;         ///< over a sky, the farthest first
     PixelSurface id_ = kNothing;
     double height_ = 0;
-    Dimming dimming_;
     bool is_plain_ = false;  ///< nothing but its picture and its light: no sky, layers, fog, lamps, or view from the
                              ///< wrong side
     const LightGrid* lamplight_ = nullptr;
     Fog fog_;
-    bool is_extended_ = false;        ///< a floor not below the eye, or a ceiling not above it
-    std::vector<double> row_depths_;  ///< valid for rows [prepared_top_, prepared_bottom_)
-    std::vector<Shade> row_shades_;
-    std::vector<std::uint32_t> row_darkness_;    ///< the same as kernels want it
+    bool is_extended_ = false;                   ///< a floor not below the eye, or a ceiling not above it
+    FlatRows* rows_ = nullptr;                   ///< of its height and light
+    FlatRows own_rows_;                          ///< where the rows of each column have another light, or dials
     std::vector<std::uint32_t> layer_darkness_;  ///< the same for a layer, of its column's rows
     std::vector<std::uint32_t> full_light_;      ///< the same of rows as painted; where there are lamps
-    std::vector<FogPart> row_fog_parts_;         ///< where there is fog
-    int prepared_top_ = 0, prepared_bottom_ = 0;
     bool is_dialled_ = false;
-    std::vector<double> texel_depths_;          ///< as row_depths_: of which texels are; where dials say so
-    std::vector<RowDials> row_dials_;           ///< where there are dials
+    std::vector<double> texel_depths_;  ///< by row, as FlatRows::depths: of which texels are; where dials say so
+    std::vector<RowDials> row_dials_;   ///< where there are dials
     std::vector<std::uint32_t> row_mip_parts_;  ///< of the way to the next smaller picture, likewise
     std::optional<VanillaFlat> vanilla_;        ///< where dials want its positions
     double texels_across_ = 0;                  ///< per metre of depth, from a column to the next

@@ -9,6 +9,7 @@
 #include "map/textures.h"
 #include "render/built_in.h"
 #include "render/column/canvas.h"
+#include "render/column/flat_rows.h"
 #include "render/column/kernels.h"
 #include "render/column/sector_projection.h"
 #include "render/frame.h"
@@ -80,6 +81,7 @@ struct ColumnScratch {
     }
 
     ColumnTurns turns;
+    FlatRowsCache flat_rows;
 
     void start_frame(int width, int height) {
         const auto rows = static_cast<std::size_t>(height);
@@ -87,6 +89,7 @@ struct ColumnScratch {
         colors.resize(rows);
         fog_parts.resize(rows + kRowsBeyond);
         turns.start_frame(width);
+        flat_rows.start_frame();
     }
 };
 

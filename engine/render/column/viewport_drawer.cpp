@@ -197,12 +197,12 @@ Viewport* ViewportDrawer::child_of(const ColumnScene& scene, FrameState& state, 
     StrayingLook straying = viewport_->straying;
     const bool comes_round = straying.comes_round_to(projected.wall, nearest_.is_missed(wall_index_));
     if (is_spent || comes_round || (is_link && pose_.links >= scene.map.render.max_depth)) {
-        ++state.cut;
-        state.is_cut_short |= is_spent;
+        ++state.record->cut;
+        state.record->is_cut_short |= is_spent;
         return nullptr;
     }
     Viewport& child =
-        state.pool.take(std::max(projected.begin, viewport_->begin), std::min(projected.end, viewport_->end));
+        state.record->pool.take(std::max(projected.begin, viewport_->begin), std::min(projected.end, viewport_->end));
     child.sector = wall.behind;
     child.entry = wall.exit;
     child.depth = viewport_->depth + 1;
@@ -214,7 +214,7 @@ Viewport* ViewportDrawer::child_of(const ColumnScene& scene, FrameState& state, 
         child.pose = static_cast<int>(state.poses.size());
         state.poses.push_back(beyond(pose_, passage_of(scene, wall)));
     }
-    state.deepest = std::max(state.deepest, child.depth);
+    state.record->deepest = std::max(state.record->deepest, child.depth);
     return &child;
 }
 

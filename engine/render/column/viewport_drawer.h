@@ -182,16 +182,30 @@ private:
 
 // The viewport.
 
-/// What grows while a frame is drawn: poses met, viewports taken, viewports waiting.
+/// What is known of a part of a picture when it has been drawn.
+struct ViewportRecord {
+    ViewportPool pool;
+    int deepest = 0;            ///< portals looked through in the longest chain
+    std::size_t cut = 0;        ///< viewports not drawn because a limit was reached
+    bool is_cut_short = false;  ///< that was kLookBudget for at least one of them
+
+    /// Forgets the last picture, but keeps its memory.
+    void start() {
+        pool.take_all_back();
+        deepest = 0;
+        cut = 0;
+        is_cut_short = false;
+    }
+};
+
+/// What grows while a picture is drawn, part after part: poses met, walls projected; and in one part of it, viewports
+/// taken, viewports waiting.
 struct FrameState {
     std::vector<Pose> poses;  ///< by Viewport::pose
-    ViewportPool pool;
-    ViewportStack stack;
     ProjectionCache projections;
+    ViewportStack stack;
     MaskedColumns masked;
-    int deepest = 0;
-    std::size_t cut = 0;
-    bool is_cut_short = false;
+    ViewportRecord* record = nullptr;  ///< of the part that is drawn
 };
 
 /// Holds the scratch memory for one viewport at a time.

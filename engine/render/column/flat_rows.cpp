@@ -1,0 +1,61 @@
+#include "render/column/flat_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace enfilade::column {
+
+double level_depth(const RayTables& screen, double height, int row) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const double depth_per_metre = screen.row_depths[static_cast<std::size_t>(row)];
+    const double depth = height * depth_per_metre;
+    return std::fabs(depth_per_metre) == kInfinity ? depth_per_metre : depth > 0 ? depth : 0;
+}
+
+void FlatRows::start(const FlatRowsKey& key, const RayTables& screen) {
+    key_ = key;
+    dimming_ = dimming_of(key.lighting);
+    known_ = {};
+    const std::size_t rows = screen.row_depths.size() + kRowsBeyond;
+    depths_.resize(rows);
+    shades_.resize(rows);
+    darkness_.resize(rows);
+    if (key.fog_reach > 0) fog_parts_.resize(rows);
+}
+
+void FlatRows::prepare(const RayTables& screen, int top, int bottom) {
+    if (top >= known_.top && bottom <= known_.bottom) return;
+    if (known_.is_closed()) known_ = {top, top};
+    if (top < known_.top) prepare_more(screen, top, known_.top);
+    if (bottom > known_.bottom) prepare_more(screen, known_.bottom, bottom);
+    known_ = {std::min(known_.top, top), std::max(known_.bottom, bottom)};
+}
+
+void FlatRows::prepare_more(const RayTables& screen, int top, int bottom) {
+    for (int row = top; row < bottom; ++row) depths_[row] = level_depth(screen, key_.height, row);
+    shade(top, bottom, &depths_[static_cast<std::size_t>(top)]);
+}
+
+void FlatRows::shade(int top, int bottom, const double* depths) {
+    dimming_.at_all(depths, bottom - top, &shades_[static_cast<std::size_t>(top)]);
+    for (int row = top; row < bottom; ++row) darkness_[row] = darkness_of(key_.color_table, shades_[row]);
+    if (key_.fog_reach > 0)
+        for (int row = top; row < bottom; ++row) fog_parts_[row] = fog_part_at(key_.fog_reach, depths[row - top]);
+}
+
+FlatRows& FlatRowsCache::of(const FlatRowsKey& key, const RayTables& screen) {
+    std::size_t i = 0;
+    while (i < used_ && !(rows_[i].key() == key)) ++i;
+    if (i == used_) {
+        if (used_ < kKept)
+            ++used_;
+        else
+            i = static_cast<std::size_t>(std::ranges::min_element(asked_) - asked_.begin());
+        rows_[i].start(key, screen);
+    }
+    asked_[i] = ++now_;
+    return rows_[i];
+}
+
+}  // namespace enfilade::column

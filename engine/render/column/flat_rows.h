@@ -1,0 +1,83 @@
+// What a row of a level flat has whichever column it is in: how far away the flat is there, and how dark.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "render/column/kernels.h"
+#include "render/column/sector_projection.h"
+#include "render/lighting.h"
+#include "render/openings.h"
+#include "render/shade.h"
+
+namespace enfilade::column {
+
+/// All that its rows depend on beside the picture's size and look, so that flats with the same key share them.
+struct FlatRowsKey {
+    double height = 0;  ///< above the eye [m]
+    Lighting lighting;
+    const ColorTable* color_table = nullptr;  ///< that the flat's picture goes by, if it does
+    double fog_reach = 0;                     ///< as Fog::reach [m]
+    bool operator==(const FlatRowsKey&) const = default;
+};
+
+/// Depth at which the rays of a row meet a level plane [m]. A level ray meets it at infinity, also one at its own
+/// height. Behind the eye (below 0) only where the eye is above the ceiling or below the floor it looks at.
+double level_depth(const RayTables& screen, double height, int row);
+
+/// The rows of flats with one key, worked out as they are seen.
+class FlatRows {
+public:
+    /// Forgets all rows.
+    void start(const FlatRowsKey& key, const RayTables& screen);
+
+    const FlatRowsKey& key() const { return key_; }
+
+    /// Works out rows [top, bottom), and those between them and the ones that are known. top <= bottom.
+    void prepare(const RayTables& screen, int top, int bottom);
+
+    /// Which rows are known.
+    OpenRows known() const { return known_; }
+
+    /// Lights rows [top, bottom) as if they were this far away. depths: [bottom - top] [m].
+    void shade(int top, int bottom, const double* depths);
+
+    // By row [height + kRowsBeyond], valid for those that are known.
+    const double* depths() const { return depths_.data(); }  ///< [m]
+    const Shade* shades() const { return shades_.data(); }
+    const std::uint32_t* darkness() const { return darkness_.data(); }  ///< the same as kernels want it
+    const FogPart* fog_parts() const { return fog_parts_.data(); }      ///< where there is fog
+
+private:
+    void prepare_more(const RayTables& screen, int top, int bottom);
+
+    FlatRowsKey key_;
+    Dimming dimming_;
+    OpenRows known_;
+    std::vector<double> depths_;
+    std::vector<Shade> shades_;
+    std::vector<std::uint32_t> darkness_;
+    std::vector<FogPart> fog_parts_;
+};
+
+/// The rows of the flats of a picture that were seen last: of most rooms several parts are seen, and neighbouring rooms
+/// often have floors or ceilings of one height in one light.
+class FlatRowsCache {
+public:
+    /// Another picture is begun: nothing is known.
+    void start_frame() { used_ = 0; }
+
+    /// What is known for the key. Valid until another kKept - 1 keys were asked for.
+    FlatRows& of(const FlatRowsKey& key, const RayTables& screen);
+
+private:
+    /// In most views there are fewer different ones; rows of twice as many would fill half a core's cache.
+    static constexpr std::size_t kKept = 32;
+
+    std::array<FlatRows, kKept> rows_;
+    std::array<std::uint64_t, kKept> asked_{};  ///< when last
+    std::uint64_t now_ = 0;
+    std::size_t used_ = 0;
+};
+
+}  // namespace enfilade::column
