@@ -64,6 +64,7 @@ void declare_single_dials(CLI::App& command, std::vector<std::string>& dials) {
             "A single dial, to see what it does: span=1..64 (columns or rows from one exact position to the "
             "next), number=double, float, fixed or vanilla, sampling=nearest, mip (distant pictures made smaller), "
             "bilinear (texels blended with their neighbours) or trilinear (both), light=map, smooth or bands, "
+            "fog=smooth or bands, "
             "light_grid=1..64 (places along a metre where lamps' light is worked out), links=0..1000 (looked through "
             "in one chain), of `play` alone tick_rate=60, 35 or 140 (a second, in which bodies move), and of the "
             "stencil renderer portals=exact, plane24, plane32, oblique24 or oblique32 (told "

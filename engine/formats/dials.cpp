@@ -56,12 +56,13 @@ DialKind word_dial(std::string_view name) {
             [](const Dials& dials) { return std::string(to_word(dials.*member)); }};
 }
 
-std::array<DialKind, 9> all_dials() {
+std::array<DialKind, 10> all_dials() {
     return {number_dial<&Dials::span, 1, kMostSpan>("span"),
             word_dial<&Dials::number>("number"),
             word_dial<&Dials::sampling>("sampling"),
             number_dial<&Dials::samples, 1, kMostSamples>("samples"),
             word_dial<&Dials::light>("light"),
+            word_dial<&Dials::fog>("fog"),
             number_dial<&Dials::light_grid, 1, kMostLightPoints>("light_grid"),
             word_dial<&Dials::portals>("portals"),
             number_dial<&Dials::links, 0, kMostLinks>("links"),

@@ -43,6 +43,12 @@ enum class LightSteps : std::uint8_t {
     bands,   ///< in Doom's 32
 };
 
+/// In how many steps fog hides what is far away.
+enum class FogSteps : std::uint8_t {
+    smooth,  ///< in 256: the default
+    bands,   ///< in 32, as many as Doom's light has
+};
+
 /// How what a graphics card draws is told apart by distance, and cut off at portals.
 enum class PortalMethod : std::uint8_t {
     exact,      ///< walls are put in order by the CPU, and nothing is cut off: the default
@@ -100,6 +106,7 @@ struct Dials {
     /// 1..kMostSamples; samples times a side of the picture is at most kMaxPictureSide.
     int samples = 1;
     LightSteps light = LightSteps::as_map;
+    FogSteps fog = FogSteps::smooth;
     /// Places along a metre of a surface at which the light of lamps is worked out; between them it goes on evenly.
     /// 1..kMostLightPoints. Time and memory grow with its square.
     int light_grid = kUsualLightPoints;
@@ -127,8 +134,8 @@ inline constexpr double kMostTexelError = 64;
 /// was expected; dials then stay as they were.
 Result<void> set_accuracy(Dials& dials, std::string_view text);
 
-/// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light, light_grid, portals, links or tick_rate. An
-/// error, without a place, where there is no such dial, or it has no such value; dials then stay as they were.
+/// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light, fog, light_grid, portals, links or tick_rate.
+/// An error, without a place, where there is no such dial, or it has no such value; dials then stay as they were.
 Result<void> set_dial(Dials& dials, std::string_view text);
 
 /// What set_dial() would be given to get from the default to these, with blanks between: "span=8 number=float"; and

@@ -256,7 +256,8 @@ struct RenderRecord {
     SkyRows sky = SkyRows::round;
     ThingEdges things = ThingEdges::cut;
     RayPoint rays = RayPoint::middle;
-    std::string color_table;  ///< picture of what becomes of colours in the dark (map/textures.h); empty: none
+    std::string color_table;     ///< picture of what becomes of colours in the dark (map/textures.h); empty: none
+    std::uint32_t fog_step = 1;  ///< by which fog grows, 1..256 [1/256]; a dial's: no map tells it
     TextPlace place{};
     KeyPlaces places{};
     bool operator==(const RenderRecord&) const = default;

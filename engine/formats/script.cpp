@@ -103,6 +103,7 @@ constexpr std::array kDialKeys{
     key<&Dials::number>("number", kAlways),
     key<&Dials::sampling>("sampling", kAlways),
     key<&Dials::light>("light", kAlways),
+    key<&Dials::fog>("fog", kAlways),
     key<&Dials::light_grid>("light_grid", kAlways, Need::optional, {1, kMostLightPoints}),
     key<&Dials::portals>("portals", kAlways),
     key<&Dials::links>("links", kAlways, Need::optional, {0, kMostLinks}),

@@ -191,6 +191,14 @@ constexpr std::string_view to_word(LightSteps value) {
     return {};
 }
 
+constexpr std::string_view to_word(FogSteps value) {
+    switch (value) {
+        case FogSteps::smooth: return "smooth";
+        case FogSteps::bands: return "bands";
+    }
+    return {};
+}
+
 constexpr std::string_view to_word(TickRate value) {
     switch (value) {
         case TickRate::hz60: return "60";

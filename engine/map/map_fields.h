@@ -152,8 +152,8 @@ constexpr auto fields(Some<PictureChanges> auto& whole, auto visit) {
 }
 
 constexpr auto fields(Some<RenderRecord> auto& whole, auto visit) {
-    auto& [stretch, light, recursion_color, max_depth, fog_color, fog_reach, sky, things, rays, color_table, place,
-           places] = whole;
+    auto& [stretch, light, recursion_color, max_depth, fog_color, fog_reach, sky, things, rays, color_table, fog_step,
+           place, places] = whole;
     return visit(stretch, light, recursion_color, max_depth, fog_color, fog_reach, sky, things, rays, color_table);
 }
 

@@ -9,10 +9,11 @@ Shade shade_at(LightModel model, double light, double contrast, double depth) {
     return Dimming(model, light, contrast).at(depth);
 }
 
-FogPart fog_part_at(double reach, double depth) {
+FogPart fog_part_at(double reach, double depth, FogPart step) {
     if (reach == 0) return 0;
     const double part = std::min(depth, kFarthest) / reach;
-    return static_cast<FogPart>(256 * (1 - 1 / (1 + part * part)) + 0.5);
+    const auto whole = static_cast<FogPart>(256 * (1 - 1 / (1 + part * part)) + 0.5);
+    return (whole + step / 2) / step * step;
 }
 
 double fraction(double tiles) {

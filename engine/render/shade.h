@@ -50,8 +50,9 @@ inline const std::uint32_t* darkened_colors(const ColorTable& table, Shade shade
 using FogPart = std::uint32_t;
 
 /// Fog that hides half of everything at the depth `reach` [m], more beyond: depth^2 / (depth^2 + reach^2).
-/// reach: 0 is no fog. depth: >= 0 [m], infinity allowed.
-FogPart fog_part_at(double reach, double depth);
+/// reach: 0 is no fog. depth: >= 0 [m], infinity allowed. step: 1..256, a power of two: the part is the multiple of it
+/// that is nearest.
+FogPart fog_part_at(double reach, double depth, FogPart step = 1);
 
 /// The colour 0xAABBGGRR with fog of the colour `fog` before it. Alpha is kept.
 constexpr std::uint32_t fogged(std::uint32_t color, std::uint32_t fog, FogPart fog_part) {

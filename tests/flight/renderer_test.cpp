@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include "flight/scenes.h"
 #include "render/reference/reference_renderer.h"
@@ -47,11 +48,12 @@ TEST(ParseRenderer, RefusesOtherNamesAndTellsTheRightOnes) {
 class RendererInHall : public ::testing::Test {
 protected:
     Frame picture(RendererKind kind, std::size_t threads, int samples = 1, Sampling sampling = Sampling::nearest) {
+        return picture(kind, threads, Dials{.sampling = sampling, .samples = samples});
+    }
+    Frame picture(RendererKind kind, std::size_t threads, const Dials& dials) {
         Frame frame;
         frame.resize(64, 40);
-        auto renderer = std::move(make_renderer({kind, Dials{.sampling = sampling, .samples = samples}, threads, no_gl},
-                                                map_, textures_))
-                            .value();
+        auto renderer = std::move(make_renderer({kind, dials, threads, no_gl}, map_, textures_)).value();
         EXPECT_TRUE(renderer->render(frame, nullptr, at_rest(map_), view()).ok());
         viewports_ = renderer->viewports();
         return frame;
@@ -151,12 +153,30 @@ TEST(DialsFor, AreThoseThatARendererHas) {
     dials.span = 4;
     dials.sampling = Sampling::trilinear;
     dials.light = LightSteps::bands;
-    EXPECT_EQ(to_text(dials_for(RendererKind::column, dials)), "span=4 sampling=trilinear light=bands");
-    EXPECT_EQ(to_text(dials_for(RendererKind::reference, dials)), "sampling=trilinear light=bands");
-    EXPECT_EQ(to_text(dials_for(RendererKind::stencil, dials)), "light=bands");
+    dials.fog = FogSteps::bands;
+    EXPECT_EQ(to_text(dials_for(RendererKind::column, dials)), "span=4 sampling=trilinear light=bands fog=bands");
+    EXPECT_EQ(to_text(dials_for(RendererKind::reference, dials)), "sampling=trilinear light=bands fog=bands");
+    EXPECT_EQ(to_text(dials_for(RendererKind::stencil, dials)), "light=bands fog=bands");
     EXPECT_FALSE(check_dials(RendererKind::reference, dials).ok());
     EXPECT_TRUE(check_dials(RendererKind::reference, dials_for(RendererKind::reference, dials)).ok());
     EXPECT_FALSE(check_dials(RendererKind::stencil, dials_for(RendererKind::reference, dials)).ok());
+}
+
+/// Number of different colours.
+std::size_t colors_in(const Frame& frame) {
+    return std::set<std::uint32_t>(frame.pixels.begin(), frame.pixels.end()).size();
+}
+
+TEST_F(RendererInHall, DrawsFogInFewerStepsWhereADialSaysSo) {
+    map_.render.fog_reach = 6;
+    turn_to(20);
+    for (const RendererKind kind : {RendererKind::column, RendererKind::reference}) {
+        const Frame smooth = picture(kind, 2), banded = picture(kind, 2, Dials{.fog = FogSteps::bands});
+        EXPECT_NE(banded.pixels, smooth.pixels);
+        EXPECT_LT(2 * colors_in(banded), colors_in(smooth)) << name_of(kind);
+    }
+    EXPECT_EQ(picture(RendererKind::column, 1, Dials{.fog = FogSteps::bands}).pixels,
+              picture(RendererKind::reference, 1, Dials{.fog = FogSteps::bands}).pixels);
 }
 
 TEST_F(RendererInHall, TellsTheViewportsInThePixelsOfThePictureWhateverTheSamples) {

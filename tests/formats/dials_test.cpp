@@ -54,6 +54,8 @@ TEST(SetDial, SetsEachDialAndNoOther) {
     set("samples=3");
     expected.light = LightSteps::bands;
     set("light=bands");
+    expected.fog = FogSteps::bands;
+    set("fog=bands");
     expected.light_grid = 64;
     set("light_grid=64");
     expected.portals = PortalMethod::oblique24;
@@ -70,6 +72,7 @@ TEST(SetDial, SaysWhatADialMayBe) {
     EXPECT_EQ(set_dial(dials, "span=1.5").error().what, "expected span=a whole number from 1 to 64; found 'span=1.5'");
     EXPECT_EQ(set_dial(dials, "light_grid=0").error().what,
               "expected light_grid=a whole number from 1 to 64; found 'light_grid=0'");
+    EXPECT_EQ(set_dial(dials, "fog=map").error().what, "expected fog=smooth, bands; found 'fog=map'");
     EXPECT_EQ(set_dial(dials, "number=half").error().what,
               "expected number=double, float, fixed, vanilla; found 'number=half'");
     EXPECT_EQ(set_dial(dials, "sampling=cubic").error().what,

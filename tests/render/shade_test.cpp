@@ -91,6 +91,16 @@ TEST(FogPart, NeverShrinksWithDepth) {
         ASSERT_LE(fog_part_at(9, depth), fog_part_at(9, depth + 0.25)) << depth;
 }
 
+TEST(FogPart, GrowsByTheStepAndIsTheNearestOfThem) {
+    for (double depth = 0; depth < 200; depth += 0.25) {
+        const FogPart fine = fog_part_at(9, depth), banded = fog_part_at(9, depth, 8);
+        ASSERT_EQ(banded % 8, 0u);
+        ASSERT_LE(banded, fine + 4);
+        ASSERT_LT(fine, banded + 4);
+    }
+    EXPECT_EQ(fog_part_at(9, kInfinity, 8), 256u);
+}
+
 TEST(Fogged, GoesFromTheColourToTheFogs) {
     EXPECT_EQ(fogged(0x80123456, 0xFFABCDEF, 0), 0x80123456u);
     EXPECT_EQ(fogged(0x80123456, 0xFFABCDEF, 256), 0x80ABCDEFu);

@@ -184,12 +184,16 @@ private:
     Frame fine_;
 };
 
-/// A map that says of light and links what the dials say, and a renderer made for it.
+/// Fog in bands grows by this, so that there are 32 of them [1/256].
+constexpr FogPart kFogBand = 8;
+
+/// A map that says of light, fog and links what the dials say, and a renderer made for it.
 class WithOwnMap final : public Renderer {
 public:
     WithOwnMap(const Map& map, const Dials& dials) : map_(map) {
         if (dials.light != LightSteps::as_map)
             map_.render.light = dials.light == LightSteps::smooth ? LightModel::smooth : LightModel::classic;
+        if (dials.fog == FogSteps::bands) map_.render.fog_step = kFogBand;
         map_.render.max_depth = std::min(map_.render.max_depth, dials.links);
     }
 
@@ -213,9 +217,11 @@ private:
 
 Result<std::unique_ptr<Renderer>> make_dialled(const RendererChoice& choice, const Map& map,
                                                const TextureSet& textures) {
-    const bool needs_own_map = choice.dials.light != LightSteps::as_map || choice.dials.links < map.render.max_depth;
+    const Dials& dials = choice.dials;
+    const bool needs_own_map =
+        dials.light != LightSteps::as_map || dials.fog != FogSteps::smooth || dials.links < map.render.max_depth;
     if (!needs_own_map) return make_plain(choice, map, textures);
-    auto renderer = std::make_unique<WithOwnMap>(map, choice.dials);
+    auto renderer = std::make_unique<WithOwnMap>(map, dials);
     if (const Result<void> done = renderer->make(choice, textures); !done.ok()) return done.error();
     return std::unique_ptr<Renderer>(std::move(renderer));
 }
@@ -247,6 +253,7 @@ Dials dials_for(RendererKind kind, const Dials& dials) {
     }
     some.samples = dials.samples;
     some.light = dials.light;
+    some.fog = dials.fog;
     some.light_grid = dials.light_grid;
     some.links = dials.links;
     if (kind == RendererKind::reference) some.sampling = dials.sampling;
@@ -258,11 +265,11 @@ namespace {
 
 std::string names_of_dials(RendererKind kind) {
     switch (kind) {
-        case RendererKind::column: return "accuracy, span, number, sampling, samples, light, light_grid and links";
+        case RendererKind::column: return "accuracy, span, number, sampling, samples, light, fog, light_grid and links";
         case RendererKind::stencil:
-            return "samples, light, light_grid, portals and links; the column renderer has more";
+            return "samples, light, fog, light_grid, portals and links; the column renderer has more";
         case RendererKind::reference:
-            return "sampling, samples, light, light_grid and links; the column renderer has more";
+            return "sampling, samples, light, fog, light_grid and links; the column renderer has more";
     }
     return {};
 }

@@ -50,7 +50,7 @@ void FlatPainter::start(const ColumnScene& scene, const Pose& pose, const FlatNo
 }
 
 void FlatPainter::start_rows(const ColumnScene& scene, const Lighting& lighting) {
-    const FlatRowsKey key{height_, lighting, picture_.color_table, is_there(fog_) ? fog_.reach : 0};
+    const FlatRowsKey key{height_, lighting, picture_.color_table, fog_};
     if (is_extended_ || is_dialled_) {
         rows_ = &own_rows_;
         rows_->start(key, scene.screen);

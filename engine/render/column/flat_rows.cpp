@@ -21,7 +21,7 @@ void FlatRows::start(const FlatRowsKey& key, const RayTables& screen) {
     depths_.resize(rows);
     shades_.resize(rows);
     darkness_.resize(rows);
-    if (key.fog_reach > 0) fog_parts_.resize(rows);
+    if (is_there(key.fog)) fog_parts_.resize(rows);
 }
 
 void FlatRows::prepare(const RayTables& screen, int top, int bottom) {
@@ -40,8 +40,9 @@ void FlatRows::prepare_more(const RayTables& screen, int top, int bottom) {
 void FlatRows::shade(int top, int bottom, const double* depths) {
     dimming_.at_all(depths, bottom - top, &shades_[static_cast<std::size_t>(top)]);
     for (int row = top; row < bottom; ++row) darkness_[row] = darkness_of(key_.color_table, shades_[row]);
-    if (key_.fog_reach > 0)
-        for (int row = top; row < bottom; ++row) fog_parts_[row] = fog_part_at(key_.fog_reach, depths[row - top]);
+    if (is_there(key_.fog))
+        for (int row = top; row < bottom; ++row)
+            fog_parts_[row] = fog_part_at(key_.fog.reach, depths[row - top], key_.fog.step);
 }
 
 FlatRows& FlatRowsCache::of(const FlatRowsKey& key, const RayTables& screen) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/built_in.h"
 #include "render/column/kernels.h"
 #include "render/column/sector_projection.h"
 #include "render/lighting.h"
@@ -12,12 +13,28 @@
 
 namespace enfilade::column {
 
+/// Fog before a surface: decided once for each surface, so that a map without fog has none in its loops.
+struct Fog {
+    double reach = 0;         ///< depth at which it hides half; 0: no fog [m]
+    FogPart step = 1;         ///< by which it grows [1/256]
+    std::uint32_t color = 0;  ///< as a pixel
+    bool operator==(const Fog&) const = default;
+};
+
+/// The fog of a map; none where this build knows none.
+inline Fog fog_of(const Map& map) {
+    if (!built_in::kFog || map.render.fog_reach == 0) return {};
+    return {map.render.fog_reach, map.render.fog_step, pixel_of(map.render.fog_color)};
+}
+
+inline bool is_there(const Fog& fog) { return built_in::kFog && fog.reach > 0; }
+
 /// All that its rows depend on beside the picture's size and look, so that flats with the same key share them.
 struct FlatRowsKey {
     double height = 0;  ///< above the eye [m]
     Lighting lighting;
     const ColorTable* color_table = nullptr;  ///< that the flat's picture goes by, if it does
-    double fog_reach = 0;                     ///< as Fog::reach [m]
+    Fog fog;
     bool operator==(const FlatRowsKey&) const = default;
 };
 

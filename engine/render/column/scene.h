@@ -20,20 +20,6 @@
 
 namespace enfilade::column {
 
-/// Fog before a surface: decided once for each surface, so that a map without fog has none in its loops.
-struct Fog {
-    double reach = 0;         ///< depth at which it hides half; 0: no fog [m]
-    std::uint32_t color = 0;  ///< as a pixel
-};
-
-/// The fog of a map; none where this build knows none.
-inline Fog fog_of(const Map& map) {
-    if (!built_in::kFog || map.render.fog_reach == 0) return {};
-    return {map.render.fog_reach, pixel_of(map.render.fog_color)};
-}
-
-inline bool is_there(const Fog& fog) { return built_in::kFog && fog.reach > 0; }
-
 /// Which way columns look, in parts of a full turn: worked out once for each, for often several viewports show a sky.
 class ColumnTurns {
 public:

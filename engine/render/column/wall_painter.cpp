@@ -228,7 +228,7 @@ template <class Texels>
 }
 
 void WallPainter::add_fog(const ColumnScene& scene, const Run& run, double depth) const {
-    std::fill_n(scene.scratch.fog_parts.begin(), run.count, fog_part_at(fog_.reach, depth));
+    std::fill_n(scene.scratch.fog_parts.begin(), run.count, fog_part_at(fog_.reach, depth, fog_.step));
     scene.passes.add_fog(run, fog_.color, scene.scratch.fog_parts.data());
 }
 

@@ -210,7 +210,7 @@ std::uint32_t several_texels(const ReferenceScene& scene, const Texture& picture
 /// The colour behind the map's fog; its alpha is kept.
 inline std::uint32_t in_fog(const ReferenceScene& scene, std::uint32_t color, double depth) {
     const RenderRecord& render = scene.map.render;
-    return fogged(color, pixel_of(render.fog_color), fog_part_at(render.fog_reach, depth));
+    return fogged(color, pixel_of(render.fog_color), fog_part_at(render.fog_reach, depth, render.fog_step));
 }
 
 /// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round, or more or less of what is

@@ -132,6 +132,7 @@ void LayerPainter::set_uniforms(const SurfaceProgram& program, const DrawInput& 
     const std::uint32_t fog = pixel_of(scene.map().render.fog_color);
     const auto channel = [&](int shift) { return static_cast<float>(fog >> shift & 0xFF); };
     glUniform4f(program.fog, channel(0), channel(8), channel(16), static_cast<float>(scene.map().render.fog_reach));
+    glUniform1ui(program.fog_step, scene.map().render.fog_step);
     glUniform1i(program.is_sky_round, sky_rows(scene.map().render, rays.is_tilted) == SkyRows::round);
     glUniform1i(program.texels, 0);
     glUniform1i(program.records, 1);

@@ -41,6 +41,7 @@ struct SurfaceProgram {
     GLint climb = -1;                   ///< what the ray climbs there, per column, per row
     GLint is_sky_round = -1;            ///< its rows are
     GLint fog = -1;                     ///< its colour and reach
+    GLint fog_step = -1;                ///< by which it grows
     GLint least_alpha = -1;             ///< with holes: pixels of a picture with less are left out, 1..255
     GLint texels = -1;
     GLint records = -1;                          ///< where there is more to know than PaintParams

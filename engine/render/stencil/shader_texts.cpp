@@ -95,6 +95,7 @@ uniform vec2 level;  // a point at or near the horizon, so that rows next to it 
 uniform vec3 climb;  // what the ray climbs there, per column, per row
 uniform int is_sky_round;
 uniform vec4 fog;  // its colour, 0 to 255, and the depth where it hides half; 0: no fog
+uniform uint fog_step;  // by which it grows, in 256ths
 #ifdef WITH_HOLES
 uniform uint least_alpha;  // that is shown
 #endif
@@ -189,6 +190,7 @@ uint shade_at(float depth) {
 uvec3 in_fog(uvec3 color, float depth) {
     float part = min(depth, 1e9) / fog.w;
     uint fog_part = uint(256.0 * (1.0 - 1.0 / (1.0 + part * part)) + 0.5);
+    fog_part = (fog_part + fog_step / 2u) / fog_step * fog_step;
     return color * (256u - fog_part) + uvec3(fog.rgb) * fog_part >> 8u;
 }
 

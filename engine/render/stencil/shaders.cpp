@@ -85,6 +85,7 @@ Result<void> build(SurfaceProgram& surface, Kind kind, VertexPlacing placing) {
     surface.climb = uniform(surface.program, "climb");
     surface.is_sky_round = uniform(surface.program, "is_sky_round");
     surface.fog = uniform(surface.program, "fog");
+    surface.fog_step = uniform(surface.program, "fog_step");
     surface.least_alpha = uniform(surface.program, "least_alpha");
     surface.texels = uniform(surface.program, "texels");
     surface.records = uniform(surface.program, "records");

@@ -301,10 +301,10 @@ TEST_F(Render, RefusesDialsThatThereAreNot) {
                           "you mean 'span'?"));
     EXPECT_THAT(refused({"--renderer", "reference", "--dial", "span=2"}),
                 HasSubstr("the reference renderer cannot draw by span=2; it has the dials sampling, samples, light, "
-                          "light_grid and links; the column renderer has more"));
+                          "fog, light_grid and links; the column renderer has more"));
     EXPECT_THAT(refused({"--renderer", "stencil", "--dial", "sampling=bilinear"}),
                 HasSubstr("the stencil renderer cannot draw by sampling=bilinear; it has the dials samples, light, "
-                          "light_grid, portals and links; the column renderer has more"));
+                          "fog, light_grid, portals and links; the column renderer has more"));
     EXPECT_THAT(refused({"--dial", "tick_rate=35"}),
                 HasSubstr("pictures have no ticks: expected tick_rate only of `play`, found tick_rate=35"));
     EXPECT_THAT(

@@ -53,9 +53,12 @@ TEST(ColumnRenderer, AgreesWithTheReferenceInFog) {
             }
     file.render.fog_color = 0x4080C0;
     file.render.fog_reach = 3;
-    TexturedMap world(file);
-    world.textures.textures[world.textures.find("lattice").index] = lattice();
-    expect_agreement(world, 7, 200);
+    for (const std::uint32_t fog_step : {1u, 8u}) {
+        file.render.fog_step = fog_step;
+        TexturedMap world(file);
+        world.textures.textures[world.textures.find("lattice").index] = lattice();
+        expect_agreement(world, 7, 100);
+    }
 }
 
 /// Pictures that scroll and follow one another, lights that change, a sky that turns.

@@ -56,9 +56,12 @@ TEST(StencilFog, IsTheColumnRenderers) {
     MapFile file = stepped_rooms();
     file.render.fog_color = 0x4080C0;
     file.render.fog_reach = 3;
-    const Map map = built(file);
-    const TextureSet textures = textures_for(file);
-    expect_agreement(Sight(map, textures).compare_poses(10, {160, 100}, 3));
+    for (const std::uint32_t fog_step : {1u, 8u}) {
+        file.render.fog_step = fog_step;
+        const Map map = built(file);
+        const TextureSet textures = textures_for(file);
+        expect_agreement(Sight(map, textures).compare_poses(10, {160, 100}, 3));
+    }
 }
 
 class StencilLamps : public testing::TestWithParam<NamedScene> {};
