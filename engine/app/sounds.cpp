@@ -70,14 +70,19 @@ void Soundscape::end() {
     hearing_.reset();
 }
 
+HeardMoment at_usual_rate(std::vector<Voice> voices, std::uint64_t tick, TickRate rate) {
+    const double usual_ticks = double{kTickRate} / ticks_per_second(rate);
+    for (Voice& voice : voices) voice.since *= usual_ticks;
+    return {std::move(voices), static_cast<double>(tick) * usual_ticks};
+}
+
 void Soundscape::hear(const Map& map, const World& world, double volume) {
     if (!audio_ || heard_tick_ == world.tick) return;
     heard_tick_ = world.tick;
     const Listener listener{world.player.place, world.player.yaw};
     std::vector<Voice> voices = voices_at(now(map, world), *hearing_, listener, lengths_s_, Hearing::kBeamsATick);
-    const double as_usual = double{kTickRate} / ticks_per_second(world.history.rate());
-    for (Voice& voice : voices) voice.since *= as_usual;
-    audio_->hear(voices, static_cast<double>(world.tick) * as_usual, volume);
+    const HeardMoment heard = at_usual_rate(std::move(voices), world.tick, world.history.rate());
+    audio_->hear(heard.voices, heard.tick, volume);
 }
 
 void Soundscape::fall_silent() {

@@ -30,6 +30,15 @@ inline constexpr double kMostSound = 1800;
 /// silent, with a fault that says so; memory is never taken for more than kMostSound and one sound.
 LoadedSounds load_sounds(const Map& map, const std::string& map_path, const FileReader& read);
 
+/// What is heard at a moment, by the ticks that sound devices count: kTickRate of a second (platform/audio.h).
+struct HeardMoment {
+    std::vector<Voice> voices;
+    double tick;
+};
+
+/// voices, tick: of a world that takes `rate` ticks in a second.
+HeardMoment at_usual_rate(std::vector<Voice> voices, std::uint64_t tick, TickRate rate);
+
 // What the player hears: the map's sounds, from where they are, on the sound device.
 
 class Soundscape {

@@ -63,5 +63,17 @@ TEST(LoadedSounds, TogetherPlayNoLongerThanTheirBudget) {
                 testing::HasSubstr("at most 1800 s together, found no room for this one of 120 s"));
 }
 
+TEST(HeardMoment, IsAsManySecondsOldAtAnyRate) {
+    for (const TickRate rate : {TickRate::hz60, TickRate::hz35, TickRate::hz140}) {
+        const double second = ticks_per_second(rate);
+        Voice voice{};
+        voice.since = 3 * second;
+        const HeardMoment heard = at_usual_rate({voice, voice}, 5 * ticks_per_second(rate), rate);
+        EXPECT_DOUBLE_EQ(heard.tick, 5 * kTickRate);
+        ASSERT_EQ(heard.voices.size(), 2u);
+        for (const Voice& each : heard.voices) EXPECT_DOUBLE_EQ(each.since, 3 * kTickRate);
+    }
+}
+
 }  // namespace
 }  // namespace enfilade

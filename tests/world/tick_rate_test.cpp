@@ -1,6 +1,7 @@
 // A second is a second, however many ticks it has.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "world/game.h"
@@ -129,6 +130,50 @@ TEST_P(AtRate, ASnapshotIsOfAsManySeconds) {
     Snapshot snapshot = at_rest(game.map);
     show(now(game.map, game.world), snapshot);
     EXPECT_DOUBLE_EQ(snapshot.time_s, 2);
+}
+
+TEST_P(AtRate, ASwitchShowsItsOtherFaceForASecond) {
+    MapFile file = map_of({box_room("hall", 0, 0, 8, 4)});
+    wall(file, "hall", {8, 0}, {8, 4}).triggers = {trigger_on(Activation::use, TriggerAction::door, {"hall"})};
+    place_player(file, "hall", {7, 2}, kEyeOnFloor);
+    Game game(file, GetParam());
+    Snapshot snapshot = at_rest(game.map);
+    int pressed = 0;
+    for (int tick = 0; tick < 3 * second(); ++tick) {
+        game.hold(tick == 0 ? kUse : kNoKeys);
+        show(now(game.map, game.world), snapshot);
+        pressed += !snapshot.pressed.empty();
+    }
+    EXPECT_NEAR(pressed, kSwitchSeconds * second(), 1);
+}
+
+TEST_P(AtRate, AFloorThatBobsTakesAsLong) {
+    MapFile file = long_hall();
+    sector(file, "hall").floor.bob = BobRecord{0.5, 4, 0, BobShape::triangle};
+    Game game(file, GetParam());
+    hold(game, kNoKeys, 1);
+    EXPECT_NEAR(heights_of(now(game.map, game.world), SectorId(0u)).floor_z, 0.5, 0.5 / second());
+    hold(game, kNoKeys, 2);
+    EXPECT_NEAR(heights_of(now(game.map, game.world), SectorId(0u)).floor_z, -0.5, 0.5 / second());
+}
+
+TEST_P(AtRate, ASoundEndsWithItsLength) {
+    MapFile file = map_of({box_room("hall", 0, 0, 8, 4)});
+    file.sounds = {{"click", "click.wav", 1, 20, false, {}}};
+    TriggerRecord click = trigger_on(Activation::use, TriggerAction::sound);
+    click.sound = "click";
+    wall(file, "hall", {8, 0}, {8, 4}).triggers = {click};
+    place_player(file, "hall", {7, 2}, kEyeOnFloor);
+    Game game(file, GetParam());
+    Hearing hearing(game.map);
+    const std::array lengths_s{0.5};
+    int heard = 0;
+    for (int tick = 0; tick < 2 * second(); ++tick) {
+        game.hold(tick == 0 ? kUse : kNoKeys);
+        const Listener listener{game.player().place, game.player().yaw};
+        heard += !voices_at(now(game.map, game.world), hearing, listener, lengths_s).empty();
+    }
+    EXPECT_NEAR(heard, lengths_s[0] * second(), 1);
 }
 
 TEST_P(AtRate, WhatWasIsHadAgainFromATape) {
