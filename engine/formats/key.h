@@ -208,7 +208,7 @@ void read_field(Reading& reading, const NamedValue& value, Range range, Field& f
         field.reserve(tables);
         for (std::size_t i = 0; i < value.node.size() && !reading.is_full(); ++i)
             read_field(reading, {value.name, value.node.at(i)}, range, field.emplace_back());
-    } else if (expect(reading, value, TomlKind::table)) {
+    } else if (expect_table(reading, value, keys_of<Field>().keys.front().name)) {
         read_record(reading, value.node, field);
     }
 }

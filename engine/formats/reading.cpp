@@ -69,6 +69,12 @@ bool expect(Reading& reading, const NamedValue& value, TomlKind kind) {
     return false;
 }
 
+bool expect_table(Reading& reading, const NamedValue& value, std::string_view key) {
+    if (value.node.kind() == TomlKind::table) return true;
+    wrong_type(reading, value, "a table, as in { " + std::string(key) + " = … }");
+    return false;
+}
+
 bool expect_tables(Reading& reading, const NamedValue& value) {
     if (value.node.kind() != TomlKind::table) return expect(reading, value, TomlKind::array);
     reading.error(value.node.place(), "wrong-type",

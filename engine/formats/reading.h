@@ -50,6 +50,8 @@ struct NamedValue {
 
 /// Notes wrong-type unless the value is of this kind; true if it is.
 bool expect(Reading& reading, const NamedValue& value, TomlKind kind);
+/// Whether it is a table. key: one that it may have, for the finding's example.
+bool expect_table(Reading& reading, const NamedValue& value, std::string_view key);
 /// Whether it is an array, as for tables; where it is one table, the finding says how several are written.
 bool expect_tables(Reading& reading, const NamedValue& value);
 void wrong_type(Reading& reading, const NamedValue& value, std::string_view expected);

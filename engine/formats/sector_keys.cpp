@@ -133,6 +133,10 @@ constexpr std::array kWallKeys{
 void read_vertices(Reading& reading, const NamedValue& value, Range range, LoopRecord& loop) {
     if (!expect(reading, value, TomlKind::array)) return;
     const std::size_t count = value.node.size();
+    if (count > 0 && value.node.at(0).kind() == TomlKind::array)
+        return reading.error(value.node.at(0).place(), "wrong-type",
+                             "'v' must be the x and y of each corner in turn, found an array for one; take the inner "
+                             "brackets away, as in v = [0, 0, 0, 4, 8, 4]");
     if (count % 2 != 0)
         reading.error(value.node.place(), "odd-vertices",
                       "'v' must have an x and a y for each corner, found " + std::to_string(count) +

@@ -121,6 +121,21 @@ z = true
                             "wrong-type 9:55", "bad-number 11:5", "wrong-type 12:5", "wrong-type 13:5"));
 }
 
+TEST(ReadMap, SaysOnceHowCornersAreWritten) {
+    const auto findings = read_map(R"(format = 1
+[[sectors]]
+name = "main"
+floor = 0
+[[sectors.loops]]
+v = [[0, 0], [0, 4], [4, 4]]
+walls = [{}, {}, {}]
+)")
+                              .findings;
+    ASSERT_THAT(codes_and_places(findings), ElementsAre("wrong-type 4:9", "wrong-type 6:6"));
+    EXPECT_EQ(findings[0].sentence, "'floor' must be a table, as in { z = … }, found a whole number");
+    EXPECT_THAT(findings[1].sentence, testing::HasSubstr("take the inner brackets away"));
+}
+
 TEST(ReadMap, NamesTheNearestKnownKey) {
     const auto findings = read_map(room("{ textrue = \"A\" }")).findings;
     ASSERT_EQ(findings.size(), 1u);
