@@ -2,10 +2,12 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <new>
 #include <optional>
 #include <vector>
 
+#include "base/hash.h"
 #include "formats/png.h"
 #include "map/map.h"
 
@@ -111,17 +113,38 @@ struct Frame {
     bool is_cut_short = false;  ///< somewhere a look ended because its budget was spent (render/openings.h)
 
     /// Sets the size and makes room. Pixels keep whatever they were: every renderer writes every one.
-    void resize(int new_width, int new_height);
+    void resize(int new_width, int new_height) {
+        width = new_width;
+        height = new_height;
+        pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    }
 };
 
 /// The same pixels, for write_png(), and the other way round.
-Image image_of(const Frame& frame);
-Frame frame_of(const Image& image);
+inline Image image_of(const Frame& frame) {
+    return {std::uint32_t(frame.width), std::uint32_t(frame.height), {frame.pixels.begin(), frame.pixels.end()}};
+}
+inline Frame frame_of(const Image& image) {
+    return {int(image.width), int(image.height), {image.pixels.begin(), image.pixels.end()}};
+}
 
 /// Makes room and sets everything to "nothing drawn, 0 writes, infinitely far".
-void reset(FrameFacts& facts, int width, int height);
+inline void reset(FrameFacts& facts, int width, int height) {
+    const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    facts.ids.assign(count, kNothing);
+    facts.depths.assign(count, std::numeric_limits<double>::infinity());
+    facts.texels.assign(count, {});
+    facts.writes.assign(count, 0);
+    facts.ambiguous.assign(count, 0);
+}
 
 /// Of size and pixels: the number goldens record.
-std::uint64_t hash_of(const Frame& frame);
+inline std::uint64_t hash_of(const Frame& frame) {
+    Hash hash;
+    hash.add(std::int32_t{frame.width});
+    hash.add(std::int32_t{frame.height});
+    for (std::uint32_t pixel : frame.pixels) hash.add(pixel);
+    return hash.value();
+}
 
 }  // namespace enfilade
