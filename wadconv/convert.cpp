@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "wadconv/thing_table.h"
 #include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {

@@ -3,7 +3,6 @@
 #include <array>
 #include <limits>
 
-#include "wadconv/thing_table.h"
 #include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {

@@ -11,8 +11,8 @@
 #include "formats/text_parts.h"
 #include "map/load.h"
 #include "wadconv/pictures.h"
-#include "wadconv/thing_table.h"
 #include "wadconv/wad.h"
+#include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {
 namespace {

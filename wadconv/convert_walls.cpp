@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <set>
 
-#include "wadconv/thing_table.h"
 #include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {

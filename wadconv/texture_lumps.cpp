@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/bytes.h"
-#include "wadconv/thing_table.h"
+#include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {
 namespace {

@@ -1,4 +1,4 @@
-#include "wadconv/thing_table.h"
+#include "wadconv/workbench.h"
 
 #include <algorithm>
 #include <array>

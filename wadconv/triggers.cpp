@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "wadconv/thing_table.h"
 #include "wadconv/wad.h"
 
 namespace enfilade::wadconv {

@@ -1,5 +1,5 @@
 // The table of things: complete in itself, and read as written.
-#include "wadconv/thing_table.h"
+#include "wadconv/workbench.h"
 
 #include <gmock/gmock.h>
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "wadconv/thing_table.h"
 #include "wadconv/wad.h"
+#include "wadconv/workbench.h"
 
 namespace enfilade::test {
 
