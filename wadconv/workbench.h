@@ -238,7 +238,7 @@ void convert_picture_changes(Workbench& bench);
 /// Adds the sounds of what moves, is switched and is picked up, as far as the archives have them.
 void convert_sounds(Workbench& bench);
 
-/// convert_things.cpp: things and the player's start.
+/// convert.cpp: things and the player's start.
 void convert_things(Workbench& bench);
 
 // How the light of Doom's sectors changes, as this format's light effects.
