@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "render/sprite.h"
-#include "render/stencil/tilted.h"
+#include "render/stencil/plan.h"
 
 namespace enfilade::stencil {
 

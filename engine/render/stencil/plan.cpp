@@ -6,7 +6,6 @@
 
 #include "render/openings.h"
 #include "render/stencil/panorama.h"
-#include "render/stencil/tilted.h"
 #include "render/stencil/wall_on_screen.h"
 
 namespace enfilade::stencil {

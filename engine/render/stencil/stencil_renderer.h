@@ -14,11 +14,11 @@
 // Depth Projection and Clipping", 2005), was left out on purpose: walls in the portal's plane fall to either side by
 // rounding, and depth becomes worse in proportion as the eye comes nearer to the plane, until, where portals matter
 // most, there is none. Nor has depth to tell walls apart: the depth buffer holds ranks, upright through how many
-// portals a wall is seen, tilted its place in the order of a sweep round the eye (tilted.h), so that walls through the
-// very eye, or a millimetre apart at 10 km, are in the order that was found exactly. The dial `portals` draws by the
-// classic ways, to see what they cost (in_space.cpp). What 24 bits of depth would tell
-// apart, in a picture 90 degrees wide before a portal that is square to the view (one that slants is up to 1.4 times
-// worse; tests/render/stencil/near_plane_test.cpp):
+// portals a wall is seen, tilted its place in the order of a sweep round the eye (tilted_order.cpp), so that walls
+// through the very eye, or a millimetre apart at 10 km, are in the order that was found exactly. The dial `portals`
+// draws by the classic ways, to see what they cost (in_space.cpp). What 24 bits of depth would tell apart, in a picture
+// 90 degrees wide before a portal that is square to the view (one that slants is up to 1.4 times worse;
+// tests/render/stencil/near_plane_test.cpp):
 //
 //   eye to portal    1 m      6 cm     4 mm     1 mm     1/65 mm  on it
 //   at 10 m          6 um     0.1 mm   1.5 mm   6 mm     0.4 m    nothing

@@ -1,4 +1,4 @@
-#include "render/stencil/tilted.h"
+#include "render/stencil/plan.h"
 
 #include <algorithm>
 #include <cmath>

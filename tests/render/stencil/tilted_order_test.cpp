@@ -1,5 +1,5 @@
 // In which order rays meet edges all around an eye: in a ring, in rows, and at corners.
-#include "render/stencil/tilted.h"
+#include "render/stencil/plan.h"
 
 #include <gtest/gtest.h>
 
