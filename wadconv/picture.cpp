@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "base/bytes.h"
+#include "base/files.h"
 
 namespace enfilade::wadconv {
 namespace {

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <set>
 
-#include "base/bytes.h"
 #include "base/files.h"
 #include "wadconv/workbench.h"
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <string_view>
 
-#include "base/bytes.h"
+#include "base/files.h"
 #include "wadconv/workbench.h"
 
 namespace enfilade::wadconv {

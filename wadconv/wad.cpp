@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "base/bytes.h"
+#include "base/files.h"
 #include "formats/text_parts.h"
 
 namespace enfilade::wadconv {

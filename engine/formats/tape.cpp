@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/bytes.h"
+#include "base/files.h"
 #include "base/result.h"
 #include "base/text.h"
 

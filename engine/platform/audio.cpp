@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "base/bytes.h"
+#include "base/files.h"
 #include "platform/sdl_events.h"
 #include "world/input.h"
 

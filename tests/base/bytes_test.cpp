@@ -1,11 +1,9 @@
 // Little-endian reading and writing, and what a reader does at the end of its bytes.
-#include "base/bytes.h"
+#include "base/files.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
-
-#include "base/files.h"
 
 namespace enfilade {
 namespace {

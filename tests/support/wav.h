@@ -3,7 +3,6 @@
 #include <cmath>
 #include <vector>
 
-#include "base/bytes.h"
 #include "base/files.h"
 
 namespace enfilade::test {

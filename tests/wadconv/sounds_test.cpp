@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "base/bytes.h"
+#include "base/files.h"
 #include "wadconv/converted.h"
 
 namespace enfilade::wadconv {

@@ -13,7 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/bytes.h"
 #include "base/files.h"
 #include "wadconv/wad.h"
 

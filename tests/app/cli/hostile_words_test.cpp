@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "app/cli/program.h"
-#include "base/bytes.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "formats/tape.h"
 
