@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "app/commands.h"
-#include "app/effect_prices.h"
+#include "app/bench.h"
 #include "app/machine_output.h"
 #include "app/messages.h"
 #include "app/open_map.h"

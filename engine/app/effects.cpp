@@ -1,4 +1,4 @@
-#include "app/effect_prices.h"
+#include "app/bench.h"
 
 #include <algorithm>
 

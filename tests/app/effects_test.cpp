@@ -1,5 +1,5 @@
 // What a map calls for.
-#include "app/effect_prices.h"
+#include "app/bench.h"
 
 #include <gmock/gmock.h>
 
