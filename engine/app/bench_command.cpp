@@ -3,7 +3,6 @@
 
 #include "app/bench.h"
 #include "app/commands.h"
-#include "app/machine_output.h"
 #include "app/messages.h"
 #include "app/open_map.h"
 #include "app/options.h"

@@ -5,9 +5,8 @@
 #include <filesystem>
 #include <iterator>
 
-#include "app/commands.h"
 #include "app/bench.h"
-#include "app/machine_output.h"
+#include "app/commands.h"
 #include "app/messages.h"
 #include "app/open_map.h"
 #include "app/sounds.h"

@@ -1,13 +1,18 @@
-// The subcommands of `enfilade`: what each may be given, as typed, and what it does with it.
+// The subcommands of `enfilade`: what each may be given, as typed, what it does with it, and what it says of it to
+// other programs.
 #pragma once
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/bench.h"
 #include "app/messages.h"
 #include "app/options.h"
+#include "app/recorded_flight.h"
+#include "base/finding.h"
 #include "base/parallel.h"
+#include "formats/dials.h"
 #include "map/load.h"
 #include "render/outside/outside_camera.h"
 #include "world/snapshot.h"
@@ -18,7 +23,7 @@ class App;
 
 namespace enfilade {
 
-/// Notations of what a command found out (app/machine_output.h); text is for people.
+/// Notations of what a command found out (machine_output.cpp); text is for people.
 inline constexpr const char *kText = "text", *kJson = "json", *kSarif = "sarif", *kJunit = "junit";
 
 struct PlayRequest {
@@ -149,6 +154,51 @@ private:
     DrawRequest draw_;
     const CLI::App *declared_new_, *declared_expand_, *declared_fmt_;
 };
+
+// What commands say to other programs instead of to people: JSON (schemas in maps/*.schema.json), SARIF for findings
+// and JUnit for flythroughs, which CI systems read.
+
+/// A map with all that `check` has to say about it.
+struct CheckedMap {
+    std::string path;
+    Findings findings;
+    bool is_refused = false;
+};
+
+/// How many findings of that severity all of them have.
+std::size_t count_of(const std::vector<CheckedMap>& maps, Severity severity);
+
+/// maps/check.schema.json.
+std::string check_json(const std::vector<CheckedMap>& maps);
+
+/// SARIF 2.1.0, one result for each finding.
+std::string check_sarif(const std::vector<CheckedMap>& maps);
+
+/// What `fly --check` did.
+struct CheckedFlight {
+    std::string script, renderer;
+    std::string compared_with;  ///< "recording", or the name of another renderer
+    int first = 0, last = 0;    ///< frames, both included
+    FlightVerdict verdict;
+};
+
+/// maps/fly.schema.json.
+std::string flight_json(const CheckedFlight& flight);
+
+/// JUnit's XML, one test case for each frame.
+std::string flight_junit(const CheckedFlight& flight);
+
+/// How `bench` measured.
+struct BenchSetting {
+    std::vector<std::string> subjects;
+    int width = 0, height = 0;  ///< [px]
+    std::string renderer, kernels;
+    Dials dials;
+    std::size_t threads = 1, rounds = 1;
+};
+
+/// maps/bench.schema.json.
+std::string bench_json(const BenchSetting& setting, const std::vector<BenchFrame>& frames);
 
 // The whole command line, as a function.
 

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "app/machine_output.h"
 #include "app/messages.h"
 #include "app/open_map.h"
 #include "app/options.h"

@@ -1,4 +1,4 @@
-#include "app/machine_output.h"
+#include "app/commands.h"
 
 #include <fmt/format.h>
 
