@@ -1,152 +1,28 @@
-#include "app/recorded_flight.h"
-
+// Frames that are not as they were recorded, or not as another renderer draws them: found, and shown on a page.
 #include <fmt/format.h>
-#include <algorithm>
-#include <cstdio>
-#include <filesystem>
 
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+
+#include "app/messages.h"
 #include "app/pictures.h"
+#include "app/recorded_flight.h"
 #include "base/files.h"
+#include "base/text.h"
 #include "flight/comparison.h"
-#include "formats/png.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
-
 namespace {
 
 namespace fs = std::filesystem;
 
-/// "tour.frames".
-std::string full_size_folder(const std::string& script_path) {
-    return fs::path(script_path).replace_extension(".frames").string();
-}
-
-/// Numbers of the pictures in the folder, sorted.
-std::vector<int> kept_numbers(const std::string& folder) {
-    std::vector<int> numbers;
-    for (const std::string& name : list_folder(folder)) {
-        int number = -1;
-        const bool is_numbered = std::sscanf(name.c_str(), "%d", &number) == 1 && number >= 0;
-        if (is_numbered && fs::path(folder) / name == numbered_picture(folder, std::size_t(number)))
-            numbers.push_back(number);
-    }
-    std::ranges::sort(numbers);
-    return numbers;
-}
-
-bool is_whole(const DrawPlan& plan, int flight_frames) { return plan.first == 0 && plan.last == flight_frames - 1; }
-
-/// Those in the folder that a recording of the plan replaces: of the whole flight, all there are.
-std::vector<int> replaced_numbers(const std::string& folder, const DrawPlan& plan, int flight_frames) {
-    std::vector<int> numbers = kept_numbers(folder);
-    if (!is_whole(plan, flight_frames))
-        std::erase_if(numbers, [&](int number) { return number < plan.first || number > plan.last; });
-    return numbers;
-}
-
-/// Which frames of the plan to keep in full size, sorted.
-std::vector<int> choose_full_size(const std::vector<int>& before, const DrawPlan& plan, const PictureKeeping& keeping) {
-    std::vector<int> chosen;
-    const int every = keeping.full_size_every;
-    for (int number = plan.first; number <= plan.last && !keeping.no_pictures; ++number)
-        if (every > 0 ? number % every == 0 : std::ranges::binary_search(before, number)) chosen.push_back(number);
-    return chosen;
-}
-
-Result<Frame> read_picture(const std::string& path) {
-    const auto bytes = read_file(path);
-    if (!bytes.ok()) return bytes.error();
-    auto image = read_png(bytes.value());
-    if (!image.ok()) return Error{path, image.error().what};
-    return frame_of(image.value());
-}
-
-}  // namespace
-
-std::string sheet_path(const std::string& script_path) {
-    return fs::path(script_path).replace_extension(".sheet.png").string();
-}
-
-std::string part_path(const std::string& script_path, int first, int last, const std::string& ending) {
-    return fs::path(script_path).replace_extension(fmt::format(".part-{:06}-{:06}{}", first, last, ending)).string();
-}
-
-Result<ContactSheet> read_sheet(const std::string& path, const std::optional<std::uint64_t>& recorded,
-                                ContactSheet empty) {
-    if (!recorded) return Error{"", "The recording has no small pictures of its frames."};
-    auto image = read_picture(path);
-    if (!image.ok()) return Error{"", "The recording's small pictures cannot be read: " + image.error().text() + "."};
-    if (hash_of(image.value()) != *recorded || !empty.take(std::move(image).value()))
-        return Error{"", "The small pictures in " + path + " are of another recording."};
-    return empty;
-}
-
-PictureKeeper::PictureKeeper(const std::string& script_path, const DrawPlan& plan, int flight_frames,
-                             const PictureKeeping& keeping)
-    : sheet_(is_whole(plan, flight_frames) ? sheet_path(script_path)
-                                           : part_path(script_path, plan.first, plan.last, ".sheet.png")),
-      folder_(full_size_folder(script_path)),
-      keeping_(keeping),
-      before_(replaced_numbers(folder_, plan, flight_frames)),
-      full_size_(choose_full_size(before_, plan, keeping)),
-      contact_sheet_(flight_frames, plan.width, plan.height) {}
-
-Result<void> PictureKeeper::start() const {
-    std::error_code unremovable;
-    for (const int number : before_)
-        if (!std::ranges::binary_search(full_size_, number))
-            fs::remove(numbered_picture(folder_, std::size_t(number)), unremovable);
-    if (full_size_.empty() && !before_.empty()) fs::remove(folder_, unremovable);  // where nothing else is in it
-    if (full_size_.empty()) return {};
-    return make_folder(folder_);
-}
-
-Result<void> PictureKeeper::take(int number, const Frame& frame) {
-    if (!keeping_.no_pictures) contact_sheet_.put(number, frame);
-    if (!std::ranges::binary_search(full_size_, number)) return {};
-    return write_picture(numbered_picture(folder_, std::size_t(number)), image_of(frame));
-}
-
-Result<std::optional<std::uint64_t>> PictureKeeper::finish() const {
-    std::error_code unremovable;
-    if (keeping_.no_pictures) {
-        fs::remove(sheet_, unremovable);
-        if (unremovable) return Error{sheet_, "cannot remove it: " + unremovable.message()};
-        return std::optional<std::uint64_t>();
-    }
-    const Image image = image_of(contact_sheet_.image());
-    if (const Result<void> done = write_file(sheet_, write_png(image, PngEffort::smallest)); !done.ok())
-        return done.error();
-    return std::optional(hash_of(contact_sheet_.image()));
-}
-
-KeptPictures::KeptPictures(const std::string& script_path, const FrameRecording& recording, const DrawPlan& plan)
-    : folder_(full_size_folder(script_path)),
-      reduction_(reduction_of(plan.width, plan.height)),
-      sheet_(static_cast<int>(recording.frames.size()), plan.width, plan.height) {
-    auto sheet = read_sheet(sheet_path(script_path), recording.sheet, sheet_);
-    if (sheet.ok())
-        sheet_ = std::move(sheet).value();
-    else
-        missing_ = sheet.error().what;
-}
-
-std::optional<KeptPicture> KeptPictures::of(const FrameHash& recorded) const {
-    auto full_size = read_picture(numbered_picture(folder_, recorded.frame));
-    if (full_size.ok() && hash_of(full_size.value()) == recorded.hash)
-        return KeptPicture{std::move(full_size).value(), 1};
-    auto small = missing_.empty() ? sheet_.picture_of(static_cast<int>(recorded.frame)) : std::nullopt;
-    if (!small) return {};
-    return KeptPicture{std::move(*small), reduction_};
-}
-
-namespace {
-
 /// Writes one picture into the folder; gives its name there.
 Result<std::string> add_picture(const std::string& folder, int frame, const char* what, const Frame& picture) {
     const std::string name = fmt::format("{:06}-{}.png", frame, what);
-    if (const Result<void> done = write_picture((std::filesystem::path(folder) / name).string(), image_of(picture));
-        !done.ok())
+    if (const Result<void> done = write_picture((fs::path(folder) / name).string(), image_of(picture)); !done.ok())
         return done.error();
     return name;
 }
@@ -193,11 +69,11 @@ void remove_report(const std::string& folder) {
     for (const std::string& name : list_folder(folder)) {
         if (!is_picture(name)) continue;
         is_report = true;
-        std::filesystem::remove(std::filesystem::path(folder) / name, unremovable);
+        fs::remove(fs::path(folder) / name, unremovable);
     }
     if (!is_report) return;
-    std::filesystem::remove(std::filesystem::path(folder) / "index.html", unremovable);
-    std::filesystem::remove(folder, unremovable);  // where it is empty
+    fs::remove(fs::path(folder) / "index.html", unremovable);
+    fs::remove(folder, unremovable);  // where it is empty
 }
 
 Result<void> write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames) {
@@ -209,7 +85,160 @@ Result<void> write_report(const std::string& folder, const ReportText& text, con
         if (!row.ok()) return row.error();
         rows.push_back(std::move(row).value());
     }
-    return write_file((std::filesystem::path(folder) / "index.html").string(), mismatch_page(text, rows));
+    return write_file((fs::path(folder) / "index.html").string(), mismatch_page(text, rows));
+}
+
+namespace {
+
+Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPlan& plan, int number) {
+    const Dials dials = dials_for(kind, plan.dials);
+    const auto renderer = make_renderer({kind, dials, plan.workers, plan.open_gl}, scene.map, scene.textures);
+    if (!renderer.ok()) return renderer.error();
+    Frame frame;
+    frame.resize(plan.width, plan.height);
+    if (const Result<void> done = draw_frame(scene, number, *renderer.value(), frame); !done.ok()) return done.error();
+    return frame;
+}
+
+/// Which of the frames found a report shows, growing: the first, and those that a picture was kept of; where there is
+/// none of these, the next ones.
+std::vector<Mismatch> choose_shown(const std::vector<Mismatch>& found, const KeptPictures& kept) {
+    std::vector<Mismatch> shown{found.front()}, others;
+    for (std::size_t i = 1; i < found.size() && shown.size() < kMostShown; ++i) {
+        const bool has_picture = kept.of({static_cast<std::uint32_t>(found[i].frame), found[i].expected}).has_value();
+        (has_picture ? shown : others).push_back(found[i]);
+    }
+    others.resize(shown.size() > 1 ? 0 : std::min(others.size(), kMostShown - shown.size()));
+    shown.insert(shown.end(), others.begin(), others.end());
+    std::ranges::sort(shown, {}, &Mismatch::frame);
+    return shown;
+}
+
+BadFrame bad_frame(const Mismatch& mismatch, std::optional<KeptPicture> kept, Frame actual) {
+    BadFrame bad{mismatch, {}, std::move(actual), "no picture of this frame was kept", 1};
+    if (!kept) return bad;
+    bad.expected = std::move(kept->picture);
+    bad.reduction = kept->reduction;
+    bad.expected_origin = kept->reduction == 1 ? "as it was recorded"
+                                               : fmt::format("as it was recorded, {} times smaller", kept->reduction);
+    return bad;
+}
+
+/// What a reader of the report can do.
+std::string advice_on(const KeptPictures& kept, const std::string& script_path) {
+    std::string advice = fmt::format(
+        "If the change was meant, record them again with `enfilade fly {} --record` and the options that were "
+        "given here.",
+        script_path);
+    if (!kept.what_is_missing().empty())
+        advice += fmt::format(
+            " {} To see what was expected, run the same in the version that was right, and check again "
+            "with the recording that this makes.",
+            kept.what_is_missing());
+    return advice;
+}
+
+Result<void> report_mismatches(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
+                               const FrameRecording& recording, const std::vector<Mismatch>& found,
+                               const std::string& folder, Talk talk) {
+    const KeptPictures kept(script_path, recording, plan);
+    std::vector<BadFrame> shown;
+    for (const Mismatch& mismatch : choose_shown(found, kept)) {
+        auto actual = drawn_by(plan.renderer, scene, plan, mismatch.frame);
+        if (!actual.ok()) return actual.error();
+        auto picture = kept.of({static_cast<std::uint32_t>(mismatch.frame), mismatch.expected});
+        shown.push_back(bad_frame(mismatch, std::move(picture), std::move(actual).value()));
+    }
+    if (talk == Talk::usual && !kept.what_is_missing().empty())
+        print_text(stderr, script_path + ": " + kept.what_is_missing() + "\n");
+    return write_report(folder, {"Flythrough " + script_path, advice_on(kept, script_path), found.size()}, shown);
+}
+
+std::string page_in(const std::string& folder) { return (fs::path(folder) / "index.html").string(); }
+
+/// Frames of the plan of which more than `allowed` pixels are different with another renderer.
+Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan& plan, RendererKind other,
+                                       double allowed, Talk talk) {
+    struct CheckTools {
+        std::unique_ptr<Renderer> renderer;
+        Frame frame;
+    };
+    std::vector<CheckTools> tools(plan.workers);
+    for (CheckTools& own : tools) {
+        auto renderer =
+            make_renderer({other, dials_for(other, plan.dials), 1, plan.open_gl}, scene.map, scene.textures);
+        if (!renderer.ok()) return renderer.error();
+        own.renderer = std::move(renderer).value();
+    }
+    std::vector<char> differs(frames_of(plan), 0);
+    Progress progress(differs.size(), "frames", talk);
+    const Result<void> drawn =
+        draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Result<void> {
+            CheckTools& own = tools[worker];
+            own.frame.resize(plan.width, plan.height);
+            if (const Result<void> done = draw_frame(scene, number, *own.renderer, own.frame); !done.ok())
+                return done.error();
+            differs[std::size_t(number - plan.first)] = double(difference_of(own.frame, frame).pixels) > allowed;
+            progress.step(worker);
+            return {};
+        });
+    if (!drawn.ok()) return drawn.error();
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < differs.size(); ++i)
+        if (differs[i]) numbers.push_back(plan.first + int(i));
+    return numbers;
+}
+
+}  // namespace
+
+Result<FlightVerdict> check_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
+                                   const std::string& report_folder, Talk talk) {
+    const auto recorded = read_recording(script_path, read_file);
+    if (!recorded.ok()) return recorded.error();
+    if (const Result<void> valid = refuse_recording(recorded.value(), plan, scene.flight.frames(), script_path);
+        !valid.ok())
+        return valid.error();
+    Progress progress(frames_of(plan), "frames", talk);
+    const auto hashes = hash_frames(scene, plan, [&](int, const Frame&, std::size_t worker) -> Result<void> {
+        progress.step(worker);
+        return {};
+    });
+    if (!hashes.ok()) return hashes.error();
+    const auto found = mismatches(recorded.value().frames, plan.first, hashes.value());
+    if (found.empty()) {
+        remove_report(report_folder);
+        return FlightVerdict{};
+    }
+    if (const Result<void> done =
+            report_mismatches(scene, plan, script_path, recorded.value(), found, report_folder, talk);
+        !done.ok())
+        return done.error();
+    FlightVerdict verdict{{}, page_in(report_folder)};
+    std::ranges::transform(found, std::back_inserter(verdict.differing), &Mismatch::frame);
+    return verdict;
+}
+
+Result<FlightVerdict> compare_renderers(const FlightScene& scene, const DrawPlan& plan, RendererKind other,
+                                        double tolerance, const std::string& report_folder, Talk talk) {
+    const auto disagreeing = disagreements(scene, plan, other, tolerance * plan.width * plan.height, talk);
+    if (!disagreeing.ok()) return disagreeing.error();
+    const std::vector<int>& found = disagreeing.value();
+    if (found.empty()) {
+        remove_report(report_folder);
+        return FlightVerdict{};
+    }
+    std::vector<BadFrame> shown;
+    for (std::size_t i = 0; i < std::min(found.size(), kMostShown); ++i) {
+        auto expected = drawn_by(other, scene, plan, found[i]), actual = drawn_by(plan.renderer, scene, plan, found[i]);
+        if (!expected.ok()) return expected.error();
+        if (!actual.ok()) return actual.error();
+        const Mismatch mismatch{found[i], hash_of(expected.value()), hash_of(actual.value())};
+        shown.push_back(
+            {mismatch, std::move(expected).value(), std::move(actual).value(), "drawn by the other renderer", 1});
+    }
+    const ReportText text{"Two renderers", "What is expected was drawn by the other renderer.", found.size()};
+    if (const Result<void> done = write_report(report_folder, text, shown); !done.ok()) return done.error();
+    return FlightVerdict{found, page_in(report_folder)};
 }
 
 }  // namespace enfilade

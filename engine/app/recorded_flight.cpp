@@ -1,139 +1,158 @@
+// Recording a flythrough: the pictures that are kept beside the hashes, and recordings whose frames were drawn in
+// parts, perhaps on several machines, put together.
 #include "app/recorded_flight.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
-#include <iterator>
-#include <optional>
 
-#include "app/messages.h"
+#include "app/pictures.h"
 #include "base/files.h"
-#include "base/text.h"
-#include "formats/text_parts.h"
+#include "flight/comparison.h"
+#include "formats/png.h"
 
 namespace enfilade {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Tells the terminal how far hash_frames() is, and hands each frame on.
-FrameTaker stepping(Progress& progress, const FrameTaker& take = {}) {
-    return [&progress, take](int number, const Frame& frame, std::size_t worker) -> Result<void> {
-        progress.step(worker);
-        return take ? take(number, frame, worker) : Result<void>{};
-    };
+/// "tour.frames".
+std::string full_size_folder(const std::string& script_path) {
+    return fs::path(script_path).replace_extension(".frames").string();
 }
 
-Result<Frame> drawn_by(RendererKind kind, const FlightScene& scene, const DrawPlan& plan, int number) {
-    const Dials dials = dials_for(kind, plan.dials);
-    const auto renderer = make_renderer({kind, dials, plan.workers, plan.open_gl}, scene.map, scene.textures);
-    if (!renderer.ok()) return renderer.error();
-    Frame frame;
-    frame.resize(plan.width, plan.height);
-    if (const Result<void> done = draw_frame(scene, number, *renderer.value(), frame); !done.ok()) return done.error();
-    return frame;
-}
-
-/// Which of the frames found a report shows, growing: the first, and those that a picture was kept of; where there is
-/// none of these, the next ones.
-std::vector<Mismatch> choose_shown(const std::vector<Mismatch>& found, const KeptPictures& kept) {
-    std::vector<Mismatch> shown{found.front()}, others;
-    for (std::size_t i = 1; i < found.size() && shown.size() < kMostShown; ++i) {
-        const bool has_picture = kept.of({static_cast<std::uint32_t>(found[i].frame), found[i].expected}).has_value();
-        (has_picture ? shown : others).push_back(found[i]);
-    }
-    others.resize(shown.size() > 1 ? 0 : std::min(others.size(), kMostShown - shown.size()));
-    shown.insert(shown.end(), others.begin(), others.end());
-    std::ranges::sort(shown, {}, &Mismatch::frame);
-    return shown;
-}
-
-BadFrame bad_frame(const Mismatch& mismatch, std::optional<KeptPicture> kept, Frame actual) {
-    BadFrame bad{mismatch, {}, std::move(actual), "no picture of this frame was kept", 1};
-    if (!kept) return bad;
-    bad.expected = std::move(kept->picture);
-    bad.reduction = kept->reduction;
-    bad.expected_origin = kept->reduction == 1 ? "as it was recorded"
-                                               : fmt::format("as it was recorded, {} times smaller", kept->reduction);
-    return bad;
-}
-
-/// What a reader of the report can do.
-std::string advice_on(const KeptPictures& kept, const std::string& script_path) {
-    std::string advice = fmt::format(
-        "If the change was meant, record them again with `enfilade fly {} --record` and the options that were "
-        "given here.",
-        script_path);
-    if (!kept.what_is_missing().empty())
-        advice += fmt::format(
-            " {} To see what was expected, run the same in the version that was right, and check again "
-            "with the recording that this makes.",
-            kept.what_is_missing());
-    return advice;
-}
-
-Result<void> report_mismatches(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
-                               const FrameRecording& recording, const std::vector<Mismatch>& found,
-                               const std::string& folder, Talk talk) {
-    const KeptPictures kept(script_path, recording, plan);
-    std::vector<BadFrame> shown;
-    for (const Mismatch& mismatch : choose_shown(found, kept)) {
-        auto actual = drawn_by(plan.renderer, scene, plan, mismatch.frame);
-        if (!actual.ok()) return actual.error();
-        auto picture = kept.of({static_cast<std::uint32_t>(mismatch.frame), mismatch.expected});
-        shown.push_back(bad_frame(mismatch, std::move(picture), std::move(actual).value()));
-    }
-    if (talk == Talk::usual && !kept.what_is_missing().empty())
-        print_text(stderr, script_path + ": " + kept.what_is_missing() + "\n");
-    return write_report(folder, {"Flythrough " + script_path, advice_on(kept, script_path), found.size()}, shown);
-}
-
-std::string page_in(const std::string& folder) { return (fs::path(folder) / "index.html").string(); }
-
-/// Frames of the plan of which more than `allowed` pixels are different with another renderer.
-Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan& plan, RendererKind other,
-                                       double allowed, Talk talk) {
-    struct CheckTools {
-        std::unique_ptr<Renderer> renderer;
-        Frame frame;
-    };
-    std::vector<CheckTools> tools(plan.workers);
-    for (CheckTools& own : tools) {
-        auto renderer =
-            make_renderer({other, dials_for(other, plan.dials), 1, plan.open_gl}, scene.map, scene.textures);
-        if (!renderer.ok()) return renderer.error();
-        own.renderer = std::move(renderer).value();
-    }
-    std::vector<char> differs(frames_of(plan), 0);
-    Progress progress(differs.size(), "frames", talk);
-    const Result<void> drawn =
-        draw_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) -> Result<void> {
-            CheckTools& own = tools[worker];
-            own.frame.resize(plan.width, plan.height);
-            if (const Result<void> done = draw_frame(scene, number, *own.renderer, own.frame); !done.ok())
-                return done.error();
-            differs[std::size_t(number - plan.first)] = double(difference_of(own.frame, frame).pixels) > allowed;
-            progress.step(worker);
-            return {};
-        });
-    if (!drawn.ok()) return drawn.error();
+/// Numbers of the pictures in the folder, sorted.
+std::vector<int> kept_numbers(const std::string& folder) {
     std::vector<int> numbers;
-    for (std::size_t i = 0; i < differs.size(); ++i)
-        if (differs[i]) numbers.push_back(plan.first + int(i));
+    for (const std::string& name : list_folder(folder)) {
+        int number = -1;
+        const bool is_numbered = std::sscanf(name.c_str(), "%d", &number) == 1 && number >= 0;
+        if (is_numbered && fs::path(folder) / name == numbered_picture(folder, std::size_t(number)))
+            numbers.push_back(number);
+    }
+    std::ranges::sort(numbers);
     return numbers;
 }
 
+bool is_whole(const DrawPlan& plan, int flight_frames) { return plan.first == 0 && plan.last == flight_frames - 1; }
+
+/// Those in the folder that a recording of the plan replaces: of the whole flight, all there are.
+std::vector<int> replaced_numbers(const std::string& folder, const DrawPlan& plan, int flight_frames) {
+    std::vector<int> numbers = kept_numbers(folder);
+    if (!is_whole(plan, flight_frames))
+        std::erase_if(numbers, [&](int number) { return number < plan.first || number > plan.last; });
+    return numbers;
+}
+
+/// Which frames of the plan to keep in full size, sorted.
+std::vector<int> choose_full_size(const std::vector<int>& before, const DrawPlan& plan, const PictureKeeping& keeping) {
+    std::vector<int> chosen;
+    const int every = keeping.full_size_every;
+    for (int number = plan.first; number <= plan.last && !keeping.no_pictures; ++number)
+        if (every > 0 ? number % every == 0 : std::ranges::binary_search(before, number)) chosen.push_back(number);
+    return chosen;
+}
+
+Result<Frame> read_picture(const std::string& path) {
+    const auto bytes = read_file(path);
+    if (!bytes.ok()) return bytes.error();
+    auto image = read_png(bytes.value());
+    if (!image.ok()) return Error{path, image.error().what};
+    return frame_of(image.value());
+}
+
 }  // namespace
+
+std::string sheet_path(const std::string& script_path) {
+    return fs::path(script_path).replace_extension(".sheet.png").string();
+}
+
+std::string part_path(const std::string& script_path, int first, int last, const std::string& ending) {
+    return fs::path(script_path).replace_extension(fmt::format(".part-{:06}-{:06}{}", first, last, ending)).string();
+}
+
+Result<ContactSheet> read_sheet(const std::string& path, const std::optional<std::uint64_t>& recorded,
+                                ContactSheet empty) {
+    if (!recorded) return Error{"", "The recording has no small pictures of its frames."};
+    auto image = read_picture(path);
+    if (!image.ok()) return Error{"", "The recording's small pictures cannot be read: " + image.error().text() + "."};
+    if (hash_of(image.value()) != *recorded || !empty.take(std::move(image).value()))
+        return Error{"", "The small pictures in " + path + " are of another recording."};
+    return empty;
+}
+
+PictureKeeper::PictureKeeper(const std::string& script_path, const DrawPlan& plan, int flight_frames,
+                             const PictureKeeping& keeping)
+    : sheet_(is_whole(plan, flight_frames) ? sheet_path(script_path)
+                                           : part_path(script_path, plan.first, plan.last, ".sheet.png")),
+      folder_(full_size_folder(script_path)),
+      keeping_(keeping),
+      before_(replaced_numbers(folder_, plan, flight_frames)),
+      full_size_(choose_full_size(before_, plan, keeping)),
+      contact_sheet_(flight_frames, plan.width, plan.height) {}
+
+Result<void> PictureKeeper::start() const {
+    std::error_code unremovable;
+    for (const int number : before_)
+        if (!std::ranges::binary_search(full_size_, number))
+            fs::remove(numbered_picture(folder_, std::size_t(number)), unremovable);
+    if (full_size_.empty() && !before_.empty()) fs::remove(folder_, unremovable);  // where nothing else is in it
+    if (full_size_.empty()) return {};
+    return make_folder(folder_);
+}
+
+Result<void> PictureKeeper::take(int number, const Frame& frame) {
+    if (!keeping_.no_pictures) contact_sheet_.put(number, frame);
+    if (!std::ranges::binary_search(full_size_, number)) return {};
+    return write_picture(numbered_picture(folder_, std::size_t(number)), image_of(frame));
+}
+
+Result<std::optional<std::uint64_t>> PictureKeeper::finish() const {
+    std::error_code unremovable;
+    if (keeping_.no_pictures) {
+        fs::remove(sheet_, unremovable);
+        if (unremovable) return Error{sheet_, "cannot remove it: " + unremovable.message()};
+        return std::optional<std::uint64_t>();
+    }
+    const Image image = image_of(contact_sheet_.image());
+    if (const Result<void> done = write_file(sheet_, write_png(image, PngEffort::smallest)); !done.ok())
+        return done.error();
+    return std::optional(hash_of(contact_sheet_.image()));
+}
+
+KeptPictures::KeptPictures(const std::string& script_path, const FrameRecording& recording, const DrawPlan& plan)
+    : folder_(full_size_folder(script_path)),
+      reduction_(reduction_of(plan.width, plan.height)),
+      sheet_(static_cast<int>(recording.frames.size()), plan.width, plan.height) {
+    auto sheet = read_sheet(sheet_path(script_path), recording.sheet, sheet_);
+    if (sheet.ok())
+        sheet_ = std::move(sheet).value();
+    else
+        missing_ = sheet.error().what;
+}
+
+std::optional<KeptPicture> KeptPictures::of(const FrameHash& recorded) const {
+    auto full_size = read_picture(numbered_picture(folder_, recorded.frame));
+    if (full_size.ok() && hash_of(full_size.value()) == recorded.hash)
+        return KeptPicture{std::move(full_size).value(), 1};
+    auto small = missing_.empty() ? sheet_.picture_of(static_cast<int>(recorded.frame)) : std::nullopt;
+    if (!small) return {};
+    return KeptPicture{std::move(*small), reduction_};
+}
+
+// The recording.
 
 Result<void> record_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
                            const PictureKeeping& keeping, Talk talk) {
     PictureKeeper keeper(script_path, plan, scene.flight.frames(), keeping);
     if (const Result<void> done = keeper.start(); !done.ok()) return done.error();
     Progress progress(frames_of(plan), "frames", talk);
-    const auto hashes = hash_frames(scene, plan, stepping(progress, [&](int number, const Frame& frame, std::size_t) {
-                                        return keeper.take(number, frame);
-                                    }));
+    const auto hashes = hash_frames(scene, plan, [&](int number, const Frame& frame, std::size_t worker) {
+        progress.step(worker);
+        return keeper.take(number, frame);
+    });
     if (!hashes.ok()) return hashes.error();
     const auto sheet = keeper.finish();
     if (!sheet.ok()) return sheet.error();
@@ -149,51 +168,124 @@ Result<void> record_flight(const FlightScene& scene, const DrawPlan& plan, const
                       write_frame_hashes(recording));
 }
 
-Result<FlightVerdict> check_flight(const FlightScene& scene, const DrawPlan& plan, const std::string& script_path,
-                                   const std::string& report_folder, Talk talk) {
-    const auto recorded = read_recording(script_path, read_file);
-    if (!recorded.ok()) return recorded.error();
-    if (const Result<void> valid = refuse_recording(recorded.value(), plan, scene.flight.frames(), script_path);
-        !valid.ok())
-        return valid.error();
-    Progress progress(frames_of(plan), "frames", talk);
-    const auto hashes = hash_frames(scene, plan, stepping(progress));
-    if (!hashes.ok()) return hashes.error();
-    const auto found = mismatches(recorded.value().frames, plan.first, hashes.value());
-    if (found.empty()) {
-        remove_report(report_folder);
-        return FlightVerdict{};
-    }
-    if (const Result<void> done =
-            report_mismatches(scene, plan, script_path, recorded.value(), found, report_folder, talk);
-        !done.ok())
-        return done.error();
-    FlightVerdict verdict{{}, page_in(report_folder)};
-    std::ranges::transform(found, std::back_inserter(verdict.differing), &Mismatch::frame);
-    return verdict;
+// Its parts.
+
+namespace {
+
+struct RecordedPart {
+    std::string hashes, sheet;  ///< paths
+    FrameRecording recording;   ///< of at least one frame
+};
+
+Result<RecordedPart> read_part(const fs::path& path) {
+    const auto bytes = read_file(path.string());
+    if (!bytes.ok()) return bytes.error();
+    auto recording = read_frame_hashes(as_text(bytes.value()));
+    if (!recording.ok()) return Error{path.string() + ":" + recording.error().where, recording.error().what};
+    if (recording.value().frames.empty() || !recording.value().pictures)
+        return Error{path.string(), "expected the frames of a part, found none; record it again"};
+    return RecordedPart{path.string(), fs::path(path).replace_extension(".sheet.png").string(),
+                        std::move(recording).value()};
 }
 
-Result<FlightVerdict> compare_renderers(const FlightScene& scene, const DrawPlan& plan, RendererKind other,
-                                        double tolerance, const std::string& report_folder, Talk talk) {
-    const auto disagreeing = disagreements(scene, plan, other, tolerance * plan.width * plan.height, talk);
-    if (!disagreeing.ok()) return disagreeing.error();
-    const std::vector<int>& found = disagreeing.value();
-    if (found.empty()) {
-        remove_report(report_folder);
-        return FlightVerdict{};
+/// All parts that lie beside the script, in the order of their frames.
+Result<std::vector<RecordedPart>> read_parts(const fs::path& script_path) {
+    const fs::path folder = script_path.parent_path();
+    const std::string beginning = script_path.stem().string() + ".part-";
+    std::vector<RecordedPart> parts;
+    for (const std::string& name : list_folder(folder.empty() ? "." : folder.string())) {
+        if (!name.starts_with(beginning) || !name.ends_with(".hashes")) continue;
+        auto part = read_part(folder / name);
+        if (!part.ok()) return part.error();
+        parts.push_back(std::move(part).value());
     }
-    std::vector<BadFrame> shown;
-    for (std::size_t i = 0; i < std::min(found.size(), kMostShown); ++i) {
-        auto expected = drawn_by(other, scene, plan, found[i]), actual = drawn_by(plan.renderer, scene, plan, found[i]);
-        if (!expected.ok()) return expected.error();
-        if (!actual.ok()) return actual.error();
-        const Mismatch mismatch{found[i], hash_of(expected.value()), hash_of(actual.value())};
-        shown.push_back(
-            {mismatch, std::move(expected).value(), std::move(actual).value(), "drawn by the other renderer", 1});
+    std::ranges::sort(parts, {}, [](const RecordedPart& part) { return part.recording.frames.front().frame; });
+    return parts;
+}
+
+/// The frames of all parts; an error where one is missing or there twice.
+Result<std::vector<FrameHash>> frames_in(const std::vector<RecordedPart>& parts, int frames,
+                                         const std::string& script_path) {
+    std::vector<FrameHash> all;
+    const auto missing = [&](std::uint32_t last) {
+        return Error{script_path, fmt::format("the parts lack the frames {0}..{1}; draw them with --record --frames "
+                                              "{0}..{1}",
+                                              all.size(), last)};
+    };
+    for (const RecordedPart& part : parts)
+        for (const FrameHash& frame : part.recording.frames) {
+            if (frame.frame > all.size()) return missing(frame.frame - 1);
+            if (frame.frame < all.size())
+                return Error{part.hashes,
+                             fmt::format("another part has frame {}, too; remove the one that is older", frame.frame)};
+            all.push_back(frame);
+        }
+    if (all.size() < std::size_t(frames)) return missing(static_cast<std::uint32_t>(frames - 1));
+    if (all.size() == std::size_t(frames)) return all;
+    return Error{script_path,
+                 fmt::format("the flight has {} frames, but its parts have {}; remove those that are older", frames,
+                             all.size())};
+}
+
+/// An error where the parts are not of one recording.
+Result<void> check_alike(const std::vector<RecordedPart>& parts) {
+    for (const RecordedPart& part : parts) {
+        if (part.recording.pictures != parts.front().recording.pictures)
+            return Error{part.hashes, "its pictures have another size or are by another renderer than those of " +
+                                          parts.front().hashes + "; draw it with the same options"};
+        if (part.recording.sheet.has_value() != parts.front().recording.sheet.has_value())
+            return Error{part.hashes, "of it and " + parts.front().hashes +
+                                          " only one has small pictures; record both with or without --no-pictures"};
     }
-    const ReportText text{"Two renderers", "What is expected was drawn by the other renderer.", found.size()};
-    if (const Result<void> done = write_report(report_folder, text, shown); !done.ok()) return done.error();
-    return FlightVerdict{found, page_in(report_folder)};
+    return {};
+}
+
+/// The sheet of the whole flight.
+Result<ContactSheet> sheet_of(const std::vector<RecordedPart>& parts, const ContactSheet& empty) {
+    ContactSheet sheet = empty;
+    for (const RecordedPart& part : parts) {
+        const auto drawn = read_sheet(part.sheet, part.recording.sheet, empty);
+        if (!drawn.ok()) return Error{part.hashes, drawn.error().what + " Record it again."};
+        for (const FrameHash& frame : part.recording.frames)
+            if (const auto small = drawn.value().picture_of(int(frame.frame)))
+                sheet.put_small(int(frame.frame), *small);
+    }
+    return sheet;
+}
+
+/// Writes the sheet, or removes one that is there where the parts have none.
+Result<void> write_sheet(const std::vector<RecordedPart>& parts, const std::string& path, FrameRecording& whole) {
+    std::error_code unremovable;
+    if (!parts.front().recording.sheet) {
+        fs::remove(path, unremovable);
+        return {};
+    }
+    const auto sheet = sheet_of(
+        parts, ContactSheet(int(whole.frames.size()), int(whole.pictures->width), int(whole.pictures->height)));
+    if (!sheet.ok()) return sheet.error();
+    whole.sheet = hash_of(sheet.value().image());
+    return write_file(path, write_png(image_of(sheet.value().image()), PngEffort::smallest));
+}
+
+}  // namespace
+
+Result<void> merge_parts(const std::string& script_path, int frames) {
+    const auto parts = read_parts(script_path);
+    if (!parts.ok()) return parts.error();
+    auto all = frames_in(parts.value(), frames, script_path);
+    if (!all.ok()) return all.error();
+    if (const Result<void> valid = check_alike(parts.value()); !valid.ok()) return valid.error();
+    FrameRecording whole{parts.value().front().recording.pictures, {}, std::move(all).value()};
+    if (const Result<void> done = write_sheet(parts.value(), sheet_path(script_path), whole); !done.ok())
+        return done.error();
+    if (const Result<void> done = write_file(hashes_path(script_path), write_frame_hashes(whole)); !done.ok())
+        return done.error();
+    std::error_code unremovable;
+    for (const RecordedPart& part : parts.value()) {
+        fs::remove(part.hashes, unremovable);
+        fs::remove(part.sheet, unremovable);
+    }
+    return {};
 }
 
 }  // namespace enfilade
