@@ -5,7 +5,6 @@
 #include <array>
 #include <utility>
 
-#include "formats/text_keys.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {

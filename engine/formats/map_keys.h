@@ -1,12 +1,16 @@
-// What the lists of a map's keys share: ranges, checks, and the list of lists.
+// What the lists of a map's keys share: ranges, checks, texts that mean more than they say (colours, names of files,
+// textures), and the list of lists.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "formats/key.h"
 #include "formats/map_file.h"
+#include "formats/text_parts.h"
 #include "math/vec.h"
 
 namespace enfilade {
@@ -52,6 +56,81 @@ void refuse_tile_and_size(Reading& reading, const TextureSpec& spec);
 
 /// "[x0, y0,  x1, y1, …]", broken into lines where it gets long.
 std::string vertices_text(std::span<const Vec2> vertices);
+
+// Keys for colours: "#rrggbb", or the number 0xrrggbb.
+
+/// The colour as 0xRRGGBB, or none and bad-color is noted.
+std::optional<std::uint32_t> read_color(Reading& reading, const NamedValue& value);
+
+/// "#rrggbb"
+std::string color_text(std::uint32_t color);
+
+/// A key for a field that is a colour.
+template <auto member>
+constexpr auto color_key(std::string_view name, Dialect since) {
+    using Record = typename MemberPointer<decltype(member)>::Record;
+    return Key<Record>{name,
+                       since,
+                       Need::optional,
+                       {},
+                       [](Reading& reading, const NamedValue& value, Range, Record& record) {
+                           if (const auto color = read_color(reading, value)) record.*member = *color;
+                       },
+                       [](TableText& table, const Key<Record>& key, const Record& record, const Record& defaults) {
+                           if (record.*member != defaults.*member)
+                               table.add(key.name, string_text(color_text(record.*member)));
+                       }};
+}
+
+// Keys for names of files. A key that names a file is one of these, and a test asks so of every key with a string.
+
+// Which texts of a hostile file may become names of other files.
+
+/// Nothing where the text names a file below a folder: parts with a single '/' between them, none of them "." or "..",
+/// and no character that a terminal would obey (base/text.h). So a file has one name only, apart from upper and
+/// lower case, and no name leads elsewhere. Otherwise what was expected, without a place.
+Result<void> refuse_as_file_name(std::string_view text);
+
+/// Nothing where the text is a path that may lead anywhere: no character that a terminal would obey. For what people
+/// set up by hand, as the folder of their pictures.
+Result<void> refuse_as_path(std::string_view text);
+
+/// Whether a string's value may name a file, by the rules above; if not, bad-file-name is noted at it.
+/// files : below_folder or anywhere
+bool expect_file_name(Reading& reading, const NamedValue& value, Files files);
+
+/// Reads the name of a file, or notes what is wrong with it and leaves the field as it is.
+void read_file_name(Reading& reading, const NamedValue& value, Files files, std::string& field);
+void read_file_name(Reading& reading, const NamedValue& value, Files files, std::vector<std::string>& field);
+
+/// A key for a field that is the name of a file, or several.
+template <auto member, Files files = Files::below_folder>
+constexpr auto file_key(std::string_view name, Dialect since, Need need = Need::optional) {
+    auto checked = key<member>(name, since, need);
+    checked.files = files;
+    checked.read = [](Reading& reading, const NamedValue& value, Range, auto& record) {
+        read_file_name(reading, value, files, record.*member);
+    };
+    return checked;
+}
+
+// The texture specification of a map, "NAME [SU,SV [OU,OV] [OUm,OVm]]", as text and as numbers.
+
+/// Smallest and largest size of a tile that is read, whatever its sign [metres per tile]: between them texel
+/// coordinates stay exact enough to count single texels anywhere in the world.
+inline constexpr double kMinTile = 0x1p-16, kMaxTile = 0x1p16;
+
+/// Largest offset that is read [texels, metres]: more than the largest picture has, or the world.
+inline constexpr double kMaxTextureOffset = 0x1p20;
+
+/// The numbers a specification stands for, without a place, or what is wrong with it. A half-given pair is an error;
+/// negative tiles mirror the picture. "NAME - OU,OV" gives an offset alone: the tile is then 1, 1 or set by `size`. An
+/// offset in metres has the letter at both numbers: "NAME 3,3 -1.5m,0m" goes on where 1.5 m of the picture were shown.
+/// A name is a file's name, perhaps in a folder below, never "..".
+Result<TextureSpec> parse_texture_spec(std::string_view text);
+
+/// The shortest specification that reads back as the same numbers.
+std::string to_text(const TextureSpec& spec);
 
 // Each kind of record has its list in the file named after it.
 template <>

@@ -6,7 +6,6 @@
 
 #include "formats/expand.h"
 #include "formats/map_keys.h"
-#include "formats/text_keys.h"
 
 namespace enfilade {
 namespace {

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "formats/text_keys.h"
+#include "formats/map_keys.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "formats/map_keys.h"
-#include "formats/text_keys.h"
 
 namespace enfilade {
 

@@ -1,4 +1,4 @@
-#include "formats/text_keys.h"
+#include "formats/map_keys.h"
 
 #include <algorithm>
 #include <charconv>

@@ -7,7 +7,7 @@
 
 #include "base/result.h"
 #include "base/text.h"
-#include "formats/text_keys.h"
+#include "formats/map_keys.h"
 
 namespace enfilade {
 namespace {

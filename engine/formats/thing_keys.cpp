@@ -2,7 +2,6 @@
 #include <array>
 
 #include "formats/map_keys.h"
-#include "formats/text_keys.h"
 
 namespace enfilade {
 namespace {

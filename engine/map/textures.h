@@ -108,7 +108,7 @@ struct PictureNeeds {
 PictureNeeds pictures_needed(const MapFile& file);
 
 /// Loads every picture the file names ("-" is none) as FOLDER/NAME.png, the first folder that has it winning. One file
-/// is one picture: formats/text_keys.h has one spelling for each.
+/// is one picture: formats/text_keys.cpp has one spelling for each.
 /// Where all pictures would take more than kMostTextureBytes, an error says so, and those that are over, in the order
 /// of their names, are not kept; until all are unpacked, twice as much is taken.
 /// What no folder has becomes the placeholder and a warning at its first use; what is not an image is an error.

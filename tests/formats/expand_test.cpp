@@ -5,8 +5,8 @@
 #include <map>
 
 #include "formats/findings.h"
+#include "formats/map_keys.h"
 #include "formats/map_toml.h"
-#include "formats/text_keys.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {

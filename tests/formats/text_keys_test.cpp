@@ -5,7 +5,6 @@
 #include "formats/map_keys.h"
 #include "formats/map_toml.h"
 #include "formats/script.h"
-#include "formats/text_keys.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {
