@@ -29,6 +29,7 @@ public:
     }
     ~Boxed() = default;
 
+    /// A value as T() makes it, in place of the one there was.
     T& emplace() {
         value_ = std::make_unique<T>();
         return *value_;
@@ -36,6 +37,7 @@ public:
     void reset() { value_.reset(); }
 
     explicit operator bool() const { return value_ != nullptr; }
+    /// The value, which goes with its box. Where there is none, a broken contract.
     T& operator*() const {
         ENFILADE_CHECK(value_ != nullptr);
         return *value_;
@@ -93,6 +95,7 @@ public:
     iterator end() { return data() + size_; }
     const_iterator begin() const { return data(); }
     const_iterator end() const { return data() + size_; }
+    /// i < size(), and front() and back() of a list that is not empty: none of it is checked.
     T& operator[](std::size_t i) { return data()[i]; }
     const T& operator[](std::size_t i) const { return data()[i]; }
     T& front() { return data()[0]; }
@@ -100,6 +103,7 @@ public:
     T& back() { return data()[size_ - 1]; }
     const T& back() const { return data()[size_ - 1]; }
 
+    /// Keeps the heap's memory, if it had some, for when it is long again.
     void clear() {
         many_.clear();
         size_ = 0;

@@ -16,7 +16,8 @@ namespace enfilade {
 
 using Bytes = std::vector<std::byte>;
 
-/// How a module below platform/ gets at files: a function from a path to the file's bytes.
+/// How a module below platform/ gets at files: a function from a path to the file's bytes. It may be
+/// called in another thread than the one that handed it over, but by one at a time.
 using FileReader = std::function<Result<Bytes>(const std::string& path)>;
 
 /// How such a module gets at the names of a folder's files: a function from the folder's path to them, sorted.
@@ -71,6 +72,7 @@ public:
         return part;
     }
 
+    /// How many bytes are still to be read, and how many were; of a reader that failed: none, and all.
     std::size_t remaining() const { return bytes_.size() - at_; }
     std::size_t position() const { return at_; }
     bool failed() const { return failed_; }
@@ -95,10 +97,12 @@ public:
     void u16(std::uint16_t v) { little_endian(v, 2); }
     void u32(std::uint32_t v) { little_endian(v, 4); }
     void u64(std::uint64_t v) { little_endian(v, 8); }
+    /// Its bytes alone: neither their number nor an end.
     void text(std::string_view s) {
         for (char c : s) bytes_.push_back(static_cast<std::byte>(c));
     }
 
+    /// What was written; valid until more is.
     std::span<const std::byte> bytes() const { return bytes_; }
 
 private:

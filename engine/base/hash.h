@@ -25,6 +25,7 @@ public:
     void add(bool bit) { add(std::uint64_t{bit}); }
     /// The bits of the number; -0.0 counts as 0.0.
     void add(double number) { add(std::bit_cast<std::uint64_t>(number + 0.0)); }
+    /// Its length, too: texts one after the other are not taken for others that make the same together.
     void add(std::string_view text) {
         add(std::uint64_t{text.size()});
         for (char c : text) add(std::uint64_t{static_cast<unsigned char>(c)});
@@ -82,6 +83,7 @@ class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
+    /// Uniform over all there are.
     std::uint64_t bits() {
         std::uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
         z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;

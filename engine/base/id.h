@@ -14,6 +14,7 @@ struct Id {
 
     constexpr Id() = default;
     constexpr explicit Id(std::uint32_t i) : index(i) {}
+    /// i < kNone; of a larger one the upper bits are lost.
     constexpr explicit Id(std::size_t i) : index(static_cast<std::uint32_t>(i)) {}
 
     constexpr bool is_none() const { return index == kNone; }

@@ -42,7 +42,7 @@ struct MismatchRow {
     int reduction = 1;            ///< of the two pictures that were compared
     std::size_t pixels = 0;       ///< that differ between these two
     std::size_t of_pixels = 0;    ///< that each of them has
-    int largest = 0;
+    int largest = 0;              ///< as in Difference
 };
 
 /// What a page says beside its rows.
@@ -66,6 +66,7 @@ inline constexpr int kMostOnSheet = 12, kSmallSide = 80;
 int reduction_of(int width, int height);
 
 /// The picture with the mean colour of each reduction x reduction pixels as one; fewer at the right and lower edges.
+/// reduction : >= 1; 1 changes nothing but alpha, which is full then
 Frame reduced(const Frame& picture, int reduction);
 
 /// Which frames of a flight of so many (>= 1) are on its sheet: all of a short one, else kMostOnSheet evenly from the
@@ -107,7 +108,7 @@ private:
 /// The hashes beside a script: "tour.hashes" of "tour.toml".
 std::string hashes_path(const std::string& script_path);
 
-/// What was recorded of the script.
+/// What was recorded of the script. An error where the file of hashes cannot be read or is none.
 Result<FrameRecording> read_recording(const std::string& script_path, const FileReader& read);
 
 /// An error where the recording can never be equal to what the plan draws: it is of pictures of another size or

@@ -37,7 +37,7 @@ struct CameraPose {
     Place place;
     double eye_z = 0;  ///< [m]
     Angle yaw;
-    double pitch_degrees = 0;
+    double pitch_degrees = 0;  ///< up positive
 };
 
 /// One leg, resolved: everything is given at its start, in the space where it starts.
@@ -151,7 +151,8 @@ private:
 
 // A flythrough from files.
 
-/// A path as the script that lies at `script_path` gives it, seen from the script's folder.
+/// A path as the script that lies at `script_path` gives it, seen from the script's folder; one that begins with '/'
+/// leads where it says.
 std::string beside_script(const std::string& script_path, const std::string& path);
 
 /// Flight::plan() of a script that lies there, with the tape it names, if it names one. A tape that cannot be read, or
@@ -161,7 +162,7 @@ std::optional<Flight> plan_flight(const std::string& script_path, const ScriptFi
 
 // Drawing a flythrough: many frames on several threads.
 
-/// A flythrough with all it shows. Only looks at what it is given.
+/// A flythrough with all it shows. Only looks at what it is given, which outlives it.
 struct FlightScene {
     const Flight& flight;
     const Map& map;
@@ -172,7 +173,7 @@ struct FlightScene {
 struct DrawPlan {
     RendererKind renderer = RendererKind::column;
     Dials dials;
-    int width = 640, height = 400;  ///< [px]
+    int width = 640, height = 400;  ///< 1..kMaxPictureSide [px]
     int first = 0, last = 0;        ///< frames, both included
     std::size_t workers = 1;        ///< threads, >= 1
     GlContextOpener open_gl;        ///< for renderers that draw by OpenGL: each worker opens one
@@ -181,7 +182,7 @@ struct DrawPlan {
 /// Takes a finished frame; an error ends the drawing. The frame is valid during the call.
 using FrameTaker = std::function<Result<void>(int number, const Frame& frame, std::size_t worker)>;
 
-/// Draws one frame. renderer: of the scene's map.
+/// Draws one frame. renderer: of the scene's map. frame: has the picture's size. An error is the renderer's.
 Result<void> draw_frame(const FlightScene& scene, int number, Renderer& renderer, Frame& frame);
 
 /// Draws each frame once and hands it to `take`, in any order, from several threads, but never two at a time with the

@@ -131,11 +131,11 @@ struct LightEffectRecord {
     LightKind kind = LightKind::glow;
     double dark = 0;             ///< the lower level, 0..1; the upper is the sector's light
     double dark_s = 1;           ///< strobe: how long dark; glow: how long one way takes; flicker: mean bright time [s]
-    double bright_s = 0.125;     ///< strobe and flicker: how long bright, or dark, at least [s]
+    double bright_s = 0.125;     ///< strobe and flicker: how long bright, or dark, at least; both 1/64..86400 [s]
     bool in_step = false;        ///< in time with all others that have the same measures
     bool lasts = false;          ///< a trigger's light neither ends nor changes it
-    std::optional<double> step;  ///< fire: how much darker a level is than the next; none: a quarter of the way
-    double clock_hz = 60;        ///< changes come at whole parts of a second, this many; so are its times [1/s]
+    std::optional<double> step;  ///< fire: how much darker a level is than the next, 0..1; none: a quarter of the way
+    double clock_hz = 60;        ///< changes come at whole parts of a second, this many, 1..240; so are its times [1/s]
     TextPlace place;
     KeyPlaces places{};
     bool operator==(const LightEffectRecord&) const = default;
@@ -150,17 +150,17 @@ struct TriggerRecord {
     bool one_way = false;              ///< cross: only when leaving the sector of this wall; use and cross of a panel:
                                        ///< only from its right, as one_sided
     std::string key;                   ///< works only for who has it; empty: for everybody
-    double after = 0;                  ///< seconds that pass before it works [s]
+    double after = 0;                  ///< how long it takes before it works, 0..86400 [s]
     std::optional<double> z;           ///< floor, ceiling: where to go [m]
     HeightLevel to = HeightLevel::here;  ///< the same, found when it goes off
     std::string like;                    ///< the same: the floor of the sector of this name
     double by = 0;                       ///< added to either [m]
-    double speed = 2;                    ///< [m/s]
-    double wait = 4;                     ///< how long doors and lifts wait [s]
-    double step = 0.25;                  ///< height of a stair [m]
+    double speed = 2;                    ///< 1/64..1024 [m/s]
+    double wait = 4;                     ///< how long doors and lifts wait, 0..86400 [s]
+    double step = 0.25;                  ///< height of a stair, -64..64 [m]
     bool reverses = true;                ///< door, on use: used while it moves or waits, it turns round or closes
     bool crushes = false;                ///< hurts who is in the way, instead of waiting
-    std::optional<double> crush_speed;   ///< how fast it goes on down on who is in its way; none: as before [m/s]
+    std::optional<double> crush_speed;   ///< speed further down on who is in its way, as speed; none: as before [m/s]
     std::string texture;          ///< the floor's new picture: rising at once, falling on arrival; empty: as it was
     bool heals = false;           ///< the floor no longer hurts, from when it gets its new picture
     std::optional<double> light;  ///< light: 0..1
@@ -177,8 +177,8 @@ enum class BobShape : std::uint8_t { sine, triangle };
 
 /// Up and down for ever, around where it is at rest.
 struct BobRecord {
-    double amplitude = 0;  ///< how far it gets from its rest to either side [m]
-    double period = 4;     ///< how long once up and down takes [s]
+    double amplitude = 0;  ///< how far it gets from its rest to either side, 2^-10..1024 [m]
+    double period = 4;     ///< how long once up and down takes, 1/8..86400 [s]
     double phase = 0;      ///< 0..1, how much of its period is over at the start; 0: it leaves its rest upwards
     BobShape shape = BobShape::sine;
     bool operator==(const BobRecord&) const = default;
@@ -187,7 +187,7 @@ struct BobRecord {
 /// Pictures that follow one another wherever one of them is on a wall or flat.
 struct AnimationRecord {
     std::vector<std::string> frames;
-    double seconds = 0.25;  ///< each [s]
+    double seconds = 0.25;  ///< each, 1/64..86400 [s]
     TextPlace place;
     KeyPlaces places{};
     bool operator==(const AnimationRecord&) const = default;
@@ -195,12 +195,12 @@ struct AnimationRecord {
 
 /// A lamp: light that falls on the walls, floors and things around it, and throws shadows.
 struct PointLightRecord {
-    std::string sector;  ///< empty: found from the position
-    Vec2 position;
+    std::string sector;                       ///< empty: found from the position
+    Vec2 position;                            ///< [m]
     double z = 0;                             ///< [m]
     std::uint32_t color = 0xFFFFFF;           ///< 0xRRGGBB
-    double brightness = 1;                    ///< at the lamp itself; 1 adds as much as full light
-    double reach = 8;                         ///< beyond this there is none of it [m]
+    double brightness = 1;                    ///< at the lamp itself, 0..2; 1 adds as much as full light
+    double reach = 8;                         ///< beyond this there is none of it, 1/16..64 [m]
     std::optional<LightEffectRecord> effect;  ///< how it changes; its `dark` is a part of the brightness
     TextPlace place;
     KeyPlaces places{};
@@ -213,7 +213,7 @@ struct SunRecord {
     double yaw_degrees = 0;          ///< where one looks to see it
     double elevation_degrees = 45;   ///< above the horizon, 0..90
     std::uint32_t color = 0xFFFFFF;  ///< 0xRRGGBB
-    double brightness = 0.5;         ///< of what faces it; 1 adds as much as full light
+    double brightness = 0.5;         ///< of what faces it, 0..2; 1 adds as much as full light
     TextPlace place;
     KeyPlaces places{};
     bool operator==(const SunRecord&) const = default;
@@ -231,7 +231,7 @@ struct SwitchRecord {
 struct SoundRecord {
     std::string name, file;  ///< the file is seen from the map's folder
     double volume = 1;       ///< at its source, 0..1
-    double reach = 32;       ///< how long the way to it may be before it is silent [m]
+    double reach = 32;       ///< how long the way to it may be before it is silent, 1/16..1024 [m]
     bool loops = false;      ///< of what moves: over and over, for as long as it moves
     TextPlace place;
     KeyPlaces places{};

@@ -1,5 +1,10 @@
 // A map as its author wrote it: names are still names, nothing is resolved, every record knows its place in the text.
 // Defaults are already filled in; what has none is optional. map/ gives it meaning.
+//
+// Whoever fills in records keeps to what the reader lets through, which is not checked again. Where a field says
+// nothing else: coordinates, heights and rises reach as far as kWorldLimit either way, sizes of pictures go from 2^-16
+// to 2^16 texels per metre, pictures move by up to 1024 m/s along either axis, and angles are anything up to 2^30
+// degrees.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -25,9 +30,9 @@ struct RectRecord {
 /// A regular polygon.
 struct PolygonRecord {
     Vec2 center;        ///< [m]
-    double radius = 1;  ///< from the centre to each corner [m]
-    int corners = 8;
-    double turn = 0;  ///< where the first corner lies: 0 is along +x, and it grows to the right [degrees]
+    double radius = 1;  ///< from the centre to each corner, at least kVertexGrid [m]
+    int corners = 8;    ///< 3..256
+    double turn = 0;    ///< where the first corner lies: 0 is along +x, and it grows to the right [degrees]
     TextPlace place{};
     KeyPlaces places{};
     bool operator==(const PolygonRecord&) const = default;
@@ -47,8 +52,9 @@ struct Shorthand {
 /// "NAME [SU,SV [OU,OV] [OUm,OVm]]".
 struct TextureSpec {
     std::string name;            ///< "-" is no texture
-    std::optional<Vec2> tile_m;  ///< SU, SV: metres per tile; sky: wraps per turn, tangent of its height. Absent: 1, 1
-    Vec2 offset_tx;              ///< OU, OV: subtracted [texels]
+    std::optional<Vec2> tile_m;  ///< SU, SV: metres per tile, 2^-16..2^16, below 0 mirrored; sky: wraps per turn,
+                                 ///< tangent of its height. Absent: 1, 1
+    Vec2 offset_tx;              ///< OU, OV: subtracted, up to 2^20 either way [texels]
     TextPlace place;
     Boxed<Vec2> offset_m{};  ///< OUm, OVm: subtracted, too [m]; absent: 0, 0. Few have it
 
@@ -114,7 +120,7 @@ struct LoopRecord {
 /// A picture with alpha that is laid over a floor, a ceiling or a sky.
 struct FlatLayerRecord {
     TextureSpec texture;
-    double turn = 0;  ///< over a sky: how fast it turns [degrees/s]
+    double turn = 0;  ///< over a sky: how fast it turns, -1024..1024 [degrees/s]
     Vec2 scroll;      ///< over a floor or ceiling: how fast it moves along x and y [m/s]
     TextPlace place;
     KeyPlaces places{};
@@ -138,13 +144,13 @@ struct FlatRecord {
 
 /// A free-standing two-sided wall inside a sector.
 struct PanelRecord {
-    Vec2 a, b;
+    Vec2 a, b;                   ///< its ends; rounding to the grid is map/'s business [m]
     double bottom = 0, top = 0;  ///< heights above the map's zero [m]
     TextureSpec texture;
-    std::optional<double> size;
-    bool one_sided = false;  ///< seen only from the right of a -> b
-    bool blocks = false;     ///< nobody passes, at whatever height
-    Vec2 scroll;             ///< how fast its picture moves along it and up [m/s]
+    std::optional<double> size;  ///< texels per metre
+    bool one_sided = false;      ///< seen only from the right of a -> b
+    bool blocks = false;         ///< nobody passes, at whatever height
+    Vec2 scroll;                 ///< how fast its picture moves along it and up [m/s]
     std::vector<TriggerRecord> triggers;
     std::optional<DoomRecord> doom;
     TextPlace place;
@@ -154,8 +160,8 @@ struct PanelRecord {
 
 struct SectorRecord {
     std::string name;
-    double light = 1;
-    std::string sun;  ///< which one shines on it; empty: none
+    double light = 1;  ///< 0..1
+    std::string sun;   ///< which one shines on it; empty: none
     FlatRecord floor;
     FlatRecord ceiling{2, {}, {}, false, false, false, {}, {}, {}, {}, {}};
     std::vector<LoopRecord> loops;
@@ -164,7 +170,7 @@ struct SectorRecord {
     std::string group;              ///< those with the same one move as one; empty: it moves alone
     std::vector<TriggerRecord> triggers;
     std::optional<LightEffectRecord> light_effect;
-    int damage = 0;                      ///< what a second on its floor costs [points of health]
+    int damage = 0;                      ///< what a second on its floor costs, 0..1000 [points of health]
     bool unlit = false;                  ///< its light is the same at any distance and in any direction
     bool secret = false;                 ///< counted, and told, when it is found
     std::string move_sound, stop_sound;  ///< when its floor or ceiling moves, and when it arrives; empty: silent
@@ -180,7 +186,7 @@ struct SectorRecord {
 /// One picture of a sprite's animation, shown for some seconds.
 struct SpriteFrameRecord {
     std::string texture;            ///< with 8 rotations, the picture names are texture + "1" … texture + "8"
-    double seconds = 0;             ///< 0: for ever
+    double seconds = 0;             ///< 0..86400 [s]; 0: for ever
     std::optional<Vec2> origin_tx;  ///< the texel that sits at the thing's position, from the picture's top left;
                                     ///< absent: the bottom middle of each picture
     TextPlace place{};
@@ -198,26 +204,26 @@ inline constexpr std::uint8_t kAllSkills = (1u << kMostSkill) - 1;
 enum class HoldsUp : std::uint8_t { all, all_but_crushers, nothing };
 
 struct ThingRecord {
-    std::string name;    ///< empty: none
-    std::string kind;    ///< `class`: what it is, e.g. "Barrel"
-    std::string sector;  ///< empty: found from the position
-    Vec2 position;
+    std::string name;         ///< empty: none
+    std::string kind;         ///< `class`: what it is, e.g. "Barrel"
+    std::string sector;       ///< empty: found from the position
+    Vec2 position;            ///< [m]
     std::optional<double> z;  ///< feet [m]; absent: on the floor, or under the ceiling if hanging
     double yaw_degrees = 0;
-    double turn = 0;                  ///< how fast it turns [degrees/s]
+    double turn = 0;                  ///< how fast it turns right, -7200..7200 [degrees/s]
     Boxed<BobRecord> bob;             ///< its picture goes up and down
-    double radius = 0.5, height = 1;  ///< [m]
+    double radius = 0.5, height = 1;  ///< of its body, 0..1024 [m]
     bool solid = false, hanging = false;
     HoldsUp holds_up = HoldsUp::all;  ///< solid: which floors and ceilings stop short of it
     int rotations = 1;                ///< 1 or 8
     std::vector<SpriteFrameRecord> frames;
     double size = 32;                  ///< texels per metre
-    std::optional<double> light;       ///< its own light instead of the sector's
+    std::optional<double> light;       ///< its own light, 0..1, instead of the sector's
     std::uint8_t skills = kAllSkills;  ///< bit n - 1: it stands at skill n
     bool multiplayer = false;          ///< stands only where several play
     std::vector<TriggerRecord> triggers;
     std::string gives_key;           ///< picked up by touch: the key of this name; empty: none
-    int gives_health = 0;            ///< picked up by touch [points]
+    int gives_health = 0;            ///< picked up by touch, 0..1000 [points]
     std::string sound;               ///< heard from it, over and over; empty: silent
     std::optional<DoomRecord> doom;  ///< special: type number; tag: 0; flags: the thing's
     TextPlace place;
@@ -227,8 +233,8 @@ struct ThingRecord {
 
 struct PlayerRecord {
     std::string sector = "main";
-    Vec2 position;
-    double eye_z = 0;
+    Vec2 position;           ///< [m]
+    double eye_z = 0;        ///< [m]
     double yaw_degrees = 0;  ///< the tutorial's radians are converted by the reader
     TextPlace place;
     KeyPlaces places{};
@@ -247,10 +253,10 @@ enum class RayPoint : std::uint8_t { middle, corner };
 enum class ThingEdges : std::uint8_t { cut, whole };
 
 struct RenderRecord {
-    double stretch = 1;
+    double stretch = 1;  ///< of pictures upwards, 1/8..8; Doom's is 1.2
     LightModel light = LightModel::smooth;
-    std::uint32_t recursion_color = 0xFF00FF;  ///< 0xRRGGBB
-    int max_depth = 64;                        ///< links followed in one chain
+    std::uint32_t recursion_color = 0xFF00FF;  ///< shown where a chain of links is cut, 0xRRGGBB
+    int max_depth = 64;                        ///< links followed in one chain, 0..1024
     std::uint32_t fog_color = 0xC0C8D0;        ///< 0xRRGGBB
     double fog_reach = 0;                      ///< depth at which fog hides half of everything but sky; 0: no fog [m]
     SkyRows sky = SkyRows::round;

@@ -24,13 +24,13 @@ enum class Press : std::uint8_t { none, use };
 /// where the camera is when the leg starts; if it passes linked portals on the way, the leg goes on in the space
 /// behind them, and the next leg starts there.
 struct LegRecord {
-    double seconds = 0;      ///< how long it takes, >= 0; 0 is a cut: a jump to the end, which must then need no way
-    std::optional<Vec2> to;  ///< where the eye goes, in a straight line [m]
-    std::optional<double> to_z;           ///< height the eye goes to, absolute [m]; absent: keeps its height
+    double seconds = 0;          ///< 0..kMaxLegSeconds; 0 is a cut: a jump to the end, which must then need no way
+    std::optional<Vec2> to;      ///< where the eye goes, in a straight line [m]
+    std::optional<double> to_z;  ///< height the eye goes to, absolute [m]; absent: keeps its height
     std::optional<double> look_degrees;   ///< yaw at the end, reached the shorter way round (right on a tie)
-    std::optional<double> turn_degrees;   ///< turned during the leg, right positive; may be more than a full turn
+    std::optional<double> turn_degrees;   ///< turned during the leg, right positive; -36000..36000, a hundred turns
     std::optional<Vec2> look_at;          ///< point that is looked at when the leg ends, reached the shorter way round
-    std::optional<double> pitch_degrees;  ///< pitch at the end, up positive
+    std::optional<double> pitch_degrees;  ///< pitch at the end, up positive, -89..89
     Press press = Press::none;
     Ease ease = Ease::smooth;
     TextPlace place;
@@ -41,7 +41,7 @@ struct StartRecord {
     std::string sector;          ///< empty: the player's, or where x and y are given, found from them
     std::optional<double> x, y;  ///< both or none [m]
     std::optional<double> z;     ///< of the eye [m]
-    std::optional<double> yaw_degrees, pitch_degrees;
+    std::optional<double> yaw_degrees, pitch_degrees;  ///< pitch: up positive, -89..89
     TextPlace place;
 };
 

@@ -9,7 +9,7 @@
 
 namespace enfilade {
 
-/// One camera. Numbers are finite and in their ranges.
+/// One camera. Numbers are finite and in their ranges: x, y and z up to kWorldLimit (math/vec.h) either way.
 struct ViewRow {
     double x = 0, y = 0;       ///< [m]
     double z = 0;              ///< of the eye [m]
@@ -35,7 +35,8 @@ ViewsReading read_views(std::string_view text);
 /// Largest list that is read [bytes]: about a million views.
 inline constexpr std::size_t kMaxViewsBytes = std::size_t{16} << 20;
 
-/// Reads one view as it is given on a command line, "X,Y,Z,YAW,PITCH".
+/// Reads one view as it is given on a command line, "X,Y,Z,YAW,PITCH". An error, without a place, says which number is
+/// wrong.
 Result<ViewRow> parse_view(std::string_view text);
 
 }  // namespace enfilade

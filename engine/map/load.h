@@ -30,7 +30,7 @@ std::optional<Map> build_map(const MapFile& file, const TextureSet& textures, Fi
 
 /// A file beside a map that the map names, and where.
 struct NamedFile {
-    std::string name;
+    std::string name;  ///< as written, seen from the map's folder
     TextPlace place;
 };
 
@@ -44,13 +44,13 @@ struct LoadedMap {
     std::vector<SourceFile> sources;   ///< its prefabs: whose places of sounds and next maps are which file's
 };
 
-/// The skill of a game where nobody chooses one: Doom's "Hurt me plenty".
+/// The skill, 1..kMostSkill, of a game where nobody chooses one: Doom's "Hurt me plenty".
 inline constexpr int kUsualSkill = 3;
 
 /// Where a map that takes long to read is kept, compiled, for the next time (app/open_map.h).
 struct MapStore {
-    std::uint64_t edition = 0;  ///< of the program: what another one kept is not taken
-    std::function<Result<Bytes>()> find;
+    std::uint64_t edition = 0;               ///< of the program: what another one kept is not taken
+    std::function<Result<Bytes>()> find;     ///< what was kept, unchecked; an error where that is nothing
     std::function<void(const Bytes&)> keep;  ///< empty: nothing is kept. May fail in silence
 };
 

@@ -135,7 +135,7 @@ struct Panel {
 
 struct Flat {
     double z = 0;  ///< at rest [m]
-    Vec2 origin;   ///< of the texture, in the plane
+    Vec2 origin;   ///< of the texture, in the plane [m]
     SurfaceId surface;
     bool sky = false;
     bool carries = false;           ///< floor: moves who stands on it with the picture
@@ -153,7 +153,7 @@ struct Sector {
     SunId sun;                 ///< that shines on it, or none
     Flat floor, ceiling;
     Boxed<BobRecord> floor_bob, ceiling_bob;  ///< up and down around their z
-    Vec2 min, max;                            ///< bounding box
+    Vec2 min, max;                            ///< bounding box of its walls [m]
     std::uint32_t first_solid = 0;            ///< its solid things are [first_solid, first_solid + solid_count) of
     std::uint32_t solid_count = 0;            ///< Map::solid_things
     std::uint32_t first_panel = 0;  ///< its panels are [first_panel, first_panel + panel_count) of Map::panels
@@ -201,7 +201,7 @@ struct Trigger {
     double step = 0;                    ///< [m]
     std::optional<double> crush_speed;  ///< [m/s]
     TextureId texture;                  ///< none: as it was
-    std::optional<double> light;
+    std::optional<double> light;        ///< 0..1
     LightLevel light_of = LightLevel::given;
     std::optional<LightEffectRecord> effect;
     SoundId sound;  ///< none: silent
@@ -216,7 +216,7 @@ struct Trigger {
 /// Something that can be heard. The fields mean what they mean in SoundRecord.
 struct Sound {
     std::string name, file;
-    double volume = 1;
+    double volume = 1;   ///< 0..1
     double reach_m = 0;  ///< > 0 [m]
     bool loops = false;
 };
@@ -251,8 +251,8 @@ struct SpriteFrame {
 /// What a thing looks like. Things that look alike share it.
 struct Sprite {
     std::vector<SpriteFrame> frames;  ///< at least one
-    double texels_per_m = 32;
-    double reach_m = 0;  ///< how far any of its pictures reaches to either side
+    double texels_per_m = 32;         ///< > 0
+    double reach_m = 0;               ///< how far any of its pictures reaches to either side [m]
 };
 
 /// What a thing's height follows.
@@ -352,6 +352,7 @@ struct Map {
     std::optional<PlayerStart> player;
     RenderRecord render;
 
+    // Ids are of this map and not none, which is not checked; of a surface it may be none.
     const Sector& operator[](SectorId id) const { return sectors[id.index]; }
     const Wall& operator[](WallId id) const { return walls[id.index]; }
     /// None: what has no texture.
@@ -381,7 +382,8 @@ struct Map {
     }
 };
 
-/// Calls visit(id) for each sector of its group, itself included: for itself alone where it has none.
+/// Calls visit(id) for each sector of its group, itself first: for itself alone where it has none.
+/// visit leaves the map as it is.
 template <class Visit>
 void each_of_group(const Map& map, SectorId sector, Visit visit) {
     SectorId member = sector;

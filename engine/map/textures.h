@@ -68,6 +68,7 @@ struct Texture {
     bool has_holes = false;             ///< some pixel is not opaque
     bool missing = false;               ///< a placeholder for a file that was not found
 
+    /// x < width, y < height: not checked.
     std::uint32_t at(std::uint32_t x, std::uint32_t y) const { return pixels[std::size_t{x} * height + y]; }
 };
 
@@ -77,12 +78,14 @@ struct TextureSet {
     Texture placeholder;     ///< stands in for "no texture" where something must be drawn
     ColorTable color_table;  ///< empty: all pictures are darkened in proportion
 
+    /// The placeholder for none. Valid as long as the set; ids are of it, which is not checked.
     const Texture& operator[](TextureId id) const { return id ? textures[id.index] : placeholder; }
-    /// none where there is no such name; upper and lower case are the same.
+    /// none where there is no such name; upper and lower case are the same. Cost: log of the number of pictures.
     TextureId find(std::string_view name) const;
 };
 
-/// The name of the picture that a frame of a thing's sprite shows from one of eight directions, 0..7.
+/// The name of the picture that a frame of a thing's sprite shows from one of eight directions, 0..7; the same for
+/// all where the thing has one rotation, "-" where nothing is shown.
 std::string sprite_picture_name(const ThingRecord& thing, const SpriteFrameRecord& frame, int view);
 
 /// The picture that nobody can overlook: magenta and black.
@@ -105,6 +108,7 @@ struct PictureNeeds {
     TextPlace color_table_place;
 };
 
+/// Cost: O(n log n) in the places where the map names one.
 PictureNeeds pictures_needed(const MapFile& file);
 
 /// Loads every picture the file names ("-" is none) as FOLDER/NAME.png, the first folder that has it winning. One file

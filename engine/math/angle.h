@@ -20,6 +20,7 @@ struct Angle {
     constexpr bool operator==(const Angle&) const = default;
 };
 
+/// Beyond a full turn, and below none, the angle goes round.
 constexpr Angle operator+(Angle a, Angle b) { return {a.steps + b.steps}; }
 constexpr Angle operator-(Angle a, Angle b) { return {a.steps - b.steps}; }
 
@@ -27,7 +28,7 @@ constexpr Angle operator-(Angle a, Angle b) { return {a.steps - b.steps}; }
 /// quarter turns; at odd multiples of 45 degrees both have exactly the same size.
 Vec2 direction(Angle angle);
 
-/// tan of the angle in (-90, 90) degrees: sin / cos of direction().
+/// tan of the angle in (-90, 90) degrees: sin / cos of direction(). At a right angle it is infinite, of whatever sign.
 double tangent(Angle angle);
 
 /// The fraction of a full turn, in [0, 1), by which `v` is turned right from +x. Error below 1e-15 turn.

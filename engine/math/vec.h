@@ -65,8 +65,8 @@ constexpr std::int64_t to_grid_units(double x) { return static_cast<std::int64_t
 /// Turn (and, with flip = -1, reflection), then shift, then rise: p -> M p + shift, z -> z + rise, with
 /// M = [[c, -flip s], [s, flip c]]. Quarter turns and grid shifts are exact, because products with 0 and 1 are.
 struct Rigid {
-    double c = 1;
-    double s = 0;
+    double c = 1;     ///< cosine of the angle by which it turns right
+    double s = 0;     ///< its sine
     double flip = 1;  ///< 1 keeps left and right, -1 swaps them
     Vec2 shift;       ///< [m]
     double rise = 0;  ///< [m]
@@ -74,7 +74,9 @@ struct Rigid {
     constexpr bool operator==(const Rigid&) const = default;
     constexpr bool is_identity() const { return *this == Rigid{}; }
 
+    /// Of a direction, which no shift changes.
     constexpr Vec2 turn(Vec2 d) const { return {c * d.x - flip * s * d.y, s * d.x + flip * c * d.y}; }
+    /// Of a point and of a height [m], rounded to doubles, to no grid.
     constexpr Vec2 apply(Vec2 p) const { return turn(p) + shift; }
     constexpr double apply_height(double z) const { return z + rise; }
 };
@@ -86,7 +88,7 @@ constexpr Rigid then(const Rigid& first, const Rigid& second) {
             first.rise + second.rise};
 }
 
-/// The way back. A reflection's matrix is its own inverse; a turn's is the turn by -s.
+/// The way back, up to rounding. A reflection's matrix is its own inverse; a turn's is the turn by -s.
 constexpr Rigid inverse(const Rigid& m) {
     Rigid back{m.c, m.flip > 0 ? -m.s : m.s, m.flip, {}, -m.rise};
     back.shift = -back.turn(m.shift);
@@ -103,6 +105,7 @@ constexpr Rigid inverse(const Rigid& m) {
 /// F. A. M. L. Bruekers, A. W. M. van den Enden, "New Networks for Perfect Inversion and Perfect Reconstruction", 1992.
 class GridMap {
 public:
+    /// Leaves every point where it is.
     GridMap() = default;
 
     /// The turn of `m` (flip = 1), about `from`, which comes to lie on `onto`; both on the point grid. The inverse

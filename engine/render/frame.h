@@ -128,7 +128,7 @@ inline Frame frame_of(const Image& image) {
     return {int(image.width), int(image.height), {image.pixels.begin(), image.pixels.end()}};
 }
 
-/// Makes room and sets everything to "nothing drawn, 0 writes, infinitely far".
+/// For a picture of that size [px]: makes room and sets everything to "nothing drawn, 0 writes, infinitely far".
 inline void reset(FrameFacts& facts, int width, int height) {
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     facts.ids.assign(count, kNothing);

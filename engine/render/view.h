@@ -113,10 +113,10 @@ inline constexpr int kMaxPictureSide = 16384;
 /// An eye in the space behind a chain of links. Plain doorways transform nothing, so all sectors reached through
 /// doorways alone share pose 0, the view itself.
 struct Pose {
-    Vec2 eye;  ///< on the point grid
-    double eye_z = 0;
-    Vec2 forward;
-    Vec2 right;  ///< screen right; to the left of `forward` when seen through an odd number of mirrors
+    Vec2 eye;          ///< on the point grid
+    double eye_z = 0;  ///< [m]
+    Vec2 forward;      ///< unit vector
+    Vec2 right;        ///< screen right; to the left of `forward` when seen through an odd number of mirrors
     double flip = 1;
     int links = 0;  ///< links and mirrors passed so far
 };
@@ -141,8 +141,8 @@ inline Pose beyond(const Pose& pose, const Rigid& passage) {
 
 /// How the eye sees, apart from where it is.
 struct Lens {
-    double fov_degrees = 90;
-    double stretch = 1;
+    double fov_degrees = 90;  ///< horizontal, kMinFov..kMaxFov
+    double stretch = 1;       ///< vertical stretch of the picture, > 0
     Vec2 ray_offset{};        ///< View::ray_offset [px]
     bool true_pitch = false;  ///< pitch turns the picture instead of shifting its horizon
     double roll_degrees = 0;  ///< with true_pitch: how far the head leans to its right

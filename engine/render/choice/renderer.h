@@ -37,8 +37,9 @@ class Renderer {
 public:
     virtual ~Renderer() = default;
 
-    /// Sets every pixel of the frame, whose size is the picture's. facts: null, or reset() to the same size.
-    /// An error where a graphics card fails; the frame may then hold anything.
+    /// Sets every pixel of the frame, whose size is the picture's: 1..kMaxPictureSide / Dials::samples each way. facts:
+    /// null, or reset() to the same size. view: its eye is in its sector; a tilt is a broken contract of the column
+    /// renderer. An error where a graphics card fails; the frame may then hold anything.
     virtual Result<void> render(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view) = 0;
 
     /// Whether pictures may stay on the graphics card, in the context that was opened for this renderer.
