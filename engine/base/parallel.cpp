@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <new>
@@ -56,7 +57,8 @@ public:
     Cores() : are_known_(sched_getaffinity(0, sizeof all_, &all_) == 0 && CPU_COUNT(&all_) > 1) {}
 
     /// Leaves a core to whoever works there. Systems like to wake a thread beside the one that woke it, and some leave
-    /// both there for several milliseconds, while another core does nothing.
+    /// both there for several milliseconds, while another core does nothing. The thread stays away from it for good,
+    /// but where it is told to leave another one.
     void leave(int core) const {
         if (!are_known_ || core < 0 || core >= CPU_SETSIZE || sched_getcpu() != core) return;
         cpu_set_t others = all_;
@@ -110,7 +112,7 @@ public:
 private:
     /// How often somebody looks before he sleeps whether there is reason not to: some 50 microseconds long. Being woken
     /// takes 20. Helpers end soon after their owner where they shared well, and where pictures follow each other at
-    /// once, so does the next work.
+    /// once, so does the next work. Where others use the core meanwhile it takes longer.
     static constexpr int kYields = 100;
 
     template <class Reason>

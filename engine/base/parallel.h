@@ -1,4 +1,4 @@
-// The only place with threads: run one function for many indices on several cores.
+// One function for many indices, on several cores.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace enfilade {
 /// What is done for one index by one worker.
 using ParallelTask = std::function<void(std::size_t index, std::size_t worker)>;
 
-/// Threads that sleep between one run and the next, if that does not follow at once: for work of a millisecond, of
+/// Threads that sleep between runs, where the next one does not follow at once: for work of a millisecond, of
 /// which starting threads would be a good part. They start with the first run that has something for them, and end with
 /// the pool.
 class ThreadPool {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "app/bench.h"
 #include "app/messages.h"
@@ -150,7 +149,7 @@ Result<void> count_for(const std::vector<AccuracySetting>& settings, const Price
                        std::vector<AccuracyPrice>& prices) {
     Progress progress(settings.size(), "settings counted");
     std::vector<Result<void>> counted(settings.size());
-    ThreadPool pool(std::max(1u, std::thread::hardware_concurrency()));
+    ThreadPool pool(hardware_threads());
     pool.run(settings.size(), [&](std::size_t s, std::size_t worker) {
         const auto count = count_of(settings[s], plan);
         if (count.ok())

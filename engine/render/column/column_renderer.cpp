@@ -20,12 +20,14 @@ class alignas(kCacheLineBytes) ColumnRenderer::Workspace {
 public:
     /// Before each part of a picture.
     void start(const View& view, const Frame& frame, std::uint64_t picture) {
+        ENFILADE_CHECK(picture != kNone);
         if (picture == picture_) return;
-        picture_ = picture;
+        picture_ = kNone;  // until all is worked out: memory may be missing on the way
         screen.set(Projection(view, frame.width, frame.height));
         column.start_frame(frame.width, frame.height);
         state.projections.start_frame();
         state.poses.assign(1, pose_of(view));
+        picture_ = picture;
     }
 
     Canvas canvas;
@@ -35,7 +37,9 @@ public:
     ViewportDrawer drawer;
 
 private:
-    std::uint64_t picture_ = 0;  ///< that what is known is of; none has this number
+    static constexpr std::uint64_t kNone = 0;
+
+    std::uint64_t picture_ = kNone;  ///< that what is known is of
 };
 
 struct alignas(kCacheLineBytes) ColumnRenderer::Parts {
@@ -158,20 +162,21 @@ int widest_strip(int height) {
 /// one thread waits longer for the other; narrower strips meet more walls twice.
 constexpr int kPartsOfShare = 3;
 
-int parts_of(int all, int part) { return (all + part - 1) / part; }
+/// The quotient, rounded up.
+int divided_up(int all, int by) { return (all + by - 1) / by; }
 
 }  // namespace
 
 void cut_into_strips(int width, std::size_t threads, int widest, std::vector<Strip>& strips) {
     ENFILADE_CHECK(width >= 1 && threads >= 1 && widest >= kLinePixels);
-    const auto lines = static_cast<std::size_t>(parts_of(width, kLinePixels));
+    const auto lines = static_cast<std::size_t>(divided_up(width, kLinePixels));
     const int most = widest / kLinePixels;
     strips.clear();
     for (std::size_t share = 0; share < threads; ++share) {
         const int end = static_cast<int>(lines * (share + 1) / threads);
         for (int line = static_cast<int>(lines * share / threads), next; line < end; line = next) {
             const int left = end - line;
-            next = line + parts_of(left, std::max(parts_of(left, most), threads > 1 ? kPartsOfShare : 1));
+            next = line + divided_up(left, std::max(divided_up(left, most), threads > 1 ? kPartsOfShare : 1));
             strips.push_back({{line * kLinePixels, std::min(next * kLinePixels, width)}, share});
         }
     }
@@ -206,7 +211,7 @@ void ColumnStrips::render(Frame& frame, FrameFacts* facts, const Snapshot& snaps
     const auto draw_some = [&](std::size_t, std::size_t worker) {
         for (std::size_t i = 0; i < strips; ++i)
             if (strips_[i].share == worker) draw(i, worker);
-        for (std::size_t i = 0; i < strips; ++i) draw(i, worker);  // the widest that are left first
+        for (std::size_t i = 0; i < strips; ++i) draw(i, worker);
     };
     pool_.run(std::min(threads_, strips), std::cref(draw_some));  // a copied task would take memory in every frame
     frame.is_cut_short =

@@ -5,7 +5,7 @@
 // to a new viewport with tightened bounds. Where to read: column_renderer.cpp (the stack, and the strips that threads
 // share), viewport_drawer.h (one viewport; where are its things and panels?), sector_projection.h (where is this wall
 // on screen?), viewport.h (which wall does a column see, and which rows are what?), painters.h (which texel?),
-// kernels.h (the inner loops).
+// flat_rows.h (how far away and how dark is a row of a floor?), kernels.h (the inner loops).
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -82,21 +82,23 @@ public:
     void render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
                         ColumnRange columns);
 
-    /// Memory that a picture is drawn by way of, and what is known of the picture so far. Renderers that draw parts of
-    /// it one after another may share one: then rays and walls are worked out once for all of them.
-    class Workspace;
-
-    /// The same in a shared workspace. picture: a number that the parts of this picture have, and no other picture that
-    /// is drawn in that workspace.
-    void render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
-                        ColumnRange columns, Workspace& workspace, std::uint64_t picture);
-
     ColumnCounts counts() const;
 
     /// The last frame's viewports in the order they were begun. Allocates; for overlays and tests.
     std::vector<ViewportOutline> viewports() const;
 
 private:
+    friend class ColumnStrips;
+
+    /// Memory that a picture is drawn by way of, and what is known of the picture so far. Renderers that draw parts of
+    /// it one after another may share one: then rays and walls are worked out once for all of them.
+    class Workspace;
+
+    /// The same in a shared workspace. picture: a number from 1 on that the parts of this picture have, and no other
+    /// picture that is drawn in that workspace.
+    void render_columns(Frame& frame, FrameFacts* facts, const Snapshot& snapshot, const View& view,
+                        ColumnRange columns, Workspace& workspace, std::uint64_t picture);
+
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };
@@ -117,7 +119,7 @@ struct Strip {
 /// Cuts the columns [0, width) of a picture into strips, left to right, none of them empty and none wider than `widest`
 /// (>= kLinePixels), but where a picture is narrower than there are threads (>= 1) some get no share. Shares are even.
 /// One thread's strips are even, too; those of several grow narrower to the right of each share, down to kLinePixels:
-/// whoever is done first takes the last of another's share, and then nobody waits long for the end of the other.
+/// whoever is done first goes on with another's share, and nobody waits long for whoever draws the last, narrow one.
 /// Strips meet where a row has a cache line's end, so that no two threads write to one line: in every row, where the
 /// width is a multiple of kLinePixels; otherwise no cut spares all rows. The list is overwritten: it keeps its memory.
 void cut_into_strips(int width, std::size_t threads, int widest, std::vector<Strip>& strips);

@@ -1,5 +1,7 @@
 // Floors and ceilings drawn by the dials of texels.
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/column/painters.h"
 #include "render/column/texel_dials.h"

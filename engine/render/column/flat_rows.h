@@ -56,7 +56,7 @@ public:
     /// Which rows are known.
     OpenRows known() const { return known_; }
 
-    /// Lights rows [top, bottom) as if they were this far away. depths: [bottom - top] [m].
+    /// Lights rows [top, bottom) as if they were this far away. depths: from row `top` on, [bottom - top] [m].
     void shade(int top, int bottom, const double* depths);
 
     // By row [height + kRowsBeyond], valid for those that are known.
@@ -84,7 +84,8 @@ public:
     /// Another picture is begun: nothing is known.
     void start_frame() { used_ = 0; }
 
-    /// What is known for the key. Valid until another kKept - 1 keys were asked for.
+    /// What is known for the key, maybe in place of what was asked for longest ago. Valid until kKept other keys were
+    /// asked for.
     FlatRows& of(const FlatRowsKey& key, const RayTables& screen);
 
 private:

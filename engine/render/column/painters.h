@@ -215,8 +215,10 @@ private:
                              ///< wrong side
     const LightGrid* lamplight_ = nullptr;
     Fog fog_;
-    bool is_extended_ = false;                   ///< a floor not below the eye, or a ceiling not above it
-    FlatRows* rows_ = nullptr;                   ///< of its height and light
+    bool is_extended_ = false;  ///< a floor not below the eye, or a ceiling not above it
+    /// Of its height and light. Shared ones stay while a viewport is drawn, in which only its floor and its ceiling ask
+    /// for some.
+    FlatRows* rows_ = nullptr;
     FlatRows own_rows_;                          ///< where the rows of each column have another light, or dials
     std::vector<std::uint32_t> layer_darkness_;  ///< the same for a layer, of its column's rows
     std::vector<std::uint32_t> full_light_;      ///< the same of rows as painted; where there are lamps
