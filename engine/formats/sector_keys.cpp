@@ -135,8 +135,8 @@ void read_vertices(Reading& reading, const NamedValue& value, Range range, LoopR
     const std::size_t count = value.node.size();
     if (count > 0 && value.node.at(0).kind() == TomlKind::array)
         return reading.error(value.node.at(0).place(), "wrong-type",
-                             "'v' must be the x and y of each corner in turn, found an array for one; take the inner "
-                             "brackets away, as in v = [0, 0, 0, 4, 8, 4]");
+                             "'v' must list numbers, the x and y of each corner in turn, found an array in it; take "
+                             "the inner brackets away, as in v = [0, 0, 0, 4, 8, 4]");
     if (count % 2 != 0)
         reading.error(value.node.place(), "odd-vertices",
                       "'v' must have an x and a y for each corner, found " + std::to_string(count) +

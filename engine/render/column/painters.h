@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/column/flat_rows.h"
 #include "render/column/scene.h"
 #include "render/column/texel_dials.h"
 #include "render/column/viewport.h"
