@@ -184,12 +184,18 @@ constexpr bool is_dark(LightCell cell) {
     return (cell & light_cell(kSeen, kSeen, kSeen)) == 0;
 }
 
-/// Between two cells, `part` of 256 of the way from a to b. part: 0..256.
-constexpr LightCell between(LightCell a, LightCell b, std::uint32_t part) {
-    constexpr LightCell kEven = light_cell(kMostLight, kMostLight, 0);  // two lanes apart, so that products fit
-    const LightCell even = ((a & kEven) * (256 - part) + (b & kEven) * part) >> 8 & kEven;
-    const LightCell blue = (lane(a, 2) * (256 - part) + lane(b, 2) * part) >> 8;
-    return even | blue << kLaneBits;
+/// How much of the way from one point of light to the next, in 2^-kLightPartBits: less than all of it.
+using LightPart = std::uint32_t;
+inline constexpr int kLightPartBits = 15;
+
+/// Between two cells, this much of the way from a to b, each channel rounded to the nearest.
+constexpr LightCell between(LightCell a, LightCell b, LightPart part) {
+    const auto channel = [&](int i) {
+        const auto from = static_cast<std::int32_t>(lane(a, i)), way = static_cast<std::int32_t>(lane(b, i)) - from;
+        constexpr std::int32_t kHalf = 1 << (kLightPartBits - 1);
+        return static_cast<std::uint32_t>(from + ((way * static_cast<std::int32_t>(part) + kHalf) >> kLightPartBits));
+    };
+    return light_cell(channel(0), channel(1), channel(2));
 }
 
 /// The colour 0xAABBGGRR in this shade and this light. Alpha becomes opaque.
@@ -233,16 +239,33 @@ struct LightGrid {
 
 /// Where a place is between the points of one direction.
 struct GridStep {
-    int cell = 0;            ///< 0..count - 2: the point before it
-    std::uint32_t part = 0;  ///< of the way to the next, 0..256
+    int cell = 0;        ///< 0..count - 2: the point before it
+    LightPart part = 0;  ///< of the way to the next
 };
 
-/// cells: position counted in points from the first; beyond the ends counts as at them. count >= 2.
+/// Places among points of light are rounded to the nearest such part of a cell, 2^-16, which is the last bit of sums
+/// with kGridShift [cells].
+inline constexpr int kGridPlaceBits = 16;
+inline constexpr double kGridShift = 0x1.8p36;
+
+/// The last place before the last point. count: of points, >= 2.
+constexpr std::int64_t last_grid_place(int count) { return (std::int64_t{count - 1} << kGridPlaceBits) - 1; }
+
+/// shifted_cells: position counted in points from the first, and kGridShift more; |position| < 2^34. Beyond the ends
+/// counts as at them.
+constexpr GridStep grid_step_of_shifted(double shifted_cells, int count) {
+    const std::int64_t place = std::bit_cast<std::int64_t>(shifted_cells) - std::bit_cast<std::int64_t>(kGridShift);
+    const std::int64_t inside = std::clamp(place, std::int64_t{0}, last_grid_place(count));
+    constexpr std::int64_t kParts = (1 << kGridPlaceBits) - 1;
+    return {static_cast<int>(inside >> kGridPlaceBits),
+            static_cast<LightPart>((inside & kParts) >> (kGridPlaceBits - kLightPartBits))};
+}
+
+/// cells: position counted in points from the first, any number; beyond the ends counts as at them. count >= 2.
 constexpr GridStep grid_step(double cells, int count) {
     const double last = count - 1;
     const double inside = cells > 0 ? (cells < last ? cells : last) : 0;
-    const int whole = static_cast<int>(inside) < count - 2 ? static_cast<int>(inside) : count - 2;
-    return {whole, static_cast<std::uint32_t>((inside - whole) * 256)};
+    return grid_step_of_shifted(inside + kGridShift, count);
 }
 
 /// Even between four points.

@@ -69,6 +69,45 @@ void fill_flat(benchmark::State& state) {
     time_runs(state, [&, fill = column::chosen_kernels().fill_flats] { fill(flat); });
 }
 
+/// A grid of 10 m each way that gets brighter from one corner on.
+LightGrid grid_of_light() {
+    constexpr int kPoints = 40;
+    LightGrid grid;
+    grid.columns = grid.rows = kPoints;
+    for (std::uint32_t i = 0; i < kPoints * kPoints; ++i) grid.cells.push_back(light_cell(i, i / 2, i / 3));
+    return grid;
+}
+
+/// Below an eye 1.6 m high, from 0.8 m away on.
+void light_flat(benchmark::State& state) {
+    constexpr double kEyeTimesFocal = 1.6 * 640;  // of 1280 columns that show 90 degrees [m px]
+    const LightGrid grid = grid_of_light();
+    Column drawn(state);
+    std::vector<double> depths;
+    for (int row = 0; row < kLongestRun + column::kRowsBeyond; ++row) depths.push_back(kEyeTimesFocal / (row + 100));
+    const std::vector<Shade> shades(depths.size(), 200);
+    const column::FlatLamplight lamplight{&grid, 2 + kGridShift, 3 + kGridShift, 3.1, 2.4,
+                                          9,     depths.data(),  shades.data()};
+    const column::LitRun lit{{drawn.pixels.data(), 0, drawn.bottom}};
+    time_runs(state,
+              [&, light = column::passes_beside(column::chosen_kernels()).lamps.light_flat] { light(lit, lamplight); });
+}
+
+/// 3 m away.
+void light_wall(benchmark::State& state) {
+    constexpr int kPoints = 40;
+    std::vector<std::uint32_t> cells(kPoints + 2 * column::kCellsBeyond, 0x01000200);
+    Column drawn(state);
+    const column::LightRow row{cells.data() + column::kCellsBeyond, cells.data() + column::kCellsBeyond, kPoints};
+    const auto in_steps = [](double points) {
+        return static_cast<std::uint64_t>(static_cast<std::int64_t>(points * 0x1p32));
+    };
+    const column::WallLamplight lamplight{200, row, in_steps(kPoints - 2), in_steps(-3 / 640.0 * kUsualLightPoints)};
+    const column::LitRun lit{{drawn.pixels.data(), 0, drawn.bottom}};
+    time_runs(state,
+              [&, light = column::passes_beside(column::chosen_kernels()).lamps.light_wall] { light(lit, lamplight); });
+}
+
 MapFile grid_of(const benchmark::State& state) {
     return test::RoomGrid(static_cast<std::size_t>(state.range(0)), 1).take();
 }
@@ -136,6 +175,8 @@ void convert(benchmark::State& state) {
 
 BENCHMARK(fill_wall)->Arg(7)->Arg(64)->Arg(kLongestRun);
 BENCHMARK(fill_flat)->Arg(7)->Arg(64)->Arg(kLongestRun);
+BENCHMARK(light_wall)->Arg(64)->Arg(kLongestRun);
+BENCHMARK(light_flat)->Arg(64)->Arg(kLongestRun);
 BENCHMARK(locate)->Arg(1000)->Arg(100'000);
 BENCHMARK(cross)->Arg(1000)->Arg(100'000);
 BENCHMARK(read)->Arg(1000)->Unit(benchmark::kMillisecond);

@@ -60,8 +60,8 @@ TEST(LightFalloff, TakesAThirdOfWhatOnlyGrazes) {
 TEST(LightCell, KeepsItsChannelsApart) {
     const LightCell a = light_cell(8191, 0, 100), b = light_cell(0, 8191, 50);
     EXPECT_EQ(between(a, b, 0), a);
-    EXPECT_EQ(between(a, b, 256), b);
-    const LightCell middle = between(a, b, 128);
+    EXPECT_EQ(between(a, b, (1u << kLightPartBits) - 1), b);  // rounded
+    const LightCell middle = between(a, b, 1u << (kLightPartBits - 1));
     EXPECT_EQ(lane(middle, 0), 4095u);
     EXPECT_EQ(lane(middle, 1), 4095u);
     EXPECT_EQ(lane(middle, 2), 75u);

@@ -62,6 +62,101 @@ WITH_AVX2 inline void by_eight(const LitRun& to, const EightAt& eight_at) {
                            eight_at(rest(pixels + i), kHasTexels ? rest(to.texels + i) : _mm256_setzero_si256(), i));
 }
 
+/// shaded() of eight colours. shades: in both halves.
+WITH_AVX2 inline __m256i shaded_eight(__m256i colors, __m256i shades) {
+    const __m256i even = _mm256_and_si256(colors, _mm256_set1_epi32(0x00FF00FF));
+    const __m256i green = _mm256_and_si256(colors, _mm256_set1_epi32(0x0000FF00));
+    const __m256i red_blue = _mm256_srli_epi16(_mm256_mullo_epi16(even, shades), 8);
+    const __m256i dark_green = _mm256_slli_epi32(_mm256_mulhi_epu16(green, shades), 8);
+    return _mm256_or_si256(_mm256_or_si256(red_blue, dark_green), _mm256_set1_epi32(static_cast<int>(0xFF000000u)));
+}
+
+/// Of eight places the whole part of place * size / 2^32.
+WITH_AVX2 inline __m256i scaled(__m256i places, __m256i size) {
+    const __m256i even = _mm256_srli_epi64(_mm256_mul_epu32(places, size), 32);
+    const __m256i odd = _mm256_mul_epu32(_mm256_srli_epi64(places, 32), size);
+    return _mm256_blend_epi32(even, odd, 0b10101010);
+}
+
+/// Of eight sums with kStepShift the places, numbered 0 1 4 5 2 3 6 7.
+WITH_AVX2 inline __m256i places_of(__m256d a, __m256d b) {
+    return low_words(_mm256_castpd_si256(a), _mm256_castpd_si256(b));
+}
+
+/// The same number in order.
+WITH_AVX2 inline __m256i in_order(__m256i mixed_up) {
+    return _mm256_permute4x64_epi64(mixed_up, _MM_SHUFFLE(3, 1, 2, 0));
+}
+
+// The light of lamps: a pixel's channels lie in two words of 32 bits, red and blue, two halves of 16 bits each, in one,
+// green in the other. So one multiplication of halves serves eight pixels, and their upper halves are all that is
+// wanted of the products.
+
+/// Of eight pixels.
+struct Channels {
+    __m256i red_blue, green;
+};
+
+/// 0xAABBGGRR, each channel times 256.
+WITH_AVX2 inline Channels channels_of(__m256i pixels) {
+    return {_mm256_slli_epi16(pixels, 8), _mm256_and_si256(pixels, _mm256_set1_epi32(0x0000FF00))};
+}
+
+/// Channels of at most 511 as opaque pixels, cut at 255.
+WITH_AVX2 inline __m256i pixels_of(const Channels& c) {
+    const __m256i in_order = _mm256_setr_epi8(0, 8, 1, -1, 2, 10, 3, -1, 4, 12, 5, -1, 6, 14, 7, -1,  //
+                                              0, 8, 1, -1, 2, 10, 3, -1, 4, 12, 5, -1, 6, 14, 7, -1);
+    const __m256i colors = _mm256_shuffle_epi8(_mm256_packus_epi16(c.red_blue, c.green), in_order);
+    return _mm256_or_si256(colors, _mm256_set1_epi32(static_cast<int>(0xFF000000u)));
+}
+
+/// between(), where `part` is in each half.
+WITH_AVX2 inline __m256i mixed(__m256i a, __m256i b, __m256i part) {
+    static_assert(kLightPartBits == 15);  // of which this multiplication takes the upper bits, rounded
+    return _mm256_add_epi16(a, _mm256_mulhrs_epi16(_mm256_sub_epi16(b, a), part));
+}
+WITH_AVX2 inline Channels mixed(const Channels& a, const Channels& b, __m256i part) {
+    return {mixed(a.red_blue, b.red_blue, part), mixed(a.green, b.green, part)};
+}
+
+inline constexpr int kLightStepBits = 4;
+static_assert(1 << kLightStepBits == kLightSteps);
+
+/// lit(), or lit_above() where a table has darkened the pixels. shades: in both halves.
+template <bool kIsAbove>
+WITH_AVX2 inline __m256i lit_eight(__m256i pixels, __m256i texels, __m256i shades, const Channels& light) {
+    const __m256i most = _mm256_set1_epi16(static_cast<short>(kBrightest));
+    const Channels colors = channels_of(kIsAbove ? texels : pixels);
+    const auto bright = [&](__m256i lanes) __attribute__((always_inline, target("avx2"))) {
+        const __m256i more = _mm256_srli_epi16(lanes, kLightStepBits);
+        return kIsAbove ? _mm256_min_epi16(more, _mm256_sub_epi16(most, shades))
+                        : _mm256_min_epi16(_mm256_add_epi16(more, shades), most);
+    };
+    Channels sum{_mm256_mulhi_epu16(colors.red_blue, bright(light.red_blue)),
+                 _mm256_mulhi_epu16(colors.green, bright(light.green))};
+    if (kIsAbove) {
+        sum.red_blue = _mm256_add_epi16(sum.red_blue, _mm256_and_si256(pixels, _mm256_set1_epi32(0x00FF00FF)));
+        sum.green =
+            _mm256_add_epi16(sum.green, _mm256_and_si256(_mm256_srli_epi32(pixels, 8), _mm256_set1_epi32(0xFF)));
+    }
+    return pixels_of(sum);
+}
+
+// What is defined in other files than those that gather kernels and passes.
+
+namespace eight_wide {
+
+// Of the plain kernels those that go down columns of pictures.
+void fill_walls(const PlainWalls& walls);
+std::uint32_t read_walls(const PlainWalls& walls);
+void fill_sky(const Run& run, const SkyRun& sky);
+
+// Of lamps those that light walls.
+void mix_cells(const LightCell* a, const LightCell* b, LightPart part, const LightRow& to);
+void light_wall(const LitRun& to, const WallLamplight& lamplight);
+
+}  // namespace eight_wide
+
 /// The passes of lamps.
 LampPasses eight_wide_lamps();
 

@@ -42,10 +42,13 @@ void FlatPainter::start(const ColumnScene& scene, const Pose& pose, const FlatNo
     const bool has_layers = built_in::kFlatLayers && flat.layer_count > 0;
     is_plain_ = !(built_in::kSky && flat.sky) && !(built_in::kPointLights && lamplight) && !is_there(fog_) &&
                 !is_extended_ && !has_layers;
+    is_plainly_lit_ =
+        built_in::kPointLights && lamplight && !flat.sky && !is_extended_ && !has_layers && !picture_.color_table;
     level_layers_.clear();
     sky_layers_.clear();
     if (has_layers) start_layers(scene);
     start_dials(scene);
+    is_plainly_lit_ = is_plainly_lit_ && !is_dialled_;
     start_rows(scene, lighting);
 }
 
@@ -86,6 +89,7 @@ FlatPainter::LevelPicture FlatPainter::picture_of(const ColumnScene& scene, cons
 
 void FlatPainter::paint(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) {
     if (is_plain_ && looks.farthest < picture_.near_limit) return paint_plain(scene, looks, tops, bottoms);
+    if (is_plainly_lit_ && looks.farthest < picture_.near_limit) return paint_plainly_lit(scene, looks, tops, bottoms);
     for (int i = 0; i < looks.count; ++i) {
         if (tops[i] >= bottoms[i]) continue;
         if (built_in::kSky && flat_.sky)
@@ -95,30 +99,50 @@ void FlatPainter::paint(const ColumnScene& scene, const WallLooks& looks, const 
     }
 }
 
-void FlatPainter::paint_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) {
-    int top = scene.screen.height, bottom = 0;
+/// The rows that any of the columns has: [0] closed where none has any.
+OpenRows FlatPainter::rows_of_any(const ColumnScene& scene, const WallLooks& looks, const int* tops,
+                                  const int* bottoms) {
+    OpenRows any{scene.screen.height, 0};
     for (int i = 0; i < looks.count; ++i) {
         const bool is_seen = tops[i] < bottoms[i];
-        top = is_seen && tops[i] < top ? tops[i] : top;
-        bottom = is_seen && bottoms[i] > bottom ? bottoms[i] : bottom;
+        any.top = is_seen && tops[i] < any.top ? tops[i] : any.top;
+        any.bottom = is_seen && bottoms[i] > any.bottom ? bottoms[i] : any.bottom;
     }
-    if (top >= bottom) return;
-    prepare_rows(scene, top, bottom);
-    if (is_dialled_ && !is_exact_in(scene, top, bottom)) {
-        paint_by_dials(scene, looks, tops, bottoms);
-        return note_plain(scene, looks, tops, bottoms);
-    }
-    double step_u[WallLooks::kMost], step_v[WallLooks::kMost];
+    return any;
+}
+
+void FlatPainter::find_steps(const ColumnScene& scene, const WallLooks& looks, FlatSteps& steps) const {
     const double* const slopes = &scene.screen.slopes[static_cast<std::size_t>(looks.begin)];
     const Vec2 forward = pose_->forward, right = pose_->right, tile = picture_.tile_m;
     for (int i = 0; i < looks.count; ++i) {
-        step_u[i] = (forward.x + right.x * slopes[i]) / tile.x;
-        step_v[i] = (forward.y + right.y * slopes[i]) / tile.y;
+        steps.u[i] = (forward.x + right.x * slopes[i]) / tile.x;
+        steps.v[i] = (forward.y + right.y * slopes[i]) / tile.y;
     }
+}
+
+PlainFlats FlatPainter::flats_at(const ColumnScene& scene, const WallLooks& looks, const FlatSteps& steps,
+                                 const int* tops, const int* bottoms) const {
     const ColumnRuns runs{scene.canvas.column(looks.begin), scene.canvas.pitch(), looks.count, tops, bottoms};
-    scene.kernels.fill_flats({runs, picture_.texture, picture_.base_u, picture_.base_v, step_u, step_v, looks.depth,
-                              rows_->depths(), rows_->darkness(), picture_.color_table});
+    return {runs,    picture_.texture, picture_.base_u, picture_.base_v,   steps.u,
+            steps.v, looks.depth,      rows_->depths(), rows_->darkness(), picture_.color_table};
+}
+
+void FlatPainter::paint_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) {
+    const OpenRows any = rows_of_any(scene, looks, tops, bottoms);
+    if (any.is_closed()) return;
+    prepare_rows(scene, any.top, any.bottom);
+    if (is_dialled_ && !is_exact_in(scene, any.top, any.bottom)) {
+        paint_by_dials(scene, looks, tops, bottoms);
+        return note_plain(scene, looks, tops, bottoms);
+    }
+    FlatSteps steps;
+    find_steps(scene, looks, steps);
+    scene.kernels.fill_flats(flats_at(scene, looks, steps, tops, bottoms));
     note_plain(scene, looks, tops, bottoms);
+}
+
+void FlatPainter::add_fog(const ColumnScene& scene, int x, OpenRows rows) const {
+    scene.passes.add_fog(scene.canvas.run(x, rows.top, rows.bottom), fog_.color, rows_->fog_parts() + rows.top);
 }
 
 void FlatPainter::note_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops,
@@ -139,8 +163,7 @@ void FlatPainter::paint_level(const ColumnScene& scene, const FlatColumn& column
     if (is_extended_) shade_extended_rows(top, bottom, column.farthest);
     paint_picture(scene, picture_, column, {scene.canvas.column(column.x), rows_->darkness()});
     for (const LevelPicture& layer : level_layers_) lay_layer(scene, layer, column);
-    if (is_there(fog_))
-        scene.passes.add_fog(scene.canvas.run(column.x, top, bottom), fog_.color, rows_->fog_parts() + top);
+    if (is_there(fog_)) add_fog(scene, column.x, column.rows);
     if (scene.facts != nullptr) note_level(scene, column, false);
 }
 
@@ -168,66 +191,21 @@ void FlatPainter::fill(const ColumnScene& scene, const LevelPicture& picture, co
     with_flats(picture, column, to, column.farthest < picture.near_limit ? scene.kernels.fill_flats : fill_far_flats);
 }
 
-void FlatPainter::paint_lit(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
-                            const LevelTarget& to) const {
-    const FlatLamplight lamplight = lamplight_at(column);
-    FlatColumn above = column, lit = column, below = column;
-    lit.rows = lit_rows(lamplight, column.rows);
-    above.rows.bottom = lit.rows.top;
-    below.rows.top = lit.rows.bottom;
-    fill(scene, picture, above, to);
-    fill(scene, picture, below, to);
-    const auto [top, bottom] = lit.rows;
-    LitRun run{{to.row_0 + top, top, bottom - top}};
-    LevelPicture as_painted = picture;
-    as_painted.color_table = nullptr;
-    if (picture.color_table) {
-        std::uint32_t* const texels = scene.scratch.texels.data();
-        fill(scene, picture, lit, to);
-        fill(scene, as_painted, lit, {texels, full_light_.data()});
-        run.texels = texels + top;
-    } else {
-        fill(scene, as_painted, lit, {to.row_0, full_light_.data()});
-    }
-    scene.passes.lamps.light_flat(run, lamplight);
+/// As it is painted, with its alpha.
+void FlatPainter::read(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
+                       const LevelTarget& to) const {
+    with_flats(picture, column, to, column.farthest < picture.near_limit ? scene.kernels.read_flats : read_far_flats);
 }
 
 /// In the light of the flat, over what is drawn already.
 void FlatPainter::lay_layer(const ColumnScene& scene, const LevelPicture& layer, const FlatColumn& column) {
-    constexpr std::uint32_t kAlpha = 0xFF000000u;
     std::vector<std::uint32_t>&texels = scene.scratch.texels, &colors = scene.scratch.colors;
     const auto [top, bottom] = column.rows;
     for (int row = top; row < bottom; ++row)
         layer_darkness_[row] = darkness_of(layer.color_table, rows_->shades()[row]);
     paint_picture(scene, layer, column, {colors.data(), layer_darkness_.data()});
-    with_flats(layer, column, {texels.data(), nullptr}, read_flats);
-    for (int row = top; row < bottom; ++row) colors[row] = (colors[row] & ~kAlpha) | (texels[row] & kAlpha);
-    scene.passes.blend(scene.canvas.run(column.x, top, bottom), colors.data() + top);
-}
-
-FlatLamplight FlatPainter::lamplight_at(const FlatColumn& column) const {
-    const double per_m = lamplight_->per_m;
-    return {lamplight_,
-            (pose_->eye.x - lamplight_->u) * per_m,
-            (pose_->eye.y - lamplight_->v) * per_m,
-            column.ray.x * per_m,
-            column.ray.y * per_m,
-            column.farthest,
-            rows_->depths(),
-            rows_->shades()};
-}
-
-/// Which of the rows may be lit: only their ends are looked at.
-OpenRows FlatPainter::lit_rows(const FlatLamplight& lamplight, const OpenRows& rows) const {
-    const auto is_dark = [&](int row) {
-        const double depth = std::min(rows_->depths()[row], lamplight.farthest);
-        return is_beyond_light(*lamplight.grid, lamplight.base_u + depth * lamplight.step_u,
-                               lamplight.base_v + depth * lamplight.step_v);
-    };
-    OpenRows lit = rows;
-    while (lit.top < lit.bottom && is_dark(lit.top)) ++lit.top;
-    while (lit.top < lit.bottom && is_dark(lit.bottom - 1)) --lit.bottom;
-    return lit;
+    read(scene, layer, column, {texels.data(), nullptr});
+    scene.passes.blend(scene.canvas.run(column.x, top, bottom), colors.data() + top, texels.data() + top);
 }
 
 void FlatPainter::note_level(const ColumnScene& scene, const FlatColumn& column, bool is_alike) const {

@@ -11,13 +11,15 @@ namespace enfilade::column {
 namespace {
 
 template <bool kByShifts>
-std::uint32_t read_wall_as(const PlainWalls& walls) {
-    const WallColumn to = column_of(walls, 0);
+std::uint32_t read_walls_as(const PlainWalls& walls) {
     const RowNumber<kByShifts> row_at(walls.texture->height);
-    const std::uint32_t* const texels = &walls.texture->pixels[walls.first_texels[0]];
     std::uint32_t any = 0;
-    TileSteps v = to.v;
-    for (int i = 0; i < to.count; ++i, v += to.step) any |= to.pixels[i] = texels[row_at(v)];
+    for (int column = 0; column < walls.runs.count; ++column) {
+        const WallColumn to = column_of(walls, column);
+        const std::uint32_t* const texels = &walls.texture->pixels[walls.first_texels[column]];
+        TileSteps v = to.v;
+        for (int i = 0; i < to.count; ++i, v += to.step) any |= to.pixels[i] = texels[row_at(v)];
+    }
     return any;
 }
 
@@ -39,7 +41,7 @@ void fill_far_flats(const PlainFlats& f) {
         }
 }
 
-void read_flats(const PlainFlats& f) {
+void read_far_flats(const PlainFlats& f) {
     for (int i = 0; i < f.runs.count; ++i)
         for (int y = f.runs.tops[i]; y < f.runs.bottoms[i]; ++y) {
             const std::size_t texel = texel_at(f, i, y);
@@ -47,9 +49,9 @@ void read_flats(const PlainFlats& f) {
         }
 }
 
-std::uint32_t read_wall(const PlainWalls& walls) {
+std::uint32_t read_walls(const PlainWalls& walls) {
     const std::uint32_t height = walls.texture->height;
-    return height > 1 && is_power_of_two(height) ? read_wall_as<true>(walls) : read_wall_as<false>(walls);
+    return height > 1 && is_power_of_two(height) ? read_walls_as<true>(walls) : read_walls_as<false>(walls);
 }
 
 void lay_sky(const Run& run, const SkyRun& layer) {
@@ -66,7 +68,7 @@ void fill_color(const Run& run, std::uint32_t color) { std::fill_n(run.pixels, r
 
 namespace {
 
-void mix_cells(const LightCell* a, const LightCell* b, std::uint32_t part, const LightRow& to) {
+void mix_cells(const LightCell* a, const LightCell* b, LightPart part, const LightRow& to) {
     for (int i = 0; i < to.count; ++i) {
         const LightCell cell = between(a[i], b[i], part);
         to.red_blue[i] = static_cast<std::uint32_t>(cell);
@@ -82,15 +84,15 @@ LightCell light_at(const WallLamplight& lamplight, std::uint64_t position) {
     const std::int64_t at = std::clamp(static_cast<std::int64_t>(position), std::int64_t{0}, last);
     const std::int64_t cell = at >> 32;
     return between(cell_at(lamplight.cells, cell), cell_at(lamplight.cells, cell + 1),
-                   static_cast<std::uint32_t>(at >> 24) & 0xFF);
+                   static_cast<std::uint32_t>(at) >> (32 - kLightPartBits));
 }
 
 LightCell light_at(const FlatLamplight& lamplight, int row) {
     const double depth =
         lamplight.row_depths[row] < lamplight.farthest ? lamplight.row_depths[row] : lamplight.farthest;
     return light_between(*lamplight.grid,
-                         grid_step(lamplight.base_u + depth * lamplight.step_u, lamplight.grid->columns),
-                         grid_step(lamplight.base_v + depth * lamplight.step_v, lamplight.grid->rows));
+                         grid_step_of_shifted(lamplight.base_u + depth * lamplight.step_u, lamplight.grid->columns),
+                         grid_step_of_shifted(lamplight.base_v + depth * lamplight.step_v, lamplight.grid->rows));
 }
 
 void light_pixel(const LitRun& to, int i, Shade shade, LightCell light) {
@@ -115,9 +117,11 @@ void add_fog(const Run& run, std::uint32_t fog, const FogPart* fog_parts) {
     for (int i = 0; i < run.count; ++i) run.pixels[i] = fogged(run.pixels[i], fog, fog_parts[i]);
 }
 
-void blend(const Run& run, const std::uint32_t* above) {
-    for (int i = 0; i < run.count; ++i)
-        if (above[i] >> 24 != 0) run.pixels[i] = laid_over(run.pixels[i], above[i]);
+void blend(const Run& run, const std::uint32_t* colors, const std::uint32_t* texels) {
+    for (int i = 0; i < run.count; ++i) {
+        const std::uint32_t alpha = texels[i] & 0xFF000000u;
+        if (alpha != 0) run.pixels[i] = laid_over(run.pixels[i], (colors[i] & 0x00FFFFFFu) | alpha);
+    }
 }
 
 constexpr Passes kScalar{{mix_cells, light_wall, light_flat}, add_fog, blend};

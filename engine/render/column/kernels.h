@@ -110,6 +110,11 @@ struct PlainKernels {
     void (*fill_walls)(const PlainWalls& walls);
     void (*fill_flats)(const PlainFlats& flats);
     void (*fill_sky)(const Run& run, const SkyRun& sky);
+    /// The texels as they are painted, with their alpha, whatever the shades; what all of them have in common with
+    /// ones: 0 in its uppermost byte where nothing of them is to be seen.
+    std::uint32_t (*read_walls)(const PlainWalls& walls);
+    /// As they are painted, with their alpha, whatever the darkness.
+    void (*read_flats)(const PlainFlats& flats);
 };
 
 /// The definition, pixel by pixel.
@@ -132,12 +137,11 @@ Result<void> check_kernels();
 /// As PlainKernels::fill_flats, however far: without its limit on depth * step.
 void fill_far_flats(const PlainFlats& flats);
 
-/// The texels of flats as they are painted, with their alpha, however far.
-void read_flats(const PlainFlats& flats);
+/// As PlainKernels::read_flats, however far.
+void read_far_flats(const PlainFlats& flats);
 
-/// The texels of the first of the columns as they are painted, with their alpha, into its rows; what all of them have
-/// in common with ones: 0 in its uppermost byte where nothing of them is to be seen.
-std::uint32_t read_wall(const PlainWalls& walls);
+/// As PlainKernels::read_walls, one by one.
+std::uint32_t read_walls(const PlainWalls& walls);
 
 /// A layer of sky with holes, laid over what is there already.
 void lay_sky(const Run& run, const SkyRun& layer);
@@ -211,7 +215,7 @@ struct WallLamplight {
 /// The light of lamps on a floor or ceiling along one column: position in the grid = base + depth(row) * step.
 struct FlatLamplight {
     const LightGrid* grid;
-    double base_u, base_v;     ///< under the eye [cells]
+    double base_u, base_v;     ///< under the eye, and kGridShift more [cells]
     double step_u, step_v;     ///< per metre of depth along this column's ray [cells/m]
     double farthest;           ///< depths are cut off here: where the wall behind the flat stands [m]
     const double* row_depths;  ///< by row, and kRowsBeyond more that may be read [m]
@@ -219,8 +223,8 @@ struct FlatLamplight {
 };
 
 struct LampPasses {
-    /// between() two columns of a grid, `part` of 256 of the way from a to b: to.count points.
-    void (*mix_cells)(const LightCell* a, const LightCell* b, std::uint32_t part, const LightRow& to);
+    /// between() two columns of a grid: to.count points.
+    void (*mix_cells)(const LightCell* a, const LightCell* b, LightPart part, const LightRow& to);
     void (*light_wall)(const LitRun& lit, const WallLamplight& lamplight);
     void (*light_flat)(const LitRun& lit, const FlatLamplight& lamplight);
 };
@@ -229,8 +233,8 @@ struct Passes {
     LampPasses lamps;
     /// Fog of a colour. fog_parts: of each pixel, and kRowsBeyond more that may be read.
     void (*add_fog)(const Run& run, std::uint32_t fog, const FogPart* fog_parts);
-    /// above: laid_over() the run's pixels [count].
-    void (*blend)(const Run& run, const std::uint32_t* above);
+    /// Colours laid_over() the run's pixels, as much as the alpha of `texels` says; both [count].
+    void (*blend)(const Run& run, const std::uint32_t* colors, const std::uint32_t* texels);
 };
 
 /// The definition, pixel by pixel.

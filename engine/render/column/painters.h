@@ -164,7 +164,17 @@ private:
     LevelPicture picture_of(const ColumnScene& scene, const Surface& surface) const;
     void start_layers(const ColumnScene& scene);
     void start_rows(const ColumnScene& scene, const Lighting& lighting);
+    /// Tiles per metre of depth along the rays of some columns.
+    struct FlatSteps {
+        double u[WallLooks::kMost], v[WallLooks::kMost];
+    };
+    static OpenRows rows_of_any(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms);
+    void find_steps(const ColumnScene& scene, const WallLooks& looks, FlatSteps& steps) const;
+    PlainFlats flats_at(const ColumnScene& scene, const WallLooks& looks, const FlatSteps& steps, const int* tops,
+                        const int* bottoms) const;
     void paint_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms);
+    void paint_plainly_lit(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms);
+    void add_fog(const ColumnScene& scene, int x, OpenRows rows) const;
     void note_level(const ColumnScene& scene, const FlatColumn& column, bool is_alike) const;
     void note_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
     TexelPosition drawn_at(const ColumnScene& scene, const FlatColumn& column, int row, bool is_alike) const;
@@ -190,6 +200,8 @@ private:
     void with_flats(const LevelPicture& picture, const FlatColumn& column, const LevelTarget& to, Draw draw) const;
     void fill(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
               const LevelTarget& to) const;
+    void read(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
+              const LevelTarget& to) const;
     void paint_lit(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                    const LevelTarget& to) const;
     void lay_layer(const ColumnScene& scene, const LevelPicture& layer, const FlatColumn& column);
@@ -214,6 +226,7 @@ private:
     double height_ = 0;
     bool is_plain_ = false;  ///< nothing but its picture and its light: no sky, layers, fog, lamps, or view from the
                              ///< wrong side
+    bool is_plainly_lit_ = false;  ///< but for lamps and fog the same, by a picture without a table and exactly
     const LightGrid* lamplight_ = nullptr;
     Fog fog_;
     bool is_extended_ = false;  ///< a floor not below the eye, or a ceiling not above it

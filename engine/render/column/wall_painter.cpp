@@ -21,18 +21,20 @@ struct NearestTexels {
     const PlainKernels& kernels;
 
     void fill(const PlainWalls& walls) const { kernels.fill_walls(walls); }
-    void read(const PlainWalls& wall, int) const { read_wall(wall); }
+    void read(const PlainWalls& walls, int) const { kernels.read_walls(walls); }
 };
 
 struct BlendedTexels {
     const WallBlend& blend;
 
     void fill(const PlainWalls& walls) const { fill_blended_walls(walls, blend); }
-    /// The i-th column.
-    void read(PlainWalls wall, int i) const {
-        wall.color_table = nullptr;
-        wall.shades = &kFullBright;
-        fill_blended_walls(wall, {blend.u + i, blend.smaller, blend.parts + i});
+    /// From the i-th column on.
+    void read(PlainWalls walls, int i) const {
+        Shade all_bright[WallLooks::kMost];
+        std::fill_n(all_bright, walls.runs.count, kFullBright);
+        walls.color_table = nullptr;
+        walls.shades = all_bright;
+        fill_blended_walls(walls, {blend.u + i, blend.smaller, blend.parts + i});
     }
 };
 
@@ -207,23 +209,32 @@ void WallPainter::fill_blended(const ColumnScene& scene, const WallBlend& blend,
 template <class Texels>
 [[gnu::noinline]] void WallPainter::fill_lit(const ColumnScene& scene, const Texels& texels, const ColumnRuns& runs,
                                              Placed& placed, const double* depths, const double* along) const {
-    const auto is_lit = [&](int i) { return runs.tops[i] < runs.bottoms[i] && !is_dark_at({depths[i], along[i]}); };
-    Shade shades[WallLooks::kMost];
-    std::copy_n(placed.shades, runs.count, shades);
-    for (int i = 0; i < runs.count && !color_table_; ++i)
-        if (is_lit(i)) placed.shades[i] = kFullBright;
-    texels.fill(walls_at(runs, placed, 0));
+    bool is_lit[WallLooks::kMost];
+    int lit_columns = 0, seen_columns = 0;
     for (int i = 0; i < runs.count; ++i) {
-        if (!is_lit(i)) continue;
+        const bool is_seen = runs.tops[i] < runs.bottoms[i];
+        is_lit[i] = is_seen && !is_dark_at({depths[i], along[i]});
+        seen_columns += is_seen;
+        lit_columns += is_lit[i];
+    }
+    const bool is_painted_first = lit_columns == seen_columns && !color_table_;
+    if (is_painted_first)
+        texels.read(walls_at(runs, placed, 0), 0);
+    else
+        texels.fill(walls_at(runs, placed, 0));
+    for (int i = 0; i < runs.count; ++i) {
+        if (!is_lit[i]) continue;
         const int top = runs.tops[i], bottom = runs.bottoms[i];
         LitRun lit{{runs.pixels + i * runs.pitch + top, top, bottom - top}};
-        if (color_table_) {
+        if (!is_painted_first) {
             PlainWalls wall = walls_at(column_of(runs, i), placed, i);
-            wall.runs.pixels = scene.scratch.texels.data();
+            if (color_table_) {
+                wall.runs.pixels = scene.scratch.texels.data();
+                lit.texels = wall.runs.pixels + top;
+            }
             texels.read(wall, i);
-            lit.texels = wall.runs.pixels + top;
         }
-        scene.passes.lamps.light_wall(lit, lamplight_at(scene, top, bottom, shades[i], {depths[i], along[i]}));
+        scene.passes.lamps.light_wall(lit, lamplight_at(scene, top, bottom, placed.shades[i], {depths[i], along[i]}));
     }
 }
 
@@ -261,13 +272,12 @@ void WallPainter::lay_rows(const ColumnScene& scene, int x, OpenRows rows, const
     place_one(at, hit.depth, placed, 0);
     std::vector<std::uint32_t>&texels = scene.scratch.texels, &colors = scene.scratch.colors;
     const ColumnRuns to_texels{texels.data(), 0, 1, &rows.top, &rows.bottom};
-    if (read_wall(walls_at(to_texels, placed, 0)) >> 24 == 0) return;
+    if (scene.kernels.read_walls(walls_at(to_texels, placed, 0)) >> 24 == 0) return;
     const ColumnRuns to_colors{colors.data(), 0, 1, &rows.top, &rows.bottom};
     fill(scene, to_colors, placed, &hit.depth, &hit.along);
     const int top = rows.top, count = rows.bottom - rows.top;
     if (is_there(fog_)) add_fog(scene, {colors.data() + top, top, count}, hit.depth);
-    for (int y = top; y < rows.bottom; ++y) colors[y] = (colors[y] & 0x00FFFFFFu) | (texels[y] & 0xFF000000u);
-    scene.passes.blend(scene.canvas.run(x, top, rows.bottom), colors.data() + top);
+    scene.passes.blend(scene.canvas.run(x, top, rows.bottom), colors.data() + top, texels.data() + top);
     if (scene.facts == nullptr) return;
     for (int y = top; y < rows.bottom; ++y)
         if (texels[y] >> 24 >= kSolidAlpha)

@@ -65,7 +65,7 @@ TEST(FillWall, DrawsTheSameRowsWhereverTheRunStarts) {
     }
 }
 
-TEST(ReadWall, TellsTexelsWithTheirAlphaAndWhetherAnyIsSeen) {
+TEST(ReadWalls, TellsTexelsWithTheirAlphaAndWhetherAnyIsSeen) {
     for (std::uint32_t height : {1u, 64u, 72u}) {
         Texture texture = numbered(1, height);
         for (std::uint32_t i = 0; i < height; ++i) texture.pixels[i] = (i % 3 * 100) << 24 | i;
@@ -77,16 +77,16 @@ TEST(ReadWall, TellsTexelsWithTheirAlphaAndWhetherAnyIsSeen) {
         const PlainWalls wall{
             {pixels.data(), 0, 1, &top, &bottom}, &texture, &first_texel, &at_row_0, &per_row, &shade, nullptr};
         std::uint32_t any = 0;
-        read_wall(wall);
+        read_walls(wall);
         for (int y = 0; y < 60; ++y) {
             const bool is_in = y >= top && y < bottom;
             const std::uint32_t texel = texture.pixels[texel_of(place_on_tile(0.01 + y * 0.003), height)];
             ASSERT_EQ(pixels[static_cast<std::size_t>(y)], is_in ? texel : 7) << height << " row " << y;
             any |= is_in ? texel : 0;
         }
-        EXPECT_EQ(read_wall(wall), any);
+        EXPECT_EQ(read_walls(wall), any);
         for (std::uint32_t& texel : texture.pixels) texel &= 0x00FFFFFFu;
-        EXPECT_EQ(read_wall(wall) >> 24, 0u);
+        EXPECT_EQ(read_walls(wall) >> 24, 0u);
     }
 }
 

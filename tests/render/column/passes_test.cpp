@@ -81,7 +81,7 @@ TEST_P(EachPasses, MixTwoColumnsOfLight) {
             a.push_back(any_light(random));
             b.push_back(any_light(random));
         }
-        const auto part = static_cast<std::uint32_t>(random.below(257));
+        const auto part = static_cast<LightPart>(random.below(1u << kLightPartBits));
         std::vector<std::uint32_t> red_blue(static_cast<std::size_t>(count + kCellsBeyond)), green = red_blue;
         passes_.lamps.mix_cells(a.data(), b.data(), part, {red_blue.data(), green.data(), count});
         for (std::size_t i = 0; i < a.size(); ++i)
@@ -111,7 +111,7 @@ struct Row {
         const std::int64_t last = (static_cast<std::int64_t>(cells.size() - 1) << 32) - 1;
         const std::int64_t at = std::clamp(static_cast<std::int64_t>(position), std::int64_t{0}, last);
         const auto cell = static_cast<std::size_t>(at >> 32);
-        return between(cells[cell], cells[cell + 1], static_cast<std::uint32_t>(at >> 24) & 0xFF);
+        return between(cells[cell], cells[cell + 1], static_cast<std::uint32_t>(at) >> (32 - kLightPartBits));
     }
 };
 
@@ -154,15 +154,16 @@ TEST_P(EachPasses, LightFlatsByTheirPlaceInTheGrid) {
         // Round numbers, so that some places are points.
         const auto number = [&] { return static_cast<double>(random.below(64)) / 8 - 4; };
         const double farthest = random.uniform(0, 30);
-        const FlatLamplight lamplight{&grid,        number(), number(),      number() / 8,
-                                      number() / 8, farthest, depths.data(), shades.data()};
+        const FlatLamplight lamplight{&grid,         number() + kGridShift, number() + kGridShift,
+                                      number() / 8,  number() / 8,          farthest,
+                                      depths.data(), shades.data()};
         const Column column(random);
         expect_each(
             column, passes_, [&](const Passes& passes, Column& c) { passes.lamps.light_flat(c.lit(), lamplight); },
             [&](int y, std::uint32_t pixel) {
                 const double depth = std::min(depths[static_cast<std::size_t>(y)], farthest);
-                const GridStep across = grid_step(lamplight.base_u + depth * lamplight.step_u, grid.columns);
-                const GridStep along = grid_step(lamplight.base_v + depth * lamplight.step_v, grid.rows);
+                const GridStep across = grid_step_of_shifted(lamplight.base_u + depth * lamplight.step_u, grid.columns);
+                const GridStep along = grid_step_of_shifted(lamplight.base_v + depth * lamplight.step_v, grid.rows);
                 return in_light(column, y, pixel, shades[static_cast<std::size_t>(y)],
                                 light_between(grid, across, along));
             });
@@ -189,13 +190,18 @@ TEST_P(EachPasses, LayPicturesWithHolesOverWhatIsThere) {
         const bool is_soft = random.below(2) == 0;
         constexpr std::uint32_t kAlphas[] = {0, 0, 254, 255, 255};
         Column column(random);
-        for (std::uint32_t& above : column.texels)
-            if (!is_soft) above = (above & 0x00FFFFFFu) | kAlphas[random.below(std::size(kAlphas))] << 24;
+        std::vector<std::uint32_t> colors;
+        for (std::uint32_t& texel : column.texels) {
+            colors.push_back(any_color(random));
+            if (!is_soft) texel = (texel & 0x00FFFFFFu) | kAlphas[random.below(std::size(kAlphas))] << 24;
+        }
         expect_each(
-            column, passes_, [](const Passes& passes, Column& c) { passes.blend(c.run(), c.texels.data()); },
+            column, passes_,
+            [&](const Passes& passes, Column& c) { passes.blend(c.run(), colors.data(), c.texels.data()); },
             [&](int y, std::uint32_t pixel) {
-                const std::uint32_t above = column.texels[static_cast<std::size_t>(y - column.first)];
-                return above >> 24 == 0 ? pixel : laid_over(pixel, above);
+                const auto i = static_cast<std::size_t>(y - column.first);
+                const std::uint32_t alpha = column.texels[i] & 0xFF000000u;
+                return alpha == 0 ? pixel : laid_over(pixel, (colors[i] & 0x00FFFFFFu) | alpha);
             });
     }
 }

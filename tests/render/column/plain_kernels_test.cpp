@@ -1,4 +1,5 @@
-// The inner loops for one, four and eight pixels at a time: the same bits, for all lengths, places and pictures.
+// The inner loops for one, four and eight pixels at a time, drawn and as painted: the same bits, for all lengths,
+// places and pictures.
 #include "render/column/kernels.h"
 
 #include <gtest/gtest.h>
@@ -95,11 +96,25 @@ TEST(PlainKernels, DrawWallsAsTheScalarOnesDo) {
             shades.push_back(static_cast<Shade>(random.below(257)));
         }
         const Bench bench(random);
+        const auto walls = [&](const ColumnRuns& runs) {
+            return PlainWalls{runs,
+                              &texture,
+                              first_texels.data(),
+                              v_at_row_0.data(),
+                              v_per_row.data(),
+                              shades.data(),
+                              has_table ? &table : nullptr};
+        };
+        expect_same_bits(
+            bench, [&](const PlainKernels& kernels, const ColumnRuns& runs) { kernels.fill_walls(walls(runs)); },
+            trial);
+        std::uint32_t any = 0;
         expect_same_bits(
             bench,
             [&](const PlainKernels& kernels, const ColumnRuns& runs) {
-                kernels.fill_walls({runs, &texture, first_texels.data(), v_at_row_0.data(), v_per_row.data(),
-                                    shades.data(), has_table ? &table : nullptr});
+                const std::uint32_t read = kernels.read_walls(walls(runs));
+                if (kernels.name == "scalar") any = read;
+                EXPECT_EQ(read, any) << kernels.name << ", trial " << trial;
             },
             trial);
     }
@@ -127,12 +142,16 @@ TEST(PlainKernels, DrawFlatsAsTheScalarOnesDo) {
         const double base_u = trial % 2 ? random.uniform(0, 1) : 0.25, base_v = trial % 2 ? random.uniform(0, 1) : 0;
         if (trial % 2 == 0)
             for (double& depth : depths) depth = depth == kInfinity ? depth : std::floor(depth);
+        const Bench bench(random);
+        const auto flats = [&](const ColumnRuns& runs) {
+            return PlainFlats{runs,          &texture,        base_u,        base_v,          step_u.data(),
+                              step_v.data(), farthest.data(), depths.data(), darkness.data(), table};
+        };
         expect_same_bits(
-            Bench(random),
-            [&](const PlainKernels& kernels, const ColumnRuns& runs) {
-                kernels.fill_flats({runs, &texture, base_u, base_v, step_u.data(), step_v.data(), farthest.data(),
-                                    depths.data(), darkness.data(), table});
-            },
+            bench, [&](const PlainKernels& kernels, const ColumnRuns& runs) { kernels.fill_flats(flats(runs)); },
+            trial);
+        expect_same_bits(
+            bench, [&](const PlainKernels& kernels, const ColumnRuns& runs) { kernels.read_flats(flats(runs)); },
             trial);
     }
 }

@@ -1,0 +1,92 @@
+// Floors and ceilings in the light of lamps: they are read as they are painted, and their light is laid on them.
+#include <algorithm>
+
+#include "render/column/kernels.h"
+#include "render/column/painters.h"
+#include "render/column/scene.h"
+
+namespace enfilade::column {
+
+/// Rows that no lamp reaches, above and below those that some may, then these.
+void FlatPainter::paint_plainly_lit(const ColumnScene& scene, const WallLooks& looks, const int* tops,
+                                    const int* bottoms) {
+    const OpenRows any = rows_of_any(scene, looks, tops, bottoms);
+    if (any.is_closed()) return;
+    prepare_rows(scene, any.top, any.bottom);
+    FlatSteps steps;
+    find_steps(scene, looks, steps);
+    FlatLamplight lamplights[WallLooks::kMost];
+    int lit_tops[WallLooks::kMost], lit_bottoms[WallLooks::kMost];
+    bool is_any_dark = false;
+    for (int i = 0; i < looks.count; ++i) {
+        const OpenRows open{tops[i], bottoms[i]};
+        lamplights[i] = lamplight_at(column_at(scene, looks.begin + i, open, looks.depth[i]));
+        const OpenRows lit = open.is_closed() ? open : lit_rows(lamplights[i], open);
+        lit_tops[i] = lit.top;
+        lit_bottoms[i] = lit.bottom;
+        is_any_dark |= lit.top != open.top || lit.bottom != open.bottom;
+    }
+    if (is_any_dark) {
+        scene.kernels.fill_flats(flats_at(scene, looks, steps, tops, lit_tops));
+        scene.kernels.fill_flats(flats_at(scene, looks, steps, lit_bottoms, bottoms));
+    }
+    scene.kernels.read_flats(flats_at(scene, looks, steps, lit_tops, lit_bottoms));
+    for (int i = 0; i < looks.count; ++i) {
+        if (lit_tops[i] < lit_bottoms[i])
+            scene.passes.lamps.light_flat({scene.canvas.run(looks.begin + i, lit_tops[i], lit_bottoms[i])},
+                                          lamplights[i]);
+        if (is_there(fog_) && tops[i] < bottoms[i]) add_fog(scene, looks.begin + i, {tops[i], bottoms[i]});
+    }
+    note_plain(scene, looks, tops, bottoms);
+}
+
+void FlatPainter::paint_lit(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
+                            const LevelTarget& to) const {
+    const FlatLamplight lamplight = lamplight_at(column);
+    FlatColumn above = column, lit = column, below = column;
+    lit.rows = lit_rows(lamplight, column.rows);
+    above.rows.bottom = lit.rows.top;
+    below.rows.top = lit.rows.bottom;
+    fill(scene, picture, above, to);
+    fill(scene, picture, below, to);
+    const auto [top, bottom] = lit.rows;
+    LitRun run{{to.row_0 + top, top, bottom - top}};
+    LevelPicture as_painted = picture;
+    as_painted.color_table = nullptr;
+    if (picture.color_table) {
+        std::uint32_t* const texels = scene.scratch.texels.data();
+        fill(scene, picture, lit, to);
+        fill(scene, as_painted, lit, {texels, full_light_.data()});
+        run.texels = texels + top;
+    } else {
+        fill(scene, as_painted, lit, {to.row_0, full_light_.data()});
+    }
+    scene.passes.lamps.light_flat(run, lamplight);
+}
+
+FlatLamplight FlatPainter::lamplight_at(const FlatColumn& column) const {
+    const double per_m = lamplight_->per_m;
+    return {lamplight_,
+            (pose_->eye.x - lamplight_->u) * per_m + kGridShift,
+            (pose_->eye.y - lamplight_->v) * per_m + kGridShift,
+            column.ray.x * per_m,
+            column.ray.y * per_m,
+            column.farthest,
+            rows_->depths(),
+            rows_->shades()};
+}
+
+/// Which of the rows may be lit: only their ends are looked at.
+OpenRows FlatPainter::lit_rows(const FlatLamplight& lamplight, const OpenRows& rows) const {
+    const auto is_dark = [&](int row) {
+        const double depth = std::min(rows_->depths()[row], lamplight.farthest);
+        return is_beyond_light(*lamplight.grid, lamplight.base_u + depth * lamplight.step_u - kGridShift,
+                               lamplight.base_v + depth * lamplight.step_v - kGridShift);
+    };
+    OpenRows lit = rows;
+    while (lit.top < lit.bottom && is_dark(lit.top)) ++lit.top;
+    while (lit.top < lit.bottom && is_dark(lit.bottom - 1)) --lit.bottom;
+    return lit;
+}
+
+}  // namespace enfilade::column
