@@ -62,8 +62,8 @@ TEST(LightCell, KeepsItsChannelsApart) {
     EXPECT_EQ(between(a, b, 0), a);
     EXPECT_EQ(between(a, b, (1u << kLightPartBits) - 1), b);  // rounded
     const LightCell middle = between(a, b, 1u << (kLightPartBits - 1));
-    EXPECT_EQ(lane(middle, 0), 4095u);
-    EXPECT_EQ(lane(middle, 1), 4095u);
+    EXPECT_EQ(lane(middle, 0), 4096u);
+    EXPECT_EQ(lane(middle, 1), 4096u);
     EXPECT_EQ(lane(middle, 2), 75u);
 }
 

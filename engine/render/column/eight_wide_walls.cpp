@@ -25,15 +25,23 @@ struct Texels {
                                  texel(w + step), texel(w + 2 * step), texel(w + 3 * step));
     }
 
-    /// Of eight rows, none of which is more than a texel below the one before: eight texels side by side hold theirs.
-    /// places: TilePlace of each.
+    /// Of eight rows, none of which is more than kTexels texels below the one before: eight texels side by side, or
+    /// sixteen, hold theirs. places: TilePlace of each.
+    template <int kTexels>
     WITH_AVX2 __m256i near(__m256i places, TileSteps v, TileSteps step) const {
+        static_assert(kTexels == 1 || kTexels == 2);
         const auto first = static_cast<int>(row_at(v));
-        if (first + kWide > height) return far(v, step);  // the picture ends, and begins again
+        if (first + kTexels * kWide > height) return far(v, step);  // the picture ends, and begins again
         const __m256i rows =
             kByShifts ? _mm256_srl_epi32(places, _mm_cvtsi32_si128(32 - bits_below(static_cast<std::uint32_t>(height))))
                       : scaled(places, _mm256_set1_epi32(height));
-        return _mm256_permutevar8x32_epi32(load(texels + first), _mm256_sub_epi32(rows, _mm256_set1_epi32(first)));
+        const __m256i numbers = _mm256_sub_epi32(rows, _mm256_set1_epi32(first));
+        const __m256i of_first_eight = _mm256_permutevar8x32_epi32(load(texels + first), numbers);
+        if (kTexels == 1) return of_first_eight;
+        const __m256i of_others = _mm256_permutevar8x32_epi32(load(texels + first + kWide), numbers);
+        const __m256i is_other = _mm256_slli_epi32(numbers, 28);  // from 8 on: the bit that is looked at
+        return _mm256_castps_si256(_mm256_blendv_ps(_mm256_castsi256_ps(of_first_eight), _mm256_castsi256_ps(of_others),
+                                                    _mm256_castsi256_ps(is_other)));
     }
 };
 
@@ -48,24 +56,29 @@ WITH_AVX2 inline void fill_wall(const WallColumn& to, const EightAt& eight_at) {
     }
 }
 
-/// Draws what drawn_as(eight texels) makes of the texels of a column.
-template <bool kByShifts, class DrawnAs>
-WITH_AVX2 inline void fill_from(const WallColumn& to, const Texels<kByShifts>& from, TileSteps one_texel,
-                                const DrawnAs& drawn_as) {
-    if (to.step > one_texel) {
-        fill_wall(to, [&](TileSteps v) __attribute__((always_inline, target("avx2,bmi2"))) {
-            return drawn_as(from.far(v, to.step));
-        });
-        return;
-    }
+/// Draws what drawn_as(eight texels) makes of the texels of a column, whose rows are at most kTexels texels apart.
+template <int kTexels, bool kByShifts, class DrawnAs>
+WITH_AVX2 inline void fill_near(const WallColumn& to, const Texels<kByShifts>& from, const DrawnAs& drawn_as) {
     const auto steps = [&](TileSteps n) { return static_cast<long long>(n * to.step); };
     const __m256i even = _mm256_setr_epi64x(0, steps(1), steps(4), steps(5));
     const __m256i odd = _mm256_setr_epi64x(steps(2), steps(3), steps(6), steps(7));
     fill_wall(to, [&](TileSteps v) __attribute__((always_inline, target("avx2,bmi2"))) {
         const __m256i first = _mm256_set1_epi64x(static_cast<long long>(v));
         const __m256i places = high_words(_mm256_add_epi64(first, even), _mm256_add_epi64(first, odd));
-        return drawn_as(from.near(places, v, to.step));
+        return drawn_as(from.template near<kTexels>(places, v, to.step));
     });
+}
+
+/// The same, however far they are apart. Places of 32 bits, cut off, may be a place farther apart than rows are: in
+/// seven rows of a texel each there may be an eighth texel.
+template <bool kByShifts, class DrawnAs>
+WITH_AVX2 inline void fill_from(const WallColumn& to, const Texels<kByShifts>& from, TileSteps one_texel,
+                                const DrawnAs& drawn_as) {
+    constexpr TileSteps kPlace = TileSteps{1} << 32;
+    if (to.step < one_texel - kPlace) return fill_near<1>(to, from, drawn_as);
+    if (to.step / 2 < one_texel) return fill_near<2>(to, from, drawn_as);
+    fill_wall(to, [&](TileSteps v)
+                      __attribute__((always_inline, target("avx2,bmi2"))) { return drawn_as(from.far(v, to.step)); });
 }
 
 /// Calls draw(column, its texels, steps of one texel) for each column that has rows.
@@ -132,7 +145,8 @@ WITH_AVX2 inline __m256i sky_texels(const SkyRun& sky, int row, bool is_near) {
 
 WITH_AVX2 void fill_long_sky(const Run& run, const SkyRun& sky) {
     const __m256i opaque = _mm256_set1_epi32(static_cast<int>(0xFF000000u));
-    const bool is_near = sky.v_per_rise <= 0 && -sky.v_per_rise * sky.height < 1;
+    constexpr double kLessThanATexel = 1 - 0x1p-16;  // rounded to places, rows may be farther apart than they are
+    const bool is_near = sky.v_per_rise <= 0 && -sky.v_per_rise * sky.height < kLessThanATexel;
     for (int i = 0; i < run.count; i += kWide) {
         if (i + kWide > run.count) i = run.count - kWide;
         store(run.pixels + i, _mm256_or_si256(sky_texels(sky, run.first_row + i, is_near), opaque));

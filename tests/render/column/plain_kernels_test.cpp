@@ -64,6 +64,13 @@ std::vector<PlainKernels> fast_kernels() {
     return kernels;
 }
 
+/// Steps of whole texels but for the last places: there runs change from one way of drawing to another.
+TileSteps about_whole_texels(Random& random, std::uint32_t height) {
+    const TileSteps texels = ~TileSteps{0} / height * (1 + random.below(3));
+    const TileSteps off = random.bits() >> (20 + random.below(44));
+    return random.below(2) == 0 ? texels + off : texels - off;
+}
+
 /// Draws with the scalar kernels and with each other, and compares all pixels.
 template <class Draw>
 void expect_same_bits(const Bench& bench, const Draw& draw, int trial) {
@@ -93,6 +100,10 @@ TEST(PlainKernels, DrawWallsAsTheScalarOnesDo) {
             const TileSteps before_edge = random.below(2) == 0 ? 0 : random.below(kHalfPlace);
             v_at_row_0.push_back(trial % 2 ? random.bits() : (random.below(256) << 56) - before_edge);
             v_per_row.push_back(trial % 2 ? random.bits() >> random.below(64) : random.below(256) << 54);
+            if (random.below(4) == 0) {
+                v_at_row_0.back() = about_whole_texels(random, texture.height) - before_edge;
+                v_per_row.back() = about_whole_texels(random, texture.height);
+            }
             shades.push_back(static_cast<Shade>(random.below(257)));
         }
         const Bench bench(random);
@@ -165,7 +176,8 @@ TEST(PlainKernels, DrawSkiesAsTheScalarOneDoes) {
         const double horizon = trial % 2 ? random.uniform(-50, 150) : static_cast<double>(random.below(100));
         for (int row = 0; row < kRows; ++row) rises.push_back(horizon - row);
         // Round parts of the picture lie on texels' very edges; its ends are mostly in view.
-        const double per_rise = trial % 2 ? random.uniform(-0.1, 0.1) : -1.0 / 64;
+        const double texel = -std::ldexp(static_cast<double>(about_whole_texels(random, texture.height)), -64);
+        const double per_rise = trial % 5 == 0 ? texel : trial % 2 ? random.uniform(-0.1, 0.1) : -1.0 / 64;
         const SkyRun sky{texture.pixels.data(),
                          texture.height,
                          trial % 2 ? random.uniform(0, 1) : 1,
