@@ -196,19 +196,20 @@ CameraPose CameraPath::pose_at(const Map& map, FrameTime time) const {
 namespace {
 
 /// Of a tape that can be played.
-Result<TickRate> rate_of(const Tape& tape) {
-    const auto rate = rate_of_ticks(tape.rate);
-    if (!rate) return Error{"", "expected a tape of 60, 35 or 140 ticks a second; found " + std::to_string(tape.rate)};
+Result<MotionDials> motion_of_played(const Tape& tape) {
+    const auto motion = motion_of(tape);
+    if (!motion)
+        return Error{"", "expected a tape of 60, 35 or 140 ticks a second; found " + std::to_string(tape.rate)};
     if (tape.ticks.size() > kMaxTapeSeconds * tape.rate) return Error{"", "the tape is longer than a day"};
-    return *rate;
+    return *motion;
 }
 
 }  // namespace
 
 Result<TapePath> TapePath::plan(const Map& map, Tape tape) {
-    const Result<TickRate> rate = rate_of(tape);
-    if (!rate.ok()) return rate.error();
-    auto world = start_of(map, rate.value());
+    const Result<MotionDials> motion = motion_of_played(tape);
+    if (!motion.ok()) return motion.error();
+    auto world = start_of(map, motion.value());
     if (!world) return Error{"", "the map has no player to walk"};
     Timeline timeline(std::move(*world));
     for (const TickInput& input : tape.ticks) timeline.play(map, input);

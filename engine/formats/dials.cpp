@@ -56,7 +56,7 @@ DialKind word_dial(std::string_view name) {
             [](const Dials& dials) { return std::string(to_word(dials.*member)); }};
 }
 
-std::array<DialKind, 10> all_dials() {
+std::array<DialKind, 11> all_dials() {
     return {number_dial<&Dials::span, 1, kMostSpan>("span"),
             word_dial<&Dials::number>("number"),
             word_dial<&Dials::sampling>("sampling"),
@@ -66,7 +66,8 @@ std::array<DialKind, 10> all_dials() {
             number_dial<&Dials::light_grid, 1, kMostLightPoints>("light_grid"),
             word_dial<&Dials::portals>("portals"),
             number_dial<&Dials::links, 0, kMostLinks>("links"),
-            word_dial<&Dials::tick_rate>("tick_rate")};
+            word_dial<&Dials::tick_rate>("tick_rate"),
+            word_dial<&Dials::crossing>("crossing")};
 }
 
 }  // namespace

@@ -75,6 +75,22 @@ constexpr std::uint32_t ticks_per_second(TickRate rate) {
     return 60;
 }
 
+/// How it is known in which room a step ends.
+enum class CrossingMethod : std::uint8_t {
+    exact,  ///< by the way there, exactly: the default
+    naive,  ///< by the place alone, as Build did: the room one was in if that contains it, else one beside it, else any
+};
+
+/// How a world moves: the dials of play. Of a rate alone, the rest being as usual.
+struct MotionDials {
+    TickRate rate = TickRate::hz60;
+    CrossingMethod crossing = CrossingMethod::exact;
+
+    constexpr MotionDials(TickRate ticks = TickRate::hz60, CrossingMethod method = CrossingMethod::exact)
+        : rate(ticks), crossing(method) {}
+    bool operator==(const MotionDials&) const = default;
+};
+
 /// Most columns or rows between two exact positions.
 inline constexpr int kMostSpan = 64;
 
@@ -116,7 +132,11 @@ struct Dials {
     int links = kMostLinks;  ///< links looked through in one chain, 0..kMostLinks; never more than the map says
     /// Of play alone: pictures know no ticks. What takes a second takes one at each rate, to within a tick or two.
     TickRate tick_rate = TickRate::hz60;
+    /// Of play alone, too. Where rooms lie over each other, a naive player comes to be in another one than his way
+    /// leads to; links are passed exactly all the same.
+    CrossingMethod crossing = CrossingMethod::exact;
 
+    MotionDials motion() const { return {tick_rate, crossing}; }
     bool operator==(const Dials&) const = default;
 };
 
@@ -134,7 +154,8 @@ inline constexpr double kMostTexelError = 64;
 /// was expected; dials then stay as they were.
 Result<void> set_accuracy(Dials& dials, std::string_view text);
 
-/// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light, fog, light_grid, portals, links or tick_rate.
+/// Sets the dial of "NAME=VALUE": span, number, sampling, samples, light, fog, light_grid, portals, links, tick_rate or
+/// crossing.
 /// An error, without a place, where there is no such dial, or it has no such value; dials then stay as they were.
 Result<void> set_dial(Dials& dials, std::string_view text);
 

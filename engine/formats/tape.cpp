@@ -9,7 +9,7 @@
 // All numbers little-endian:
 //
 //   8   "ENFTAPE" and the version, 2
-//   4   rate
+//   4   rate; 2^31 more where rooms were found by the place alone
 //   2   length of the map's name, then the name in UTF-8
 //   8   map_hash
 //  11   for each tick: forward, strafe, yaw_steps, pitch_steps, buttons
@@ -26,7 +26,7 @@ constexpr std::string_view kMagic = "ENFTAPE";
 constexpr std::uint8_t kVersion = 2, kVersionWithCount = 1;
 constexpr std::byte kEndMark{0x80};
 constexpr std::size_t kEndBytes = 9;  // the mark and the hash
-constexpr std::uint32_t kMaxRate = 1000;
+constexpr std::uint32_t kMaxRate = 1000, kNaiveBit = 1u << 31;
 constexpr std::uint8_t kAllButtons = kButtonRun | kButtonCrouch | kButtonUse | kButtonJump;
 
 Error bad_tape(const ByteReader& reader, std::string what) {
@@ -52,7 +52,9 @@ Result<std::uint8_t> read_header(ByteReader& reader, Tape& tape) {
     if (reader.failed()) return ends_early(reader);
     if (version != kVersion && version != kVersionWithCount)
         return bad_tape(reader, "the tape has version " + std::to_string(version) + "; 1 and 2 can be read");
-    tape.rate = reader.u32();
+    const std::uint32_t rate = reader.u32();
+    tape.rate = rate & ~kNaiveBit;
+    tape.is_naive = (rate & kNaiveBit) != 0;
     const std::size_t name_length = reader.u16();
     if (reader.failed()) return ends_early(reader);
     if (tape.rate < 1 || tape.rate > kMaxRate)
@@ -144,7 +146,7 @@ Bytes tape_beginning(const Tape& tape) {
     ByteWriter writer;
     writer.text(kMagic);
     writer.u8(kVersion);
-    writer.u32(tape.rate);
+    writer.u32(tape.rate | (tape.is_naive ? kNaiveBit : 0));
     writer.u16(static_cast<std::uint16_t>(tape.map.size()));
     writer.text(tape.map);
     writer.u64(tape.map_hash);

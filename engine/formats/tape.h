@@ -33,6 +33,7 @@ struct Tape {
     std::string map;             ///< path of the map, as it was given when recording
     std::uint64_t map_hash = 0;  ///< hash_of_text() of the map's file, to notice that it was changed since
     std::uint32_t rate = 60;     ///< ticks a second, 1..1000
+    bool is_naive = false;       ///< rooms were found by the place alone (CrossingMethod::naive)
     std::vector<InputRecord> ticks;
     /// Of the world after the last tick; none where the recording did not come to its end: the game or the machine was
     /// stopped, and the ticks are those that were written by then.

@@ -208,6 +208,14 @@ constexpr std::string_view to_word(TickRate value) {
     return {};
 }
 
+constexpr std::string_view to_word(CrossingMethod value) {
+    switch (value) {
+        case CrossingMethod::exact: return "exact";
+        case CrossingMethod::naive: return "naive";
+    }
+    return {};
+}
+
 constexpr std::string_view to_word(PortalMethod value) {
     switch (value) {
         case PortalMethod::exact: return "exact";

@@ -16,6 +16,17 @@ SectorId locate(const Map& map, Vec2 p) {
     return {};
 }
 
+SectorId locate_near(const Map& map, SectorId near, Vec2 p) {
+    if (contains(map, near, p)) return near;
+    const Sector& sector = map[near];
+    for (std::uint32_t i = sector.first_wall; i < sector.first_wall + sector.wall_count; ++i) {
+        const Wall& wall = map.walls[i];
+        if (wall.kind == WallKind::portal && wall.link == Wall::kNoLink && contains(map, wall.behind, p))
+            return wall.behind;
+    }
+    return locate(map, p);
+}
+
 namespace {
 
 struct PanelOnPath {

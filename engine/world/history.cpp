@@ -264,12 +264,13 @@ std::uint64_t History::digest() const {
     std::uint64_t all = mixed(0, {changes_digest_, firings_digest_, pickups_digest_});
     // Only what says anything: other histories keep the digests that are recorded.
     if (!ways_back_.empty()) all = mixed(all, {ways_back_digest_});
-    if (rate_ != TickRate::hz60) all = mixed(all, {ticks_per_second(rate_)});
+    if (rate() != TickRate::hz60) all = mixed(all, {ticks_per_second(rate())});
+    if (motion_.crossing != CrossingMethod::exact) all = mixed(all, {static_cast<std::uint64_t>(motion_.crossing)});
     return all;
 }
 
 History History::beginning(const Length& length) const {
-    History begun(rate_);
+    History begun(motion_);
     for (std::size_t i = 0; i < length.changes; ++i) begun.append(changes_[i]);
     for (std::size_t i = 0; i < length.firings; ++i) begun.add(firings_[i]);
     for (std::size_t i = 0; i < length.pickups; ++i) begun.add(pickups_[i]);

@@ -107,11 +107,12 @@ struct WayBack {
 /// stays true.
 class History {
 public:
-    /// rate: of the ticks that it counts in.
-    explicit History(TickRate rate) : rate_(rate) {}
+    /// motion: by which the world of these events moves; its ticks are those that it counts in.
+    explicit History(const MotionDials& motion) : motion_(motion) {}
     History() = default;
 
-    TickRate rate() const { return rate_; }
+    const MotionDials& motion() const { return motion_; }
+    TickRate rate() const { return motion_.rate; }
 
     /// The newest change of a value that has begun by `tick`, or null: it is as in the map. A change that begins later
     /// counts only then, and not at all if a newer one came before. Cost: log of the sectors that ever changed, and the
@@ -190,7 +191,7 @@ private:
     void append(const Change& change);
     std::vector<std::uint32_t>::const_iterator end_of_presses(WallId wall) const;
 
-    TickRate rate_ = TickRate::hz60;
+    MotionDials motion_;
     std::vector<Change> changes_;
     std::vector<ChangedSector> changed_sectors_;
     std::vector<Firing> firings_;            ///< in the order they came

@@ -26,4 +26,11 @@ constexpr std::optional<TickRate> rate_of_ticks(std::uint32_t per_second) {
     return {};
 }
 
+/// How the world of a tape moves; none where no world has the tape's rate.
+inline std::optional<MotionDials> motion_of(const Tape& tape) {
+    const std::optional<TickRate> rate = rate_of_ticks(tape.rate);
+    if (!rate) return {};
+    return MotionDials{*rate, tape.is_naive ? CrossingMethod::naive : CrossingMethod::exact};
+}
+
 }  // namespace enfilade

@@ -265,8 +265,8 @@ bool carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_
     return happens;
 }
 
-History begun(const Map& map, TickRate rate) {
-    History history(rate);
+History begun(const Map& map, const MotionDials& motion) {
+    History history(motion);
     for (const TriggerId trigger : map.at_start) carry_out(map, history, trigger, 0);
     return history;
 }

@@ -22,7 +22,7 @@ inline constexpr double kCrushedHeight = 0.25;
 bool carry_out(const Map& map, History& history, TriggerId trigger, std::uint64_t tick);
 
 /// What the start of the map sets off, and nothing more.
-History begun(const Map& map, TickRate rate = kUsualTickRate);
+History begun(const Map& map, const MotionDials& motion = {});
 
 /// What follows if somebody is in the way of a change.
 struct Answer {

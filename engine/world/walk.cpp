@@ -166,9 +166,7 @@ private:
         for (double steps : kStepsOff) {
             const Vec2 p = target + round_outward(off * (steps * kPointGrid), off);
             if (p == body_.place.point) return false;
-            const Trace way = trace(
-                map_, body_.place, p, [this](WallId w, const Rigid& r) { return may_pass(w, r); },
-                bodies_may_cross(map_));
+            const Trace way = way_to(p);
             if (way.is_stopped()) return false;
             const Body there = carried(way);
             const Instant arrived = after(way);
@@ -186,6 +184,24 @@ private:
             off = inverse(way.passage).turn(away_from(found) + away_from(things));
         }
         return false;
+    }
+
+    Trace way_to(Vec2 target) const {
+        Trace way = trace(
+            map_, body_.place, target, [this](WallId w, const Rigid& r) { return may_pass(w, r); },
+            bodies_may_cross(map_));
+        const bool is_naive = now_.history && now_.history->motion().crossing == CrossingMethod::naive;
+        if (is_naive && !way.is_stopped())
+            way.end.sector = locate_near(map_, room_after_links(way.crossings), way.end.point);
+        return way;
+    }
+
+    /// The first room of the space that the way ends in.
+    SectorId room_after_links(const Crossings& crossings) const {
+        SectorId room = body_.place.sector;
+        for (const Crossing& crossing : crossings)
+            if (crossing.portal && map_[crossing.portal].link != Wall::kNoLink) room = map_[crossing.portal].behind;
+        return room;
     }
 
     /// Through the way back that a door leaves open half of the body may still be where it came from.

@@ -170,10 +170,10 @@ std::string text(Whole x) {
 
 }  // namespace
 
-std::optional<World> start_of(const Map& map, TickRate rate) {
+std::optional<World> start_of(const Map& map, const MotionDials& motion) {
     if (!map.player) return {};
     World world;
-    world.history = begun(map, rate);
+    world.history = begun(map, motion);
     world.player = world.before = player_at(now(map, world), *map.player);
     return world;
 }

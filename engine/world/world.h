@@ -107,7 +107,7 @@ struct World {
 inline Instant now(const Map& map, const World& world) { return {map, world.history, static_cast<double>(world.tick)}; }
 
 /// The world as a map begins, with what its start sets off; none where the map has no start.
-std::optional<World> start_of(const Map& map, TickRate rate = kUsualTickRate);
+std::optional<World> start_of(const Map& map, const MotionDials& motion = {});
 
 /// Equal for equal states on every machine; value by value. Leaves out what is only for drawing.
 std::uint64_t hash(const World& world);

@@ -25,7 +25,7 @@ std::vector<TickInput> some_walk(std::size_t ticks) {
 Tape tape_of(const Map& map, const std::vector<TickInput>& inputs) {
     World world = *start_of(map);
     for (const TickInput& input : inputs) step(map, world, input);
-    return {"hall.toml", 0, kTickRate, inputs, hash(world)};
+    return {"hall.toml", 0, kTickRate, false, inputs, hash(world)};
 }
 
 class TapePathInHall : public ::testing::Test {
@@ -71,7 +71,7 @@ TEST_F(TapePathInHall, IsAsLongAsItsTicks) { EXPECT_EQ(TapePath::plan(map_, tape
 TEST_F(TapePathInHall, GoesAtTheRateOfTheTape) {
     World world = *start_of(map_, TickRate::hz35);
     for (const TickInput& input : inputs_) step(map_, world, input);
-    const Tape tape{"hall.toml", 0, 35, inputs_, hash(world)};
+    const Tape tape{"hall.toml", 0, 35, false, inputs_, hash(world)};
     const TapePath path = TapePath::plan(map_, tape).value();
     EXPECT_EQ(path.length_us(), 200 * 1'000'000 / 35);
     EXPECT_EQ(path.pose_at(map_, {200, 35}).place, world.player.place);

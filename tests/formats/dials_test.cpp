@@ -64,6 +64,8 @@ TEST(SetDial, SetsEachDialAndNoOther) {
     set("links=0");
     expected.tick_rate = TickRate::hz35;
     set("tick_rate=35");
+    expected.crossing = CrossingMethod::naive;
+    set("crossing=naive");
 }
 
 TEST(SetDial, SaysWhatADialMayBe) {
@@ -80,6 +82,7 @@ TEST(SetDial, SaysWhatADialMayBe) {
     EXPECT_EQ(set_dial(dials, "portals=near").error().what,
               "expected portals=exact, plane24, plane32, oblique24, oblique32; found 'portals=near'");
     EXPECT_EQ(set_dial(dials, "tick_rate=50").error().what, "expected tick_rate=60, 35, 140; found 'tick_rate=50'");
+    EXPECT_EQ(set_dial(dials, "crossing=near").error().what, "expected crossing=exact, naive; found 'crossing=near'");
     EXPECT_EQ(set_dial(dials, "smaples=2").error().what,
               "expected NAME=VALUE, as in span=8; found 'smaples=2'; did you mean 'samples'?");
     EXPECT_THAT(set_dial(dials, "span").error().what, HasSubstr("found 'span'"));

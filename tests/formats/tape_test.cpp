@@ -14,6 +14,7 @@ Tape some_tape() {
     return {"maps/enfilade.toml",
             0x0123456789ABCDEF,
             60,
+            false,
             {{127, -127, -2147483647 - 1, 2147483647, kButtonRun | kButtonUse}, {}, {1, 2, 3, 4, kButtonCrouch}},
             0xFEDCBA9876543210};
 }
@@ -31,6 +32,14 @@ TEST(Tape, ReadsBackWhatWasWritten) {
     const auto tape = read_tape(write_tape(some_tape()));
     ASSERT_TRUE(tape.ok());
     EXPECT_EQ(tape.value(), some_tape());
+}
+
+TEST(Tape, RemembersHowRoomsWereFound) {
+    Tape naive = some_tape();
+    naive.is_naive = true;
+    const auto tape = read_tape(write_tape(naive));
+    ASSERT_TRUE(tape.ok());
+    EXPECT_EQ(tape.value(), naive);
 }
 
 TEST(Tape, MayBeEmpty) {

@@ -58,6 +58,14 @@ TEST(Locate, FindsNoSectorInRockAndOutside) {
         for (double y = -1; y < 34; y += 1.5) EXPECT_EQ(locate(mosaic.map, {x, y}), mosaic.sector_at({x, y}));
 }
 
+TEST(LocateNear, FindsEachPlaceFromAnywhereWhereNoSectorsOverlap) {
+    const Mosaic mosaic = lay_mosaic({}, 2);
+    for (double x = -1; x < 34; x += 2.5)
+        for (double y = -1; y < 34; y += 2.5)
+            for (std::size_t near = 0; near < mosaic.map.sectors.size(); near += 7)
+                EXPECT_EQ(locate_near(mosaic.map, SectorId(near), {x, y}), mosaic.sector_at({x, y}));
+}
+
 // hard case T4
 TEST(Locate, IsExactAtTheEdgeOfTheWorld) {
     const Mosaic mosaic = lay_mosaic({.columns = 2, .rows = 2, .origin = {32760, -32768}, .labels = 9}, 3);

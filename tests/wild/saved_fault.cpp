@@ -56,7 +56,7 @@ std::string fault_now(const FaultyWorld& world) {
     const TrialMap on{*map, textures};
     std::vector<TickInput> inputs = world.fault.inputs;
     if (world.fault.pose) return fault_in_pose(on, *world.fault.pose, world.sector);
-    return inputs.empty() ? ground_fault(on, world.plan.seed) : walk_fault(on, world.fault.rate, inputs);
+    return inputs.empty() ? ground_fault(on, world.plan.seed) : walk_fault(on, world.fault.motion, inputs);
 }
 
 }  // namespace
@@ -84,7 +84,8 @@ Result<void> save(const FaultyWorld& world, const std::string& folder) {
     if (world.fault.inputs.empty()) return {};
     const Bytes tape = write_tape({.map = "map.toml",
                                    .map_hash = 0,
-                                   .rate = ticks_per_second(world.fault.rate),
+                                   .rate = ticks_per_second(world.fault.motion.rate),
+                                   .is_naive = world.fault.motion.crossing == CrossingMethod::naive,
                                    .ticks = world.fault.inputs,
                                    .final_hash = {}});
     return write_file(folder + kTape, std::span<const std::byte>(tape));
@@ -106,7 +107,7 @@ Result<FaultyWorld> load_fault(const std::string& folder) {
         const auto read = read_tape(tape.value());
         if (!read.ok()) return read.error();
         world.fault.inputs = read.value().ticks;
-        world.fault.rate = rate_of_ticks(read.value().rate).value_or(kUsualTickRate);
+        world.fault.motion = motion_of(read.value()).value_or(MotionDials());
     }
     world.fault.what = fault_now(world);
     return world;

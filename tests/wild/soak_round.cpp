@@ -43,7 +43,7 @@ public:
 private:
     void find(std::string what) {
         if (what.empty() || result_.fault) return;
-        result_.fault = Fault{std::move(what), {}, game_->tape().ticks, game_->tick_rate()};
+        result_.fault = Fault{std::move(what), {}, game_->tape().ticks, game_->world().history.motion()};
     }
 
     void play(const TickInput& keys) {
@@ -164,10 +164,10 @@ SoakCounts& SoakCounts::operator+=(const SoakCounts& other) {
 
 SoakResult soak_round(const std::string& map_path, const std::string& folder, std::uint64_t seed) {
     Random lot(seed);
-    auto game = Game::start(map_path, {}, kUsualSkill, random_rate(lot));
+    auto game = Game::start(map_path, {}, kUsualSkill, random_motion(lot));
     if (!game.ok()) {
         SoakResult refused;
-        refused.fault = Fault{game.error().text(), {}, {}, kUsualTickRate};
+        refused.fault = Fault{game.error().text(), {}, {}, {}};
         return refused;
     }
     return Round(std::move(game).value(), folder, seed).run();

@@ -122,13 +122,14 @@ std::string fault_of_ground(const TrialMap& on, std::uint64_t seed) {
 
 }  // namespace
 
-TickRate random_rate(Random& random) {
-    const std::uint64_t lot = random.below(4);
-    return lot == 0 ? TickRate::hz35 : lot == 1 ? TickRate::hz140 : kUsualTickRate;
+MotionDials random_motion(Random& random) {
+    const std::uint64_t lot = random.below(8);
+    if (lot == 0) return {kUsualTickRate, CrossingMethod::naive};
+    return lot < 3 ? TickRate::hz35 : lot < 5 ? TickRate::hz140 : kUsualTickRate;
 }
 
-std::string walk_fault(const TrialMap& on, TickRate rate, std::vector<TickInput>& inputs) {
-    const std::optional<World> start = start_of(on.map, rate);
+std::string walk_fault(const TrialMap& on, const MotionDials& motion, std::vector<TickInput>& inputs) {
+    const std::optional<World> start = start_of(on.map, motion);
     return start ? what_is_wrong([&] { return fault_of_walk(on, *start, inputs); }) : "";
 }
 
@@ -144,9 +145,9 @@ std::optional<Fault> first_fault(const TrialMap& on, const TrialPlan& plan) {
         if (std::string what = picture_fault(on, pose); !what.empty()) return Fault{std::move(what), pose, {}};
     }
     std::vector<TickInput> inputs = random_inputs(plan.ticks, random);
-    const TickRate rate = random_rate(random);
-    if (std::string what = walk_fault(on, rate, inputs); !what.empty())
-        return Fault{std::move(what), {}, std::move(inputs), rate};
+    const MotionDials motion = random_motion(random);
+    if (std::string what = walk_fault(on, motion, inputs); !what.empty())
+        return Fault{std::move(what), {}, std::move(inputs), motion};
     return {};
 }
 

@@ -23,8 +23,8 @@ struct TrialPlan {
 struct Fault {
     std::string what;
     std::optional<HardPose> pose;
-    std::vector<TickInput> inputs;   ///< from the player's start; the last is the one after which it is wrong
-    TickRate rate = kUsualTickRate;  ///< of the ticks
+    std::vector<TickInput> inputs;  ///< from the player's start; the last is the one after which it is wrong
+    MotionDials motion;
 };
 
 /// A map that was built, and all its pictures.
@@ -42,14 +42,14 @@ std::optional<Fault> first_fault(const TrialMap& on, const TrialPlan& plan);
 /// Runs, turns, crouches and uses what there is, and changes its mind every now and then.
 std::vector<TickInput> random_inputs(int ticks, Random& random);
 
-/// The usual one every other time.
-TickRate random_rate(Random& random);
+/// The usual ones every other time.
+MotionDials random_motion(Random& random);
 
 /// What is wrong with the picture; empty: nothing. Column against reference: each pixel once, surfaces and colours.
 std::string picture_fault(const TrialMap& on, const HardPose& pose);
 
 /// What is wrong after one of the ticks; empty: nothing. The fault's inputs end with that tick.
-std::string walk_fault(const TrialMap& on, TickRate rate, std::vector<TickInput>& inputs);
+std::string walk_fault(const TrialMap& on, const MotionDials& motion, std::vector<TickInput>& inputs);
 
 /// What is wrong with the map by itself: triangles, sound, bodies, the automap; empty: nothing.
 std::string ground_fault(const TrialMap& on, std::uint64_t seed);

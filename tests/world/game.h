@@ -25,8 +25,8 @@ inline TriggerRecord trigger_on(Activation activation, TriggerAction action, std
 }
 
 struct Game {
-    explicit Game(const MapFile& file, TickRate rate = kUsualTickRate) : map(built(file)) {
-        const auto start = start_of(map, rate);
+    explicit Game(const MapFile& file, const MotionDials& motion = {}) : map(built(file)) {
+        const auto start = start_of(map, motion);
         ENFILADE_CHECK(start.has_value());
         world = *start;
     }

@@ -6,8 +6,8 @@
 
 namespace enfilade {
 
-std::optional<Replay> play(const Map& map, std::span<const TickInput> inputs, TickRate rate) {
-    const std::optional<World> start = start_of(map, rate);
+std::optional<Replay> play(const Map& map, std::span<const TickInput> inputs, const MotionDials& motion) {
+    const std::optional<World> start = start_of(map, motion);
     if (!start) return {};
     Replay run{*start, {}};
     for (const TickInput& input : inputs) {
@@ -18,9 +18,9 @@ std::optional<Replay> play(const Map& map, std::span<const TickInput> inputs, Ti
 }
 
 Result<Replay> replay(const Map& map, const Tape& tape) {
-    const auto rate = rate_of_ticks(tape.rate);
-    if (!rate) return Error{"tape", "expected 60, 35 or 140 ticks a second, found " + std::to_string(tape.rate)};
-    std::optional<Replay> run = play(map, tape.ticks, *rate);
+    const auto motion = motion_of(tape);
+    if (!motion) return Error{"tape", "expected 60, 35 or 140 ticks a second, found " + std::to_string(tape.rate)};
+    std::optional<Replay> run = play(map, tape.ticks, *motion);
     if (!run) return Error{tape.map, "expected a map with a [player] to start from, found none"};
     if (tape.final_hash && hash(run->end) != *tape.final_hash)
         return Error{"tape", "expected the world to end as it was recorded, found that it ends differently after " +

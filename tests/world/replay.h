@@ -17,7 +17,7 @@ struct Replay {
 };
 
 /// Plays the inputs from the map's start; none where the map has no start.
-std::optional<Replay> play(const Map& map, std::span<const TickInput> inputs, TickRate rate = kUsualTickRate);
+std::optional<Replay> play(const Map& map, std::span<const TickInput> inputs, const MotionDials& motion = {});
 
 /// Plays a tape and compares the world it ends in with the one recorded. Errors: the map has no start, the tape's rate
 /// is none that worlds have, or the end differs. That the map is the one recorded with is for the caller to check.

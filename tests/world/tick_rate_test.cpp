@@ -180,7 +180,7 @@ TEST_P(AtRate, WhatWasIsHadAgainFromATape) {
     const Map map = built(ledge_and_yard());
     const std::vector<TickInput> inputs(100, kForward);
     const std::uint64_t end = play(map, inputs, GetParam())->hashes.back();
-    EXPECT_TRUE(replay(map, {"", 0, ticks_per_second(GetParam()), inputs, end}).ok());
+    EXPECT_TRUE(replay(map, {"", 0, ticks_per_second(GetParam()), false, inputs, end}).ok());
     Timeline timeline(*start_of(map, GetParam()));
     for (const TickInput& input : inputs) timeline.play(map, input);
     EXPECT_EQ(hash(timeline.after(map, 100)), end);

@@ -219,6 +219,9 @@ SectorId by_polygon(const Map& map, const TickMove& move) {
     return found ? found : move.from;
 }
 
+/// What the dial `crossing=naive` does.
+SectorId by_place(const Map& map, const TickMove& move) { return locate_near(map, move.from, move.end); }
+
 /// Every wall on the way, nearest first, where both fractions are inside by an epsilon.
 SectorId by_fractions(const Map& map, const TickMove& move) {
     constexpr int kMostRooms = 64;
@@ -250,11 +253,13 @@ struct WayToKnow {
     SectorId (*room_of)(const Map& map, const TickMove& move);
 };
 
-const std::array<WayToKnow, 5>& all_ways() {
-    static const std::array<WayToKnow, 5> ways{
-        WayToKnow{"engine", by_trace}, WayToKnow{"side of walls at the end, once", by_side_once},
-        WayToKnow{"side of walls at the end, repeated", by_side}, WayToKnow{"point in polygon at the end", by_polygon},
-        WayToKnow{"crossings in double, 1e-9", by_fractions}};
+const std::array<WayToKnow, 6>& all_ways() {
+    static const std::array<WayToKnow, 6> ways{WayToKnow{"engine", by_trace},
+                                               WayToKnow{"side of walls at the end, once", by_side_once},
+                                               WayToKnow{"side of walls at the end, repeated", by_side},
+                                               WayToKnow{"point in polygon at the end", by_polygon},
+                                               WayToKnow{"the place alone, exactly (crossing=naive)", by_place},
+                                               WayToKnow{"crossings in double, 1e-9", by_fractions}};
     return ways;
 }
 

@@ -70,12 +70,12 @@ Game::Game(std::string path, std::vector<std::string> texture_folders, int skill
     : path_(std::move(path)), texture_folders_(std::move(texture_folders)), skill_(skill) {}
 
 Result<std::unique_ptr<Game>> Game::start(const std::string& map_path, std::vector<std::string> texture_folders,
-                                          int skill, TickRate rate) {
+                                          int skill, const MotionDials& motion) {
     std::unique_ptr<Game> game(new Game(map_path, std::move(texture_folders), skill));
     auto map = game->load(map_path, game->watch_);
     if (!map.ok()) return map.error();
     game->take(std::move(map).value());
-    game->begin(rate);
+    game->begin(motion);
     return game;
 }
 
@@ -107,10 +107,10 @@ void Game::take(Loaded loaded) {
     automap_ = Automap(map());
 }
 
-void Game::restart() { begin(tick_rate()); }
+void Game::restart() { begin(world().history.motion()); }
 
-void Game::begin(TickRate rate) {
-    timeline_ = Timeline(*start_of(map(), rate));  // load() made sure that there is a start
+void Game::begin(const MotionDials& motion) {
+    timeline_ = Timeline(*start_of(map(), motion));  // load() made sure that there is a start
     from_start_ = true;
     snapshot_ = at_rest(map());
     automap_.visit(player().place.sector);
@@ -157,11 +157,11 @@ Result<void> Game::load_saved(const std::string& path) {
     if (!saved.ok()) return Error{path, saved.error().text()};
     if (saved.value().map_hash != map_hash_)
         return Error{path, "this game was saved in another map, or in this one before it was changed"};
-    const auto rate = rate_of_ticks(saved.value().rate);
-    if (!rate)
+    const auto motion = motion_of(saved.value());
+    if (!motion)
         return Error{path,
                      "expected a game of 60, 35 or 140 ticks a second; found " + std::to_string(saved.value().rate)};
-    Timeline played(*start_of(map(), *rate));
+    Timeline played(*start_of(map(), *motion));
     for (const TickInput& input : saved.value().ticks) played.play(map(), input);
     if (saved.value().final_hash && hash(played.world()) != *saved.value().final_hash)
         return Error{path, "this game was saved by another version of Enfilade, or played with another --skill"};
@@ -246,7 +246,13 @@ void Game::heed(const Result<void>& recorded) {
 
 Tape Game::tape() const {
     const std::span<const TickInput> inputs = timeline_.inputs();
-    return {path_, map_hash_, ticks_per_second(tick_rate()), {inputs.begin(), inputs.end()}, hash(world())};
+    const MotionDials& motion = world().history.motion();
+    return {path_,
+            map_hash_,
+            ticks_per_second(motion.rate),
+            motion.crossing == CrossingMethod::naive,
+            {inputs.begin(), inputs.end()},
+            hash(world())};
 }
 
 }  // namespace enfilade

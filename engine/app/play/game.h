@@ -94,9 +94,9 @@ class Game {
 public:
     /// Loads a map and puts the player at its start. An error where the map is refused: all its findings, a line each.
     /// skill : 1..kMostSkill
-    /// rate  : of the ticks, until a game is loaded that was saved at another
+    /// motion: how the world moves, until a game is loaded that was saved by other dials
     static Result<std::unique_ptr<Game>> start(const std::string& map_path, std::vector<std::string> texture_folders,
-                                               int skill = kUsualSkill, TickRate rate = kUsualTickRate);
+                                               int skill = kUsualSkill, const MotionDials& motion = {});
 
     /// Lets a tick pass and, while recording, writes it down.
     void tick(const TickInput& input);
@@ -116,9 +116,9 @@ public:
     /// file is no longer the one that is played. Then what was saved before stays as it is.
     Result<void> save(const std::string& path) const;
 
-    /// Goes on where a game was saved, or where a recording ends, at its rate of ticks; one that is being recorded ends
-    /// here. An error where there is none, or it is of another map, or of this one as it was before it was changed;
-    /// then everything is as it was. Cost: all ticks that were played.
+    /// Goes on where a game was saved, or where a recording ends, by its dials of motion; one that is being recorded
+    /// ends here. An error where there is none, or it is of another map, or of this one as it was before it was
+    /// changed; then everything is as it was. Cost: all ticks that were played.
     Result<void> load_saved(const std::string& path);
 
     /// True where the map or one of its pictures was saved since it was loaded.
@@ -163,7 +163,7 @@ public:
 
 private:
     Game(std::string path, std::vector<std::string> texture_folders, int skill);
-    void begin(TickRate rate);
+    void begin(const MotionDials& motion);
 
     /// A map as it is on disk now.
     struct Loaded {

@@ -69,8 +69,9 @@ Result<bool> play_in(Window& window, SettingsStore& store, Game& game, const Pla
     return loop.is_left_for_title();
 }
 
-Result<std::unique_ptr<Game>> game_for(const TitleChoice& choice, const PlayRequest& request, TickRate rate) {
-    auto game = Game::start(choice.map, request.texture_folders, request.skill, rate);
+Result<std::unique_ptr<Game>> game_for(const TitleChoice& choice, const PlayRequest& request,
+                                       const MotionDials& motion) {
+    auto game = Game::start(choice.map, request.texture_folders, request.skill, motion);
     if (game.ok() && choice.goes_on)
         static_cast<void>(game.value()->load_saved(last_game_path()));  // a map that was changed begins anew
     return game;
@@ -84,14 +85,14 @@ Result<std::string> map_for(const PlayRequest& request) {
 }
 
 /// Title screen and game by turns, until the player quits.
-Result<void> show_title(Window& window, SettingsStore& store, const PlayRequest& request, TickRate rate) {
+Result<void> show_title(Window& window, SettingsStore& store, const PlayRequest& request, const MotionDials& motion) {
     std::string note;
     for (;;) {
         window.set_title("Enfilade");
         auto choice = TitleScreen(window, store, std::exchange(note, "")).run();
         if (!choice.ok()) return choice.error();
         if (choice.value().map.empty()) return {};
-        auto game = game_for(choice.value(), request, rate);
+        auto game = game_for(choice.value(), request, motion);
         if (!game.ok()) {
             note = game.error().text();
             continue;
@@ -107,12 +108,12 @@ Result<void> show_title(Window& window, SettingsStore& store, const PlayRequest&
 int run_play(const PlayRequest& request) {
     const Result<Dials> dials = single_dials(request);
     if (!dials.ok()) return refuse_usage(dials.error());
-    const TickRate rate = dials.value().tick_rate;
+    const MotionDials motion = dials.value().motion();
     auto store = settings_for(request);
     if (!store.ok()) return refuse_usage(store.error());
     const auto map = map_for(request);
     if (!map.ok()) return fail(map.error());
-    auto game = Game::start(map.value(), request.texture_folders, request.skill, rate);
+    auto game = Game::start(map.value(), request.texture_folders, request.skill, motion);
     if (!game.ok()) return fail(game.error());
     if (!request.load.empty())
         if (const Result<void> done = game.value()->load_saved(request.load); !done.ok()) return fail(done.error());
@@ -122,7 +123,7 @@ int run_play(const PlayRequest& request) {
     if (!wants_title.ok()) return fail(wants_title.error());
     if (!wants_title.value()) return kDone;
     game.value().reset();
-    if (const Result<void> done = show_title(*window.value(), store.value(), request, rate); !done.ok())
+    if (const Result<void> done = show_title(*window.value(), store.value(), request, motion); !done.ok())
         return fail(done.error());
     return kDone;
 }
@@ -133,7 +134,7 @@ int run_title() {
     if (!store.ok()) return refuse_usage(store.error());
     auto window = window_for("Enfilade", store.value().now());
     if (!window.ok()) return fail(window.error());
-    if (const Result<void> done = show_title(*window.value(), store.value(), request, kUsualTickRate); !done.ok())
+    if (const Result<void> done = show_title(*window.value(), store.value(), request, {}); !done.ok())
         return fail(done.error());
     return kDone;
 }

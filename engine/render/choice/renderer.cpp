@@ -249,6 +249,7 @@ Dials dials_for(RendererKind kind, const Dials& dials) {
         some = dials;
         some.portals = PortalMethod::exact;
         some.tick_rate = TickRate::hz60;
+        some.crossing = CrossingMethod::exact;
         return some;
     }
     some.samples = dials.samples;
@@ -277,8 +278,9 @@ std::string names_of_dials(RendererKind kind) {
 }  // namespace
 
 Result<void> check_dials(RendererKind kind, const Dials& dials) {
-    if (dials.tick_rate != TickRate::hz60)
-        return Error{"", "pictures have no ticks: expected tick_rate only of `play`, found " + to_text(dials)};
+    if (dials.motion() != MotionDials())
+        return Error{
+            "", "nothing moves in a picture: expected tick_rate and crossing only of `play`, found " + to_text(dials)};
     if (dials != dials_for(kind, dials))
         return Error{"", "the " + name_of(kind) + " renderer cannot draw by " + to_text(dials) + "; it has the dials " +
                              names_of_dials(kind)};

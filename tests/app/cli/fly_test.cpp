@@ -282,7 +282,7 @@ TEST_F(Fly, ChecksARecordOfAnotherSizeThanTheScripts) {
 }
 
 TEST_F(Fly, SaysWhatAFileIsThatIsNoScript) {
-    const Tape tape{"map.toml", 0, 60, {}, 0};
+    const Tape tape{"map.toml", 0, 60, false, {}, 0};
     (void)write_file(program_.path("walk.tape"), write_tape(tape));
     const auto said = [&](const std::string& file) { return program_.run({"fly", file, "--out", "frames"}).err; };
     EXPECT_THAT(said("walk.tape"), HasSubstr("found a tape or saved game of map.toml; `enfilade play map.toml --load"));

@@ -305,8 +305,9 @@ TEST_F(Render, RefusesDialsThatThereAreNot) {
     EXPECT_THAT(refused({"--renderer", "stencil", "--dial", "sampling=bilinear"}),
                 HasSubstr("the stencil renderer cannot draw by sampling=bilinear; it has the dials samples, light, "
                           "fog, light_grid, portals and links; the column renderer has more"));
-    EXPECT_THAT(refused({"--dial", "tick_rate=35"}),
-                HasSubstr("pictures have no ticks: expected tick_rate only of `play`, found tick_rate=35"));
+    EXPECT_THAT(
+        refused({"--dial", "tick_rate=35"}),
+        HasSubstr("nothing moves in a picture: expected tick_rate and crossing only of `play`, found tick_rate=35"));
     EXPECT_THAT(
         refused({"--dial", "portals=plane24"}),
         HasSubstr("the column renderer cannot draw by portals=plane24; it has the dials accuracy, span, number"));

@@ -314,6 +314,17 @@ TEST_F(GameOnDisk, TicksAtTheRateThatWasAskedForOrAtThatOfASavedGame) {
     EXPECT_TRUE(replay(game_->map(), recorded()).ok());
 }
 
+TEST_F(GameOnDisk, FindsRoomsAsItWasAskedToOrAsInASavedGame) {
+    const MotionDials naive{TickRate::hz140, CrossingMethod::naive};
+    const std::unique_ptr<Game> build = Game::start(path(), {}, kUsualSkill, naive).value();
+    build->tick({.forward = 127});
+    EXPECT_TRUE(build->tape().is_naive);
+    ASSERT_TRUE(build->save(dir_.path("saved")).ok());
+    ASSERT_TRUE(game_->load_saved(dir_.path("saved")).ok());
+    game_->restart();
+    EXPECT_EQ(game_->world().history.motion(), naive);
+}
+
 TEST_F(GameOnDisk, EntersAnotherMapAndRefusesOneThatIsNotThere) {
     walk(20);
     const std::uint64_t before = hash(game_->world());
