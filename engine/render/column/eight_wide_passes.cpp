@@ -55,18 +55,51 @@ WITH_AVX2 inline Channels near_cells(const LightRow& row, int first, __m256i num
             _mm256_permutevar8x32_epi32(load(row.green + first), numbers)};
 }
 
+WITH_AVX2 inline __m256i eight_times(std::uint32_t word) { return _mm256_set1_epi32(static_cast<int>(word)); }
+WITH_AVX2 inline Channels no_light() { return {_mm256_setzero_si256(), _mm256_setzero_si256()}; }
+
+/// One of the cells of a wall, eight times: the light of its first point, and the way to that of its second.
+struct WallCell {
+    int number = -1;  ///< none
+    Channels from = no_light(), way = no_light();
+
+    WITH_AVX2 WallCell() {}
+    WITH_AVX2 void look_at(const LightRow& row, int cell) {
+        if (cell == number) return;
+        from = {eight_times(row.red_blue[cell]), eight_times(row.green[cell])};
+        way = {_mm256_sub_epi16(eight_times(row.red_blue[cell + 1]), from.red_blue),
+               _mm256_sub_epi16(eight_times(row.green[cell + 1]), from.green)};
+        number = cell;
+    }
+    /// mixed(), where the difference is known.
+    WITH_AVX2 Channels at(__m256i parts) const {
+        return {_mm256_add_epi16(from.red_blue, _mm256_mulhrs_epi16(way.red_blue, parts)),
+                _mm256_add_epi16(from.green, _mm256_mulhrs_epi16(way.green, parts))};
+    }
+};
+
 template <bool kIsAbove, bool kIsInside>
 WITH_AVX2 void light_wall_as(const LitRun& to, const WallLamplight& lamplight) {
     WallPositions<kIsInside> positions = positions_of<kIsInside>(to.run, lamplight);
     const __m256i shades = _mm256_set1_epi16(static_cast<short>(lamplight.shade));
     const LightRow row = lamplight.cells;
+    WallCell known;
+    std::uint64_t at = lamplight.at_row_0 + lamplight.per_row * static_cast<std::uint64_t>(to.run.first_row);
     by_eight<kIsAbove>(
         to, [&](__m256i pixels, __m256i texels, int) __attribute__((always_inline, target("avx2,bmi2"))) {
-            const __m256i cells = positions.cells();
-            const int first = _mm256_extract_epi32(cells, kWide - 1);  // positions fall
-            const __m256i numbers = _mm256_sub_epi32(cells, _mm256_set1_epi32(first));
-            const Channels light =
-                mixed(near_cells(row, first, numbers), near_cells(row, first + 1, numbers), positions.parts());
+            const auto above = static_cast<int>(at >> 32);
+            const auto below = static_cast<int>((at + (kWide - 1) * lamplight.per_row) >> 32);  // positions fall
+            Channels light;
+            if (kIsInside && above == below) {
+                known.look_at(row, below);
+                light = known.at(positions.parts());
+            } else {
+                const __m256i cells = positions.cells();
+                const int first = kIsInside ? below : _mm256_extract_epi32(cells, kWide - 1);
+                const __m256i numbers = _mm256_sub_epi32(cells, _mm256_set1_epi32(first));
+                light = mixed(near_cells(row, first, numbers), near_cells(row, first + 1, numbers), positions.parts());
+            }
+            at += kWide * lamplight.per_row;
             positions.advance();
             return lit_eight<kIsAbove>(pixels, texels, shades, light);
         });
