@@ -69,6 +69,17 @@ void fill_flat(benchmark::State& state) {
     time_runs(state, [&, fill = column::chosen_kernels().fill_flats] { fill(flat); });
 }
 
+void read_flat(benchmark::State& state) {
+    const Texture texture = texture_of_noise();
+    Column drawn(state);
+    std::vector<double> depths;
+    for (int row = 0; row < kLongestRun + column::kRowsBeyond; ++row) depths.push_back(400.0 / (row + 1));
+    const double step_u = 0.5, step_v = 0.3, farthest = 1000;
+    const column::PlainFlats flat{drawn.runs(), &texture,      0,       0,      &step_u, &step_v,
+                                  &farthest,    depths.data(), nullptr, nullptr};
+    time_runs(state, [&, fill = column::chosen_kernels().read_flats] { fill(flat); });
+}
+
 /// A grid of 10 m each way that gets brighter from one corner on.
 LightGrid grid_of_light() {
     constexpr int kPoints = 40;
@@ -175,6 +186,7 @@ void convert(benchmark::State& state) {
 
 BENCHMARK(fill_wall)->Arg(7)->Arg(64)->Arg(kLongestRun);
 BENCHMARK(fill_flat)->Arg(7)->Arg(64)->Arg(kLongestRun);
+BENCHMARK(read_flat)->Arg(64)->Arg(kLongestRun);
 BENCHMARK(light_wall)->Arg(64)->Arg(kLongestRun);
 BENCHMARK(light_flat)->Arg(64)->Arg(kLongestRun);
 BENCHMARK(locate)->Arg(1000)->Arg(100'000);
