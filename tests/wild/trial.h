@@ -24,7 +24,7 @@ struct Fault {
     std::string what;
     std::optional<HardPose> pose;
     std::vector<TickInput> inputs;  ///< from the player's start; the last is the one after which it is wrong
-    MotionDials motion;
+    MotionDials motion = {};
 };
 
 /// A map that was built, and all its pictures.
