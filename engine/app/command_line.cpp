@@ -67,8 +67,8 @@ void declare_single_dials(CLI::App& command, std::vector<std::string>& dials) {
             "fog=smooth or bands, "
             "light_grid=1..64 (places along a metre where lamps' light is worked out), links=0..1000 (looked through "
             "in one chain), of `play` alone tick_rate=60, 35 or 140 (a second, in which bodies move) and "
-            "crossing=exact or naive (rooms found "
-            "by the place alone, as Build did), and of the "
+            "crossing=exact or naive (rooms "
+            "found by the place on the plan alone, as Build did: wrong where rooms lie over each other), and of the "
             "stencil renderer portals=exact, plane24, plane32, oblique24 or oblique32 (told "
             "apart by a depth buffer of so many bits, and cut off at the portal's plane or by a near plane that lies "
             "in it). May be given many times")

@@ -75,16 +75,18 @@ constexpr std::uint32_t ticks_per_second(TickRate rate) {
     return 60;
 }
 
-/// How it is known in which room a step ends.
+/// How the room is found in which a step of a body ends. Walls and links are met exactly either way.
 enum class CrossingMethod : std::uint8_t {
-    exact,  ///< by the way there, exactly: the default
-    naive,  ///< by the place alone, as Build did: the room one was in if that contains it, else one beside it, else any
+    exact,  ///< by the way: through which portals it leads. The default
+    naive,  ///< by the end of the step on the plan alone, whatever its height, as Build did: the room that the step
+            ///< began in (or came to by its last link) if that contains it, else the first neighbour that does, else
+            ///< the first room of the map that does. No cheaper: for comparison
 };
 
-/// How a world moves: the dials of play. Of a rate alone, the rest being as usual.
+/// How a world moves: the dials of play. A rate alone is one with exact crossings.
 struct MotionDials {
-    TickRate rate = TickRate::hz60;
-    CrossingMethod crossing = CrossingMethod::exact;
+    TickRate rate;
+    CrossingMethod crossing;
 
     constexpr MotionDials(TickRate ticks = TickRate::hz60, CrossingMethod method = CrossingMethod::exact)
         : rate(ticks), crossing(method) {}
@@ -108,7 +110,8 @@ inline constexpr int kUsualLightPoints = 4;
 inline constexpr int kMostLightPoints = 64;
 
 /// The default is exact. Dials of positions are about walls, steps, floors and ceilings; skies, things and other
-/// pictures with holes stay exact. What a pixel belongs to is exact with all of them but `portals`.
+/// pictures with holes stay exact. What a pixel belongs to, seen from the eye's room through as many links as are
+/// looked through, is exact with all of them but `portals`.
 struct Dials {
     /// The promise: no texel of a surface is off by more than this, along either side of its picture [texels], 0..64.
     /// 0 is exact: nothing is spent. Where it allows, neighbouring columns show the same texels, which is drawn once.
@@ -133,7 +136,7 @@ struct Dials {
     /// Of play alone: pictures know no ticks. What takes a second takes one at each rate, to within a tick or two.
     TickRate tick_rate = TickRate::hz60;
     /// Of play alone, too. Where rooms lie over each other, a naive player comes to be in another one than his way
-    /// leads to; links are passed exactly all the same.
+    /// leads to; between two ticks his eye still follows the way.
     CrossingMethod crossing = CrossingMethod::exact;
 
     MotionDials motion() const { return {tick_rate, crossing}; }

@@ -102,8 +102,9 @@ bool contains(const Map& map, SectorId sector, Vec2 p);
 SectorId locate(const Map& map, Vec2 p);
 
 /// A sector that contains p, by the place alone: `near` itself, else the first of the rooms behind its portals, links
-/// left out, else that of locate(). Where sectors overlap it may be another than a way leads to, so this is only for
-/// comparison (Ken Silverman, Build's updatesector(), 1996).
+/// left out, else that of locate(), or none. Where sectors overlap it may be another than a way leads to, so this is
+/// only for comparison (Ken Silverman, Build's updatesector(), 1996).
+/// near: a sector of the map. Cost: its walls, and those of its neighbours; else that of locate().
 SectorId locate_near(const Map& map, SectorId near, Vec2 p);
 
 // Panels on a path: which of them a segment of it goes through, in exact order. Only those that block or have triggers

@@ -191,8 +191,10 @@ private:
             map_, body_.place, target, [this](WallId w, const Rigid& r) { return may_pass(w, r); },
             bodies_may_cross(map_));
         const bool is_naive = now_.history && now_.history->motion().crossing == CrossingMethod::naive;
-        if (is_naive && !way.is_stopped())
+        if (is_naive && !way.is_stopped()) {
             way.end.sector = locate_near(map_, room_after_links(way.crossings), way.end.point);
+            ENFILADE_CHECK(way.end.sector);  // the room that the way ended in contains its end
+        }
         return way;
     }
 

@@ -67,6 +67,26 @@ TEST(LightCell, KeepsItsChannelsApart) {
     EXPECT_EQ(lane(middle, 2), 75u);
 }
 
+TEST(GridStep, IsAtTheNearestPartOfACellAndStaysBetweenThePoints) {
+    constexpr double kPart = 0x1p-15;
+    const auto is = [](const GridStep& step, int cell, LightPart part) {
+        return step.cell == cell && step.part == part;
+    };
+    for (const int count : {2, 3, 1000}) {
+        const double last = count - 1;
+        EXPECT_TRUE(is(grid_step(0, count), 0, 0));
+        EXPECT_TRUE(is(grid_step(-1e9, count), 0, 0));
+        EXPECT_TRUE(is(grid_step(last, count), count - 2, (1u << kLightPartBits) - 1));
+        EXPECT_TRUE(is(grid_step(1e300, count), count - 2, (1u << kLightPartBits) - 1));
+        EXPECT_TRUE(is(grid_step(last - kPart, count), count - 2, (1u << kLightPartBits) - 1));
+        EXPECT_TRUE(is(grid_step(last - 0.5, count), count - 2, 1u << (kLightPartBits - 1)));
+        EXPECT_TRUE(is(grid_step(kPart, count), 0, 1));
+        EXPECT_TRUE(is(grid_step(kPart - 0x1p-18, count), 0, 1)) << "rounded to 2^-16 first";
+    }
+    EXPECT_TRUE(is(grid_step_of_shifted(1.25 + kGridShift, 3), 1, 1u << (kLightPartBits - 2)));
+    EXPECT_TRUE(is(grid_step_of_shifted(-40000 + kGridShift, 3), 0, 0));
+}
+
 TEST(LightCell, ThatIsDarkLeavesShadesAsTheyAre) {
     for (std::uint32_t shade = 0; shade <= 256; ++shade)
         for (std::uint32_t value = 0; value < 256; value += 5)

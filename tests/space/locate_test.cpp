@@ -6,6 +6,7 @@
 #include "base/hash.h"
 #include "math/vec.h"
 #include "space/mosaic.h"
+#include "support/map_builder.h"
 
 namespace enfilade {
 namespace {
@@ -64,6 +65,21 @@ TEST(LocateNear, FindsEachPlaceFromAnywhereWhereNoSectorsOverlap) {
         for (double y = -1; y < 34; y += 2.5)
             for (std::size_t near = 0; near < mosaic.map.sectors.size(); near += 7)
                 EXPECT_EQ(locate_near(mosaic.map, SectorId(near), {x, y}), mosaic.sector_at({x, y}));
+}
+
+/// A cellar over which everything lies, a room in it that opens into another one, and one far away behind a link.
+TEST(LocateNear, PrefersTheSectorItselfThenItsNeighboursButNotBehindLinks) {
+    MapFile file = test::map_of({test::box_room("cellar", 0, 0, 20, 20), test::box_room("room", 2, 2, 6, 6),
+                                 test::box_room("next", 6, 2, 10, 6), test::box_room("away", 12, 12, 16, 16)});
+    test::join(file, "room", "next", {6, 2}, {6, 6});
+    test::link(file, "room", {6, 6}, {2, 6}, "away", {12, 12}, {16, 12});
+    const Map map = test::built(file);
+    const SectorId cellar(0u), room(1u), next(2u);
+    EXPECT_EQ(locate_near(map, room, {4, 4}), room);
+    EXPECT_EQ(locate_near(map, cellar, {4, 4}), cellar);
+    EXPECT_EQ(locate_near(map, room, {8, 4}), next);
+    EXPECT_EQ(locate_near(map, room, {14, 14}), cellar);
+    EXPECT_FALSE(locate_near(map, room, {30, 30}));
 }
 
 // hard case T4

@@ -123,9 +123,9 @@ std::string fault_of_ground(const TrialMap& on, std::uint64_t seed) {
 }  // namespace
 
 MotionDials random_motion(Random& random) {
-    const std::uint64_t lot = random.below(8);
-    if (lot == 0) return {kUsualTickRate, CrossingMethod::naive};
-    return lot < 3 ? TickRate::hz35 : lot < 5 ? TickRate::hz140 : kUsualTickRate;
+    const std::uint64_t lot = random.below(4);
+    const TickRate rate = lot == 0 ? TickRate::hz35 : lot == 1 ? TickRate::hz140 : kUsualTickRate;
+    return {rate, random.below(8) == 0 ? CrossingMethod::naive : CrossingMethod::exact};
 }
 
 std::string walk_fault(const TrialMap& on, const MotionDials& motion, std::vector<TickInput>& inputs) {

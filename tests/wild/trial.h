@@ -42,7 +42,7 @@ std::optional<Fault> first_fault(const TrialMap& on, const TrialPlan& plan);
 /// Runs, turns, crouches and uses what there is, and changes its mind every now and then.
 std::vector<TickInput> random_inputs(int ticks, Random& random);
 
-/// The usual ones every other time.
+/// Each rate by exact crossings, and by naive ones every eighth time.
 MotionDials random_motion(Random& random);
 
 /// What is wrong with the picture; empty: nothing. Column against reference: each pixel once, surfaces and colours.

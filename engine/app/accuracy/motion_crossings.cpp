@@ -220,7 +220,10 @@ SectorId by_polygon(const Map& map, const TickMove& move) {
 }
 
 /// What the dial `crossing=naive` does.
-SectorId by_place(const Map& map, const TickMove& move) { return locate_near(map, move.from, move.end); }
+SectorId by_place(const Map& map, const TickMove& move) {
+    const SectorId found = locate_near(map, move.from, move.end);
+    return found ? found : move.from;
+}
 
 /// Every wall on the way, nearest first, where both fractions are inside by an epsilon.
 SectorId by_fractions(const Map& map, const TickMove& move) {

@@ -78,12 +78,12 @@ WITH_AVX2 inline __m256i scaled(__m256i places, __m256i size) {
     return _mm256_blend_epi32(even, odd, 0b10101010);
 }
 
-/// Of eight sums with kStepShift the places, numbered 0 1 4 5 2 3 6 7.
+/// Of eight sums with kStepShift, or with kGridShift, the places, numbered 0 1 4 5 2 3 6 7.
 WITH_AVX2 inline __m256i places_of(__m256d a, __m256d b) {
     return low_words(_mm256_castpd_si256(a), _mm256_castpd_si256(b));
 }
 
-/// The same number in order.
+/// The same places, in order.
 WITH_AVX2 inline __m256i in_order(__m256i mixed_up) {
     return _mm256_permute4x64_epi64(mixed_up, _MM_SHUFFLE(3, 1, 2, 0));
 }
@@ -104,9 +104,9 @@ WITH_AVX2 inline Channels channels_of(__m256i pixels) {
 
 /// Channels of at most 511 as opaque pixels, cut at 255.
 WITH_AVX2 inline __m256i pixels_of(const Channels& c) {
-    const __m256i in_order = _mm256_setr_epi8(0, 8, 1, -1, 2, 10, 3, -1, 4, 12, 5, -1, 6, 14, 7, -1,  //
-                                              0, 8, 1, -1, 2, 10, 3, -1, 4, 12, 5, -1, 6, 14, 7, -1);
-    const __m256i colors = _mm256_shuffle_epi8(_mm256_packus_epi16(c.red_blue, c.green), in_order);
+    const __m256i red_green_blue = _mm256_setr_epi8(0, 8, 1, -1, 2, 10, 3, -1, 4, 12, 5, -1, 6, 14, 7, -1,  //
+                                                    0, 8, 1, -1, 2, 10, 3, -1, 4, 12, 5, -1, 6, 14, 7, -1);
+    const __m256i colors = _mm256_shuffle_epi8(_mm256_packus_epi16(c.red_blue, c.green), red_green_blue);
     return _mm256_or_si256(colors, _mm256_set1_epi32(static_cast<int>(0xFF000000u)));
 }
 
@@ -142,7 +142,7 @@ WITH_AVX2 inline __m256i lit_eight(__m256i pixels, __m256i texels, __m256i shade
     return pixels_of(sum);
 }
 
-// What is defined in other files than those that gather kernels and passes.
+// What one file of these kernels and passes has for another one.
 
 namespace eight_wide {
 

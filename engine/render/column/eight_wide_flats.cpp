@@ -1,9 +1,8 @@
-// Floors and ceilings eight pixels at a time, for processors with AVX2. Texels are loaded one by one: gathering them is
-// no faster where it is fast, and much slower on processors that had to be mended.
+// Floors and ceilings eight pixels at a time, for processors with AVX2, and all kernels for these. Texels are loaded
+// one by one: gathering them is no faster where it is fast, and much slower on processors that had to be mended.
 #include "render/column/eight_wide.h"
 
 #if defined(__x86_64__)
-#include "render/column/kernels.h"
 
 namespace enfilade::column {
 namespace {

@@ -10,7 +10,8 @@ namespace enfilade::column {
 namespace {
 
 constexpr int kWide = kEightWide;
-/// Bytes `low` and the next one of each half of the register, in all of its halves of words.
+
+/// Of each half of the register its bytes `low` and low + 1, in all its 16-bit lanes.
 WITH_AVX2 inline __m256i everywhere(__m256i halves, int low) {
     return _mm256_shuffle_epi8(halves, _mm256_set1_epi16(static_cast<short>(low | (low + 1) << 8)));
 }
@@ -40,7 +41,7 @@ WITH_AVX2 inline Channels light_of_each(const LightCell* first, const LightCell*
 
 /// A word of some cells, eight times. number: of words of 32 bits, of which a cell has two.
 WITH_AVX2 inline __m256i eight_words(const LightCell* cells, int number) {
-    int word;
+    int word;  // copied, so that one instruction loads it into all lanes
     std::memcpy(&word, reinterpret_cast<const char*>(cells) + 4 * number, sizeof word);
     return _mm256_set1_epi32(word);
 }
@@ -61,8 +62,7 @@ struct GridAxis {
 
     /// The places of eight depths.
     WITH_AVX2 __m256i places(__m256d a, __m256d b) const {
-        const __m256i mixed_up = low_words(_mm256_castpd_si256(shifted(a)), _mm256_castpd_si256(shifted(b)));
-        const __m256i places = _mm256_permute4x64_epi64(mixed_up, _MM_SHUFFLE(3, 1, 2, 0));
+        const __m256i places = in_order(places_of(shifted(a), shifted(b)));
         return _mm256_min_epi32(_mm256_max_epi32(places, _mm256_setzero_si256()), last);
     }
     WITH_AVX2 __m256d shifted(__m256d depths) const { return _mm256_add_pd(from, _mm256_mul_pd(depths, per_metre)); }

@@ -69,8 +69,8 @@ WITH_AVX2 inline void fill_near(const WallColumn& to, const Texels<kByShifts>& f
     });
 }
 
-/// The same, however far they are apart. Places of 32 bits, cut off, may be a place farther apart than rows are: in
-/// seven rows of a texel each there may be an eighth texel.
+/// The same, however far they are apart. Places are cut to 32 bits, so that seven steps may come out as one place more:
+/// steps of very nearly a texel may reach an eighth one.
 template <bool kByShifts, class DrawnAs>
 WITH_AVX2 inline void fill_from(const WallColumn& to, const Texels<kByShifts>& from, TileSteps one_texel,
                                 const DrawnAs& drawn_as) {
@@ -81,7 +81,7 @@ WITH_AVX2 inline void fill_from(const WallColumn& to, const Texels<kByShifts>& f
                       __attribute__((always_inline, target("avx2,bmi2"))) { return drawn_as(from.far(v, to.step)); });
 }
 
-/// Calls draw(column, its texels, steps of one texel) for each column that has rows.
+/// Calls draw(i, column, its texels, steps of one texel) for each column that has rows.
 template <bool kByShifts, class Draw>
 WITH_AVX2 inline void each_column(const PlainWalls& w, const Draw& draw) {
     const std::uint32_t height = w.texture->height;

@@ -99,7 +99,7 @@ void FlatPainter::paint(const ColumnScene& scene, const WallLooks& looks, const 
     }
 }
 
-/// The rows that any of the columns has: [0] closed where none has any.
+/// The rows that any of the columns has; closed where none has any.
 OpenRows FlatPainter::rows_of_any(const ColumnScene& scene, const WallLooks& looks, const int* tops,
                                   const int* bottoms) {
     OpenRows any{scene.screen.height, 0};

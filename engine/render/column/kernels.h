@@ -110,10 +110,10 @@ struct PlainKernels {
     void (*fill_walls)(const PlainWalls& walls);
     void (*fill_flats)(const PlainFlats& flats);
     void (*fill_sky)(const Run& run, const SkyRun& sky);
-    /// The texels as they are painted, with their alpha, whatever the shades; what all of them have in common with
-    /// ones: 0 in its uppermost byte where nothing of them is to be seen.
+    /// The texels as they are painted, with their alpha: shades and color table are not looked at, and may be null.
+    /// Returns all of them or-ed: 0 in its uppermost byte where nothing of them is to be seen.
     std::uint32_t (*read_walls)(const PlainWalls& walls);
-    /// As they are painted, with their alpha, whatever the darkness.
+    /// As they are painted, with their alpha: darkness and color table are not looked at, and may be null.
     void (*read_flats)(const PlainFlats& flats);
 };
 
@@ -198,7 +198,7 @@ struct LitRun {
 
 /// Points of light side by side. Lanes as in LightCell: red and blue in one word, green in the other.
 struct LightRow {
-    std::uint32_t* red_blue;  ///< [count], and kCellsBeyond more on either side that may be read
+    std::uint32_t* red_blue;  ///< [count], and kCellsBeyond more on either side that may be read, and written after it
     std::uint32_t* green;
     int count;  ///< >= 2
 };
@@ -212,12 +212,13 @@ struct WallLamplight {
     std::uint64_t per_row;   ///< downwards: 0, or as a number with a sign below it
 };
 
-/// The light of lamps on a floor or ceiling along one column: position in the grid = base + depth(row) * step.
+/// The light of lamps on a floor or ceiling along one column: position in the grid = base + depth(row) * step. Down the
+/// run depths only grow or only shrink, up to the last that is cut off; no position is farther than 2^34 cells.
 struct FlatLamplight {
     const LightGrid* grid;
     double base_u, base_v;     ///< under the eye, and kGridShift more [cells]
     double step_u, step_v;     ///< per metre of depth along this column's ray [cells/m]
-    double farthest;           ///< depths are cut off here: where the wall behind the flat stands [m]
+    double farthest;           ///< depths are cut off here: where the wall behind the flat stands; finite [m]
     const double* row_depths;  ///< by row, and kRowsBeyond more that may be read [m]
     const Shade* row_shades;   ///< without lamps, by row; and as many more
 };

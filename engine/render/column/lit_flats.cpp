@@ -1,4 +1,4 @@
-// Floors and ceilings in the light of lamps: they are read as they are painted, and their light is laid on them.
+// Floors and ceilings in the light of lamps: their texels are drawn as they are painted, then lit.
 #include <algorithm>
 
 #include "render/column/kernels.h"
@@ -7,7 +7,7 @@
 
 namespace enfilade::column {
 
-/// Rows that no lamp reaches, above and below those that some may, then these.
+/// Draws the rows that no lamp reaches, above and below those that some may, then these.
 void FlatPainter::paint_plainly_lit(const ColumnScene& scene, const WallLooks& looks, const int* tops,
                                     const int* bottoms) {
     const OpenRows any = rows_of_any(scene, looks, tops, bottoms);

@@ -226,7 +226,7 @@ private:
     double height_ = 0;
     bool is_plain_ = false;  ///< nothing but its picture and its light: no sky, layers, fog, lamps, or view from the
                              ///< wrong side
-    bool is_plainly_lit_ = false;  ///< but for lamps and fog the same, by a picture without a table and exactly
+    bool is_plainly_lit_ = false;  ///< its picture, which has no table, in its light and that of lamps, maybe in fog
     const LightGrid* lamplight_ = nullptr;
     Fog fog_;
     bool is_extended_ = false;  ///< a floor not below the eye, or a ceiling not above it

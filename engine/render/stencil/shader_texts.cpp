@@ -240,6 +240,11 @@ uint glow_record() {
 #endif
 }
 
+ivec3 channels_of(uvec2 light) { return ivec3(light.x & 65535u, light.x >> 16u, light.y); }
+
+// As between() of render/shade.h.
+ivec3 between(ivec3 a, ivec3 b, int part) { return a + ((b - a) * part + 16384 >> 15); }
+
 // Positions count the points of the grid, by column.
 uvec3 lamplight_at(vec2 known) {
     uint own = glow_record();
@@ -248,14 +253,11 @@ uvec3 lamplight_at(vec2 known) {
     uvec2 count = uvec2(place.y & 65535u, place.y >> 16u);
     vec2 at = clamp(numbers(own + 1u) * known + numbers(own + 2u), vec2(0.0), vec2(count - 1u));
     uvec2 cell = min(uvec2(at), count - 2u);
-    uvec2 part = uvec2((at - vec2(cell)) * 256.0);
+    ivec2 part = min(ivec2((at - vec2(cell)) * 32768.0), ivec2(32767));
     uint n = place.x + cell.x * count.y + cell.y;
-    uvec2 left = record(n), right = record(n + count.y), left_up = record(n + 1u), right_up = record(n + count.y + 1u);
-    uvec3 low = uvec3(left.x & 65535u, left.x >> 16u, left.y) * (256u - part.x) +
-                uvec3(right.x & 65535u, right.x >> 16u, right.y) * part.x >> 8u;
-    uvec3 high = uvec3(left_up.x & 65535u, left_up.x >> 16u, left_up.y) * (256u - part.x) +
-                 uvec3(right_up.x & 65535u, right_up.x >> 16u, right_up.y) * part.x >> 8u;
-    return (low * (256u - part.y) + high * part.y >> 8u) / 16u;
+    ivec3 low = between(channels_of(record(n)), channels_of(record(n + count.y)), part.x);
+    ivec3 high = between(channels_of(record(n + 1u)), channels_of(record(n + count.y + 1u)), part.x);
+    return uvec3(between(low, high, part.y)) / 16u;
 }
 
 uvec3 lit_by(uvec3 lamplight, uvec3 color, SampledPicture picture, vec2 tile, uint shade) {
