@@ -67,7 +67,7 @@ void fill_sky(const Run& run, const SkyRun& sky) {
     }
 }
 
-constexpr PlainKernels kFlagged{"flagged", fill_walls, fill_flats, fill_sky, read_walls, read_far_flats};
+constexpr PlainKernels kFlagged{"flagged", fill_walls, fill_flats, fill_sky, read_walls, lay_walls, read_far_flats};
 
 }  // namespace
 

@@ -149,6 +149,7 @@ namespace eight_wide {
 // Of the plain kernels those that go down columns of pictures.
 void fill_walls(const PlainWalls& walls);
 std::uint32_t read_walls(const PlainWalls& walls);
+void lay_walls(const PlainWalls& walls);
 void fill_sky(const Run& run, const SkyRun& sky);
 
 // Of lamps those that light walls.

@@ -168,6 +168,7 @@ std::optional<PlainKernels> eight_wide_kernels() {
                         fill_flats,
                         eight_wide::fill_sky,
                         eight_wide::read_walls,
+                        eight_wide::lay_walls,
                         fill_flats_by_size<DrawnAs::painted>};
 }
 

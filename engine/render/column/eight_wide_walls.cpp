@@ -45,45 +45,102 @@ struct Texels {
     }
 };
 
-/// What is drawn of a column eight rows at a time: eight_at(position of the first).
-template <class EightAt>
-WITH_AVX2 inline void fill_wall(const WallColumn& to, const EightAt& eight_at) {
-    const int last = to.count - kWide;
-    if (last < 0) return store_first(to.pixels, to.count, eight_at(to.v));
-    for (int i = 0; i < to.count; i += kWide) {
-        if (i > last) i = last;
-        store(to.pixels + i, eight_at(to.v + to.step * static_cast<TileSteps>(i)));
+// What becomes of texels.
+
+/// They are drawn in their light, whatever the pixels were before.
+struct Filling {
+    __m256i shades;  ///< in both halves
+
+    static constexpr bool kIsLaid = false;
+    WITH_AVX2 __m256i operator()(__m256i texels) const { return shaded_eight(texels, shades); }
+};
+
+/// They are drawn as they are painted.
+struct Reading {
+    __m256i counts;  ///< all bits of those of eight that count: where a run is shorter, others are beyond it
+    __m256i* any;    ///< all that were read, or-ed
+
+    static constexpr bool kIsLaid = false;
+    WITH_AVX2 __m256i operator()(__m256i texels) const {
+        *any = _mm256_or_si256(*any, _mm256_and_si256(texels, counts));
+        return texels;
+    }
+};
+
+/// They are laid over the pixels in their light. Most of what has holes is either there or not; what is in between is
+/// mixed one by one.
+struct Laying {
+    __m256i shades;  ///< in both halves
+
+    static constexpr bool kIsLaid = true;
+    /// The first `count` of eight pixels, if there are fewer.
+    WITH_AVX2 void operator()(std::uint32_t* pixels, int count, __m256i texels) const {
+        const __m256i opaque = _mm256_set1_epi32(static_cast<int>(0xFF000000u));
+        const __m256i alphas = _mm256_and_si256(texels, opaque);
+        if (_mm256_testz_si256(alphas, alphas)) return;
+        const __m256i is_none = _mm256_cmpeq_epi32(alphas, _mm256_setzero_si256());
+        const __m256i is_full = _mm256_cmpeq_epi32(alphas, opaque);
+        const __m256i colors = shaded_eight(texels, shades);
+        if (_mm256_movemask_epi8(_mm256_or_si256(is_none, is_full)) != -1)
+            lay_each(pixels, count, colors, texels);
+        else if (count < kWide)
+            _mm256_maskstore_epi32(reinterpret_cast<int*>(pixels), _mm256_and_si256(is_full, first_words(count)),
+                                   colors);
+        else
+            store(pixels, _mm256_blendv_epi8(load(pixels), colors, is_full));
+    }
+    WITH_AVX2 static void lay_each(std::uint32_t* pixels, int count, __m256i colors, __m256i texels) {
+        alignas(32) std::uint32_t each_color[kWide], each_texel[kWide];
+        store(each_color, colors);
+        store(each_texel, texels);
+        scalar_passes().blend({pixels, 0, count < kWide ? count : kWide}, each_color, each_texel);
+    }
+};
+
+/// Draws a column eight rows at a time. texels_at: (position of the first).
+template <class Drawing, class TexelsAt>
+WITH_AVX2 inline void draw_wall(const WallColumn& to, const Drawing& drawing, const TexelsAt& texels_at) {
+    const auto position = [&](int i) { return to.v + to.step * static_cast<TileSteps>(i); };
+    if constexpr (Drawing::kIsLaid) {
+        for (int i = 0; i < to.count; i += kWide) drawing(to.pixels + i, to.count - i, texels_at(position(i)));
+    } else {
+        const int last = to.count - kWide;
+        if (last < 0) return store_first(to.pixels, to.count, drawing(texels_at(to.v)));
+        for (int i = 0; i < to.count; i += kWide) {
+            if (i > last) i = last;
+            store(to.pixels + i, drawing(texels_at(position(i))));
+        }
     }
 }
 
-/// Draws what drawn_as(eight texels) makes of the texels of a column, whose rows are at most kTexels texels apart.
-template <int kTexels, bool kByShifts, class DrawnAs>
-WITH_AVX2 inline void fill_near(const WallColumn& to, const Texels<kByShifts>& from, const DrawnAs& drawn_as) {
+/// The same, where rows are at most kTexels texels apart.
+template <int kTexels, bool kByShifts, class Drawing>
+WITH_AVX2 inline void draw_near(const WallColumn& to, const Texels<kByShifts>& from, const Drawing& drawing) {
     const auto steps = [&](TileSteps n) { return static_cast<long long>(n * to.step); };
     const __m256i even = _mm256_setr_epi64x(0, steps(1), steps(4), steps(5));
     const __m256i odd = _mm256_setr_epi64x(steps(2), steps(3), steps(6), steps(7));
-    fill_wall(to, [&](TileSteps v) __attribute__((always_inline, target("avx2,bmi2"))) {
+    draw_wall(to, drawing, [&](TileSteps v) __attribute__((always_inline, target("avx2,bmi2"))) {
         const __m256i first = _mm256_set1_epi64x(static_cast<long long>(v));
         const __m256i places = high_words(_mm256_add_epi64(first, even), _mm256_add_epi64(first, odd));
-        return drawn_as(from.template near<kTexels>(places, v, to.step));
+        return from.template near<kTexels>(places, v, to.step);
     });
 }
 
 /// The same, however far they are apart. Places are cut to 32 bits, so that seven steps may come out as one place more:
 /// steps of very nearly a texel may reach an eighth one.
-template <bool kByShifts, class DrawnAs>
-WITH_AVX2 inline void fill_from(const WallColumn& to, const Texels<kByShifts>& from, TileSteps one_texel,
-                                const DrawnAs& drawn_as) {
+template <bool kByShifts, class Drawing>
+WITH_AVX2 inline void draw_from(const WallColumn& to, const Texels<kByShifts>& from, TileSteps one_texel,
+                                const Drawing& drawing) {
     constexpr TileSteps kPlace = TileSteps{1} << 32;
-    if (to.step < one_texel - kPlace) return fill_near<1>(to, from, drawn_as);
-    if (to.step / 2 < one_texel) return fill_near<2>(to, from, drawn_as);
-    fill_wall(to, [&](TileSteps v)
-                      __attribute__((always_inline, target("avx2,bmi2"))) { return drawn_as(from.far(v, to.step)); });
+    if (to.step < one_texel - kPlace) return draw_near<1>(to, from, drawing);
+    if (to.step / 2 < one_texel) return draw_near<2>(to, from, drawing);
+    draw_wall(to, drawing,
+              [&](TileSteps v) __attribute__((always_inline, target("avx2,bmi2"))) { return from.far(v, to.step); });
 }
 
-/// Calls draw(i, column, its texels, steps of one texel) for each column that has rows.
-template <bool kByShifts, class Draw>
-WITH_AVX2 inline void each_column(const PlainWalls& w, const Draw& draw) {
+/// Draws all columns. drawing_of: (i, how many rows) of each.
+template <bool kByShifts, class DrawingOf>
+WITH_AVX2 inline void draw_columns(const PlainWalls& w, const DrawingOf& drawing_of) {
     const std::uint32_t height = w.texture->height;
     const RowNumber<kByShifts> row_at(height);
     const TileSteps one_texel = ~TileSteps{0} / height;
@@ -91,32 +148,23 @@ WITH_AVX2 inline void each_column(const PlainWalls& w, const Draw& draw) {
         const WallColumn to = column_of(w, i);
         if (to.count <= 0) continue;
         const Texels<kByShifts> from{&w.texture->pixels[w.first_texels[i]], static_cast<int>(height), row_at};
-        draw(i, to, from, one_texel);
+        draw_from(to, from, one_texel, drawing_of(i, to.count));
     }
 }
 
-template <bool kByShifts>
-WITH_AVX2 void fill_walls_as(const PlainWalls& w) {
-    each_column<kByShifts>(w, [&](int i, const WallColumn& to, const Texels<kByShifts>& from,
-                                  TileSteps one_texel) __attribute__((always_inline, target("avx2,bmi2"))) {
-        const __m256i shades = _mm256_set1_epi16(static_cast<short>(w.shades[i]));
-        fill_from(to, from, one_texel, [&](__m256i texels) __attribute__((always_inline, target("avx2,bmi2"))) {
-            return shaded_eight(texels, shades);
-        });
+/// Drawing: Filling or Laying.
+template <class Drawing, bool kByShifts>
+WITH_AVX2 void draw_walls_as(const PlainWalls& w) {
+    draw_columns<kByShifts>(w, [&](int i, int) __attribute__((always_inline, target("avx2,bmi2"))) {
+        return Drawing{_mm256_set1_epi16(static_cast<short>(w.shades[i]))};
     });
 }
 
 template <bool kByShifts>
 WITH_AVX2 std::uint32_t read_walls_as(const PlainWalls& w) {
     __m256i any = _mm256_setzero_si256();
-    each_column<kByShifts>(w, [&](int, const WallColumn& to, const Texels<kByShifts>& from,
-                                  TileSteps one_texel) __attribute__((always_inline, target("avx2,bmi2"))) {
-        // Eight rows of which some are beyond the run would count, too.
-        const __m256i counts = to.count < kWide ? first_words(to.count) : _mm256_set1_epi32(-1);
-        fill_from(to, from, one_texel, [&](__m256i texels) __attribute__((always_inline, target("avx2,bmi2"))) {
-            any = _mm256_or_si256(any, _mm256_and_si256(texels, counts));
-            return texels;
-        });
+    draw_columns<kByShifts>(w, [&](int, int count) __attribute__((always_inline, target("avx2,bmi2"))) {
+        return Reading{count < kWide ? first_words(count) : _mm256_set1_epi32(-1), &any};
     });
     const __m128i four = _mm_or_si128(_mm256_castsi256_si128(any), _mm256_extracti128_si256(any, 1));
     const __m128i two = _mm_or_si128(four, _mm_unpackhi_epi64(four, four));
@@ -157,12 +205,20 @@ bool goes_by_shifts(const Texture& texture) { return texture.height > 1 && is_po
 
 }  // namespace
 
-/// Looking up gains nothing from eight at a time.
+// Looking up gains nothing from eight at a time.
+
 void eight_wide::fill_walls(const PlainWalls& w) {
     if (w.color_table)
         four_wide_kernels()->fill_walls(w);
     else
-        goes_by_shifts(*w.texture) ? fill_walls_as<true>(w) : fill_walls_as<false>(w);
+        goes_by_shifts(*w.texture) ? draw_walls_as<Filling, true>(w) : draw_walls_as<Filling, false>(w);
+}
+
+void eight_wide::lay_walls(const PlainWalls& w) {
+    if (w.color_table)
+        column::lay_walls(w);
+    else
+        goes_by_shifts(*w.texture) ? draw_walls_as<Laying, true>(w) : draw_walls_as<Laying, false>(w);
 }
 
 std::uint32_t eight_wide::read_walls(const PlainWalls& w) {

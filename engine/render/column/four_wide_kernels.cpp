@@ -222,7 +222,7 @@ void fill_sky(const Run& run, const SkyRun& sky) {
 }  // namespace
 
 std::optional<PlainKernels> four_wide_kernels() {
-    return PlainKernels{"sse2", fill_walls, fill_flats, fill_sky, read_walls, read_far_flats};
+    return PlainKernels{"sse2", fill_walls, fill_flats, fill_sky, read_walls, lay_walls, read_far_flats};
 }
 
 }  // namespace enfilade::column

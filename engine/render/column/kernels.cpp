@@ -10,6 +10,8 @@ namespace enfilade::column {
 
 namespace {
 
+constexpr std::uint32_t kOpaque = 0xFF000000u;  // of a pixel, the bits of its alpha
+
 template <bool kByShifts>
 std::uint32_t read_walls_as(const PlainWalls& walls) {
     const RowNumber<kByShifts> row_at(walls.texture->height);
@@ -22,6 +24,25 @@ std::uint32_t read_walls_as(const PlainWalls& walls) {
     }
     return any;
 }
+
+template <bool kByShifts>
+void lay_walls_as(const PlainWalls& walls) {
+    const RowNumber<kByShifts> row_at(walls.texture->height);
+    for (int column = 0; column < walls.runs.count; ++column) {
+        const WallColumn to = column_of(walls, column);
+        const std::uint32_t darkness = darkness_of(walls.color_table, walls.shades[column]);
+        TileSteps v = to.v;
+        for (int i = 0; i < to.count; ++i, v += to.step) {
+            const std::size_t texel = walls.first_texels[column] + row_at(v);
+            const std::uint32_t alpha = walls.texture->pixels[texel] & kOpaque;
+            if (alpha == 0) continue;
+            const std::uint32_t color = darkened(walls.color_table, *walls.texture, texel, darkness);
+            to.pixels[i] = alpha == kOpaque ? color | kOpaque : laid_over(to.pixels[i], (color & ~kOpaque) | alpha);
+        }
+    }
+}
+
+bool goes_by_shifts(const Texture& texture) { return texture.height > 1 && is_power_of_two(texture.height); }
 
 /// Which of its picture's texels a flat shows in row y of the i-th column, however far that is.
 std::size_t texel_at(const PlainFlats& f, int i, int y) {
@@ -50,8 +71,11 @@ void read_far_flats(const PlainFlats& f) {
 }
 
 std::uint32_t read_walls(const PlainWalls& walls) {
-    const std::uint32_t height = walls.texture->height;
-    return height > 1 && is_power_of_two(height) ? read_walls_as<true>(walls) : read_walls_as<false>(walls);
+    return goes_by_shifts(*walls.texture) ? read_walls_as<true>(walls) : read_walls_as<false>(walls);
+}
+
+void lay_walls(const PlainWalls& walls) {
+    goes_by_shifts(*walls.texture) ? lay_walls_as<true>(walls) : lay_walls_as<false>(walls);
 }
 
 void lay_sky(const Run& run, const SkyRun& layer) {
@@ -119,8 +143,8 @@ void add_fog(const Run& run, std::uint32_t fog, const FogPart* fog_parts) {
 
 void blend(const Run& run, const std::uint32_t* colors, const std::uint32_t* texels) {
     for (int i = 0; i < run.count; ++i) {
-        const std::uint32_t alpha = texels[i] & 0xFF000000u;
-        if (alpha != 0) run.pixels[i] = laid_over(run.pixels[i], (colors[i] & 0x00FFFFFFu) | alpha);
+        const std::uint32_t alpha = texels[i] & kOpaque;
+        if (alpha != 0) run.pixels[i] = laid_over(run.pixels[i], (colors[i] & ~kOpaque) | alpha);
     }
 }
 

@@ -113,6 +113,8 @@ struct PlainKernels {
     /// The texels as they are painted, with their alpha: shades and color table are not looked at, and may be null.
     /// Returns all of them or-ed: 0 in its uppermost byte where nothing of them is to be seen.
     std::uint32_t (*read_walls)(const PlainWalls& walls);
+    /// The texels in their light, laid_over() the pixels as much as their alpha says.
+    void (*lay_walls)(const PlainWalls& walls);
     /// As they are painted, with their alpha: darkness and color table are not looked at, and may be null.
     void (*read_flats)(const PlainFlats& flats);
 };
@@ -142,6 +144,9 @@ void read_far_flats(const PlainFlats& flats);
 
 /// As PlainKernels::read_walls, one by one.
 std::uint32_t read_walls(const PlainWalls& walls);
+
+/// As PlainKernels::lay_walls, one by one.
+void lay_walls(const PlainWalls& walls);
 
 /// A layer of sky with holes, laid over what is there already.
 void lay_sky(const Run& run, const SkyRun& layer);

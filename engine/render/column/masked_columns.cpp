@@ -9,7 +9,7 @@ namespace enfilade::column {
 
 void MaskedColumns::clear(int width) {
     painters_.clear();
-    columns_.clear();
+    for (std::vector<MaskedColumn>& layer : layers_) layer.clear();
     noted_.assign(static_cast<std::size_t>(width), 0);
 }
 
@@ -18,10 +18,45 @@ int MaskedColumns::add(const WallPainter& painter) {
     return static_cast<int>(painters_.size()) - 1;
 }
 
+void MaskedColumns::note(int painter, int x, OpenRows rows, const WallHit& hit) {
+    if (is_full(x)) return;
+    const std::size_t layer = noted_[static_cast<std::size_t>(x)]++;
+    if (rows.is_closed()) return;
+    if (layer >= layers_.size()) layers_.resize(layer + 1);
+    layers_[layer].push_back({painter, x, rows, hit});
+}
+
+std::size_t MaskedColumns::count() const {
+    std::size_t columns = 0;
+    for (const std::vector<MaskedColumn>& layer : layers_) columns += layer.size();
+    return columns;
+}
+
 void MaskedColumns::draw(const ColumnScene& scene) const {
-    for (auto column = columns_.rbegin(); column != columns_.rend(); ++column)
-        painters_[static_cast<std::size_t>(column->painter)].lay_over(scene, column->x, column->rows.top,
-                                                                      column->rows.bottom, column->hit);
+    for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer)
+        for (std::size_t i = 0; i < layer->size();) i = draw_neighbours(scene, *layer, i);
+}
+
+/// Draws those side by side of one picture, from the i-th on. Returns the number of the next one.
+std::size_t MaskedColumns::draw_neighbours(const ColumnScene& scene, const std::vector<MaskedColumn>& layer,
+                                           std::size_t i) const {
+    const MaskedColumn& first = layer[i];
+    WallLooks looks;
+    int tops[WallLooks::kMost], bottoms[WallLooks::kMost];
+    looks.begin = first.x;
+    const auto goes_on = [&](const MaskedColumn& next) {
+        return looks.count < WallLooks::kMost && next.painter == first.painter && next.x == first.x + looks.count;
+    };
+    for (; i < layer.size() && goes_on(layer[i]); ++i, ++looks.count) {
+        const MaskedColumn& column = layer[i];
+        looks.depth[looks.count] = column.hit.depth;
+        looks.along[looks.count] = column.hit.along;
+        looks.farthest = std::max(looks.farthest, column.hit.depth);
+        tops[looks.count] = column.rows.top;
+        bottoms[looks.count] = column.rows.bottom;
+    }
+    painters_[static_cast<std::size_t>(first.painter)].lay_over(scene, looks, tops, bottoms);
+    return i;
 }
 
 bool PanelColumns::gather(const RoomView& view) {
@@ -81,36 +116,50 @@ void PanelColumns::move_to(int x) {
     }
 }
 
-bool PanelColumns::is_before_wall(const RoomView& view, const PanelBoard& board, int x) const {
-    const ProjectedWall& wall = view.nearest.wall(view.nearest.at(x));
-    const double slope = view.scene.screen.slopes[x];
-    const double to_wall = view.nearest.inverse_depth_at(view.scene.screen, x);
-    const double to_panel = inverse_depth(board.place, slope);
+/// Panels and walls cross nowhere: which is the nearer is the same in all columns that they share. In the middle of
+/// those inverse depths mostly tell; where they do not, the ends do.
+bool PanelColumns::is_before_wall(const RoomView& view, const PanelBoard& board, const WallColumns& shared) const {
+    const ProjectedWall& wall = view.nearest.wall(shared.wall);
+    const double slope = view.scene.screen.slopes[static_cast<std::size_t>((shared.begin + shared.end) / 2)];
+    const double to_wall = inverse_depth_seen(wall, slope), to_panel = inverse_depth(board.place, slope);
     const double doubt = inverse_depth_doubt(board.place, slope) + inverse_depth_doubt(wall, slope);
     return are_telling(to_panel, to_wall, doubt) ? to_panel > to_wall
                                                  : is_nearer(board.facing, view.scene.map[wall.wall]);
 }
 
-std::span<const PanelColumns::PanelColumn> PanelColumns::at(const RoomView& view, int x) {
-    move_to(x);
-    shown_.clear();
-    double depth = 0;
+int PanelColumns::look(const RoomView& view, const WallColumns& columns) {
+    move_to(columns.begin);
+    WallColumns shared = columns;
+    shared.end = std::min(shared.end, shared.begin + WallLooks::kMost);
+    if (next_ < boards_.size()) shared.end = std::min(shared.end, boards_[next_].place.begin);
+    for (const int index : row_) shared.end = std::min(shared.end, boards_[static_cast<std::size_t>(index)].place.end);
+    shown_count_ = 0;
     for (const int index : row_) {
         const PanelBoard& board = boards_[static_cast<std::size_t>(index)];
-        if (shown_.size() == kMostPictures || !is_before_wall(view, board, x)) break;  // so are those behind it
-        PanelColumn shown{index, hit(board.place, view.scene.screen.slopes[x])};
-        depth = shown.hit.depth = std::max(depth, shown.hit.depth);  // in order whatever rounding did
-        shown_.push_back(shown);
+        if (shown_count_ == kMostPictures || !is_before_wall(view, board, shared)) break;  // so are those behind it
+        show(view, index, shared);
     }
-    return shown_;
+    return shared.end;
 }
 
-void PanelColumns::note(const RoomView& view, const PanelColumn& shown, int x, MaskedColumns& masked) {
+void PanelColumns::show(const RoomView& view, int index, const WallColumns& shared) {
+    if (shown_count_ == shown_.size()) shown_.emplace_back();
+    PanelLooks& shown = shown_[shown_count_++];
+    shown.panel = index;
+    look_at(boards_[static_cast<std::size_t>(index)].place, view.scene.screen, shared.begin, shared.end - shared.begin,
+            shown.looks);
+    if (shown_count_ == 1) return;
+    const WallLooks& nearer = shown_[shown_count_ - 2].looks;  // in order whatever rounding did
+    for (int i = 0; i < nearer.count; ++i) shown.looks.depth[i] = std::max(nearer.depth[i], shown.looks.depth[i]);
+}
+
+void PanelColumns::note(const RoomView& view, const PanelLooks& shown, int x, MaskedColumns& masked) {
     if (masked.is_full(x)) return;
     PanelBoard& board = boards_[static_cast<std::size_t>(shown.panel)];
     if (board.painter == MaskedColumns::kNotAdded) board.painter = painter_of(view, board, masked);
-    const RowSplit rows = split_rows(view.scene.screen, view.viewport.rows_at(x), shown.hit.depth, board.rows, nullptr);
-    masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, shown.hit);
+    const WallHit hit = shown.looks.at(x - shown.looks.begin);
+    const RowSplit rows = split_rows(view.scene.screen, view.viewport.rows_at(x), hit.depth, board.rows, nullptr);
+    masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, hit);
 }
 
 bool ThingColumns::is_nearer(const ThingBoard& a, const ThingBoard& b) {
@@ -206,15 +255,18 @@ void RoomColumns::note(const RoomView& view, MaskedColumns& masked) {
         return;
     }
     // A panel may be before a thing in one column and behind it in the next.
-    for (int x = view.viewport.begin; x < view.viewport.end; ++x)
-        if (!view.viewport.rows_at(x).is_closed()) note_column(view, x, masked);
+    for (const WallColumns& stretch : view.nearest.stretches())
+        for (int x = stretch.begin; x < stretch.end;)
+            for (const int end = panels_.look(view, {x, stretch.end, stretch.wall}); x < end; ++x)
+                if (!view.viewport.rows_at(x).is_closed()) note_column(view, x, masked);
 }
 
 void RoomColumns::note_column(const RoomView& view, int x, MaskedColumns& masked) {
     std::size_t thing = 0;
-    for (const PanelColumns::PanelColumn& panel : panels_.at(view, x)) {
+    for (const PanelColumns::PanelLooks& panel : panels_.shown()) {
         if (masked.is_full(x)) return;
-        for (; thing < things_.count() && depth_steps(things_.depth(thing)) <= depth_steps(panel.hit.depth); ++thing)
+        const double depth = panel.looks.depth[x - panel.looks.begin];
+        for (; thing < things_.count() && depth_steps(things_.depth(thing)) <= depth_steps(depth); ++thing)
             things_.note(view, thing, x, masked);
         panels_.note(view, panel, x, masked);
     }

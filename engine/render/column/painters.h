@@ -38,8 +38,8 @@ public:
     /// Rows [tops[i], bottoms[i]) of the columns that look at the wall.
     void paint(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
 
-    /// The same for a picture with holes, laid over what is there already.
-    void lay_over(const ColumnScene& scene, int x, int top, int bottom, const WallHit& hit) const;
+    /// The same for a picture with holes, laid over what is there already. Of the looks' wall nothing is asked.
+    void lay_over(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
 
 private:
     /// Where on the picture the rows of some columns are, and how dark they are there.
@@ -75,7 +75,9 @@ private:
     ColumnTexels in_numbers(const ColumnScene& scene, const ExactColumns& exact, int x, const ColumnTexels& at) const;
     ColumnTexels by_vanilla(const ColumnScene& scene, const ExactColumns& exact, int x) const;
     bool is_near(const ColumnScene& scene, double farthest) const;
-    void place(const ColumnScene& scene, const double* depths, const double* along, int count, Placed& placed) const;
+    void place(const ColumnScene& scene, const WallLooks& looks, int first, int end, Placed& placed) const;
+    void place_near(const ColumnScene& scene, const double* depths, const double* along, int count,
+                    Placed& placed) const;
     void place_one(const ColumnTexels& at, double depth, Placed& placed, int i) const;
     PlainWalls walls_at(const ColumnRuns& runs, const Placed& placed, int i) const;
     void fill(const ColumnScene& scene, const ColumnRuns& runs, Placed& placed, const double* depths,
@@ -92,7 +94,9 @@ private:
     WallLamplight lamplight_at(const ColumnScene& scene, int top, int bottom, Shade shade, const WallHit& hit) const;
     void hang(const ColumnScene& scene, const Surface& surface, double length, double peg);
     int end_of_picture(const ColumnTexels& at, int top, int bottom) const;
-    void lay_rows(const ColumnScene& scene, int x, OpenRows rows, const ColumnTexels& at, const WallHit& hit) const;
+    void lay_plain(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
+    void lay_column(const ColumnScene& scene, int x, OpenRows rows, const ColumnTexels& at, const WallHit& hit) const;
+    void note_laid(const ColumnScene& scene, int x, OpenRows rows, const ColumnTexels& at, double depth) const;
     void shade_by(const ColumnScene& scene, const Lighting& lighting);
 
     const Texture* texture_ = nullptr;

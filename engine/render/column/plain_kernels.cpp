@@ -39,7 +39,7 @@ void fill_sky(const Run& run, const SkyRun& sky) {
     }
 }
 
-constexpr PlainKernels kScalar{"scalar", fill_walls, fill_flats, fill_sky, read_walls, read_far_flats};
+constexpr PlainKernels kScalar{"scalar", fill_walls, fill_flats, fill_sky, read_walls, lay_walls, read_far_flats};
 
 }  // namespace
 

@@ -44,19 +44,15 @@ public:
     /// Rows of column x that show the picture, if any. Of two that share a column the nearer one is to be noted first:
     /// a viewport is drawn before those seen through its portals, so its own pictures come before theirs. Those beyond
     /// kMostPictures, the farthest of what shares the column, are left out.
-    void note(int painter, int x, OpenRows rows, const WallHit& hit) {
-        if (is_full(x)) return;
-        ++noted_[static_cast<std::size_t>(x)];
-        if (!rows.is_closed()) columns_.push_back({painter, x, rows, hit});
-    }
+    void note(int painter, int x, OpenRows rows, const WallHit& hit);
 
     /// Nothing more is to be noted of column x.
     bool is_full(int x) const { return noted_[static_cast<std::size_t>(x)] >= kMostPictures; }
 
     /// How many columns of pictures are to be laid over the picture.
-    std::size_t count() const { return columns_.size(); }
+    std::size_t count() const;
 
-    /// Lays all of them over the picture, the last noted first.
+    /// Lays all of them over the picture, of each column the last noted first.
     void draw(const ColumnScene& scene) const;
 
 private:
@@ -67,8 +63,12 @@ private:
         WallHit hit;
     };
 
+    std::size_t draw_neighbours(const ColumnScene& scene, const std::vector<MaskedColumn>& layer, std::size_t i) const;
+
     std::vector<WallPainter> painters_;
-    std::vector<MaskedColumn> columns_;
+    /// By how many were noted of their column before. Those of one layer hide nothing of each other, so that neighbours
+    /// are drawn at once.
+    std::vector<std::vector<MaskedColumn>> layers_;
     std::vector<std::uint32_t> noted_;  ///< by column: pictures
 };
 
@@ -82,18 +82,22 @@ public:
     /// Finds the panels that are somewhere on the screen. False: there are none.
     bool gather(const RoomView& view);
 
-    /// What column x shows of a panel.
-    struct PanelColumn {
+    /// What some columns show of a panel.
+    struct PanelLooks {
         int panel;  ///< number of this search
-        WallHit hit;
+        WallLooks looks;
     };
 
-    /// Those in column x that are met between the entry to the room and the wall behind, the nearest first; their
-    /// depths never fall. Valid until the next call. x grows from call to call after gather().
-    std::span<const PanelColumn> at(const RoomView& view, int x);
+    /// Looks for the panels that columns.begin and those right of it see before the wall, as many columns as see the
+    /// same panels. Returns the first that need not, at most columns.end. columns.begin grows from call to call after
+    /// gather(), and a wall is seen in all of them.
+    int look(const RoomView& view, const WallColumns& columns);
+
+    /// What the last look found, the nearest first; their depths never fall.
+    std::span<const PanelLooks> shown() const { return {shown_.data(), shown_count_}; }
 
     /// Notes what column x shows of the panel.
-    void note(const RoomView& view, const PanelColumn& shown, int x, MaskedColumns& masked);
+    void note(const RoomView& view, const PanelLooks& shown, int x, MaskedColumns& masked);
 
 private:
     /// A panel that is somewhere on the screen.
@@ -109,12 +113,14 @@ private:
     static int painter_of(const RoomView& view, const PanelBoard& board, MaskedColumns& masked);
     bool is_before(int a, int b) const;
     void move_to(int x);
-    bool is_before_wall(const RoomView& view, const PanelBoard& board, int x) const;
+    bool is_before_wall(const RoomView& view, const PanelBoard& board, const WallColumns& shared) const;
+    void show(const RoomView& view, int index, const WallColumns& shared);
 
     std::vector<PanelBoard> boards_;  ///< by where they begin, from left to right
     std::size_t next_ = 0;            ///< the first that begins to the right of the present column
     std::vector<int> row_;            ///< those that cover the present column, the nearest first
-    std::vector<PanelColumn> shown_;
+    std::vector<PanelLooks> shown_;   ///< keeps its memory
+    std::size_t shown_count_ = 0;
 };
 
 // Which columns and rows of a viewport show things, and in which order.

@@ -133,10 +133,7 @@ void WallPainter::paint(const ColumnScene& scene, const WallLooks& looks, const 
     if (first == end) return;
     Placed placed;
     placed.texture = texture_;
-    if (is_near(scene, looks.farthest))
-        place(scene, looks.depth + first, looks.along + first, end - first, placed);
-    else
-        for (int i = first; i < end; ++i) place_one(texels_at(scene, looks.at(i)), looks.depth[i], placed, i - first);
+    place(scene, looks, first, end, placed);
     const ColumnRuns runs{scene.canvas.column(looks.begin + first), scene.canvas.pitch(), end - first, tops + first,
                           bottoms + first};
     fill(scene, runs, placed, looks.depth + first, looks.along + first);
@@ -155,9 +152,17 @@ bool WallPainter::is_near(const ColumnScene& scene, double farthest) const {
            u_per_along_ + std::fabs(u_offset_) < kNearTiles;
 }
 
+/// The columns from `first` to `end`.
+void WallPainter::place(const ColumnScene& scene, const WallLooks& looks, int first, int end, Placed& placed) const {
+    if (is_near(scene, looks.farthest))
+        place_near(scene, looks.depth + first, looks.along + first, end - first, placed);
+    else
+        for (int i = first; i < end; ++i) place_one(texels_at(scene, looks.at(i)), looks.depth[i], placed, i - first);
+}
+
 /// As place_one(), of columns that are near.
-void WallPainter::place(const ColumnScene& scene, const double* depths, const double* along, int count,
-                        Placed& placed) const {
+void WallPainter::place_near(const ColumnScene& scene, const double* depths, const double* along, int count,
+                             Placed& placed) const {
     const double rows_to_horizon = scene.screen.horizon - 0.5, focal_y = scene.screen.focal_y;
     for (int i = 0; i < count; ++i) {
         const double per_row = depths[i] / focal_y * v_per_m_;
@@ -247,41 +252,6 @@ void WallPainter::add_fog(const ColumnScene& scene, const Run& run, double depth
 void WallPainter::note_column(const ColumnScene& scene, int x, OpenRows rows, double depth,
                               const ColumnTexels& at) const {
     for (int y = rows.top; y < rows.bottom; ++y) note(scene, x, y, id_, depth, at.u, at.v_at_row_0 + y * at.v_per_row);
-}
-
-void WallPainter::lay_over(const ColumnScene& scene, int x, int top, int bottom, const WallHit& hit) const {
-    if (top >= bottom) return;
-    const ColumnTexels at = texels_at(scene, hit);
-    const int end = is_once_ ? end_of_picture(at, top, bottom) : bottom;
-    lay_rows(scene, x, {top, end}, at, hit);
-    lay_rows(scene, x, {end, bottom}, {at.u, kLastPlace, 0}, hit);
-}
-
-/// The first row that is rounded to the picture's very end, where it would begin again; `bottom` if there is none.
-int WallPainter::end_of_picture(const ColumnTexels& at, int top, int bottom) const {
-    int end = bottom;
-    while (end > top && nearest_steps(at.v_at_row_0 + (end - 1) * at.v_per_row) >= nearest_steps(1)) --end;
-    return end;
-}
-
-void WallPainter::lay_rows(const ColumnScene& scene, int x, OpenRows rows, const ColumnTexels& at,
-                           const WallHit& hit) const {
-    if (rows.is_closed()) return;
-    Placed placed;
-    placed.texture = texture_;
-    place_one(at, hit.depth, placed, 0);
-    std::vector<std::uint32_t>&texels = scene.scratch.texels, &colors = scene.scratch.colors;
-    const ColumnRuns to_texels{texels.data(), 0, 1, &rows.top, &rows.bottom};
-    if (scene.kernels.read_walls(walls_at(to_texels, placed, 0)) >> 24 == 0) return;
-    const ColumnRuns to_colors{colors.data(), 0, 1, &rows.top, &rows.bottom};
-    fill(scene, to_colors, placed, &hit.depth, &hit.along);
-    const int top = rows.top, count = rows.bottom - rows.top;
-    if (is_there(fog_)) add_fog(scene, {colors.data() + top, top, count}, hit.depth);
-    scene.passes.blend(scene.canvas.run(x, top, rows.bottom), colors.data() + top, texels.data() + top);
-    if (scene.facts == nullptr) return;
-    for (int y = top; y < rows.bottom; ++y)
-        if (texels[y] >> 24 >= kSolidAlpha)
-            note_over(scene, x, y, id_, hit.depth, at.u, at.v_at_row_0 + y * at.v_per_row);
 }
 
 double peg_height(Peg peg, const RelativeHeights& here, const RelativeHeights* behind) {

@@ -90,6 +90,23 @@ TEST(ReadWalls, TellsTexelsWithTheirAlphaAndWhetherAnyIsSeen) {
     }
 }
 
+TEST(LayWalls, LaysTexelsInTheirLightOverWhatIsThere) {
+    Texture texture = numbered(1, 72);
+    for (std::uint32_t i = 0; i < 72; ++i) texture.pixels[i] = (i % 3 * 100) << 24 | i * 3 << 8;
+    const int top = 5, bottom = 50;
+    const TileSteps at_row_0 = tile_steps(0.01), per_row = tile_steps(0.003);
+    const std::uint32_t first_texel = 0;
+    const Shade shade = 100;
+    std::vector<std::uint32_t> pixels(60, 0xFF808080u);
+    lay_walls({{pixels.data(), 0, 1, &top, &bottom}, &texture, &first_texel, &at_row_0, &per_row, &shade, nullptr});
+    for (int y = 0; y < 60; ++y) {
+        const std::uint32_t texel = texture.pixels[texel_of(place_on_tile(0.01 + y * 0.003), 72)];
+        const std::uint32_t above = (shaded(texel, shade) & 0x00FFFFFFu) | (texel & 0xFF000000u);
+        const bool is_in = y >= top && y < bottom;
+        ASSERT_EQ(pixels[static_cast<std::size_t>(y)], is_in ? laid_over(0xFF808080u, above) : 0xFF808080u) << y;
+    }
+}
+
 /// One column of a flat, however far.
 std::vector<std::uint32_t> far_flat(const Texture& texture, double base_u, double base_v, double step_u, double step_v,
                                     double farthest, const std::vector<double>& depths) {
