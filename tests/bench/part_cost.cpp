@@ -96,7 +96,7 @@ void light_flat(benchmark::State& state) {
     Column drawn(state);
     std::vector<double> depths;
     for (int row = 0; row < kLongestRun + column::kRowsBeyond; ++row) depths.push_back(kEyeTimesFocal / (row + 100));
-    const std::vector<Shade> shades(depths.size(), 200);
+    const std::vector<std::uint32_t> shades(depths.size(), column::darkness_of(nullptr, 200));
     const column::FlatLamplight lamplight{&grid, 2 + kGridShift, 3 + kGridShift, 3.1, 2.4,
                                           9,     depths.data(),  shades.data()};
     const column::LitRun lit{{drawn.pixels.data(), 0, drawn.bottom}};

@@ -60,10 +60,11 @@ struct GridAxis {
     __m256d from, per_metre;
     __m256i last;
 
-    /// The places of eight depths.
+    /// The places of eight depths. kIsInside: none is beyond the ends.
+    template <bool kIsInside>
     WITH_AVX2 __m256i places(__m256d a, __m256d b) const {
         const __m256i places = in_order(places_of(shifted(a), shifted(b)));
-        return _mm256_min_epi32(_mm256_max_epi32(places, _mm256_setzero_si256()), last);
+        return kIsInside ? places : _mm256_min_epi32(_mm256_max_epi32(places, _mm256_setzero_si256()), last);
     }
     WITH_AVX2 __m256d shifted(__m256d depths) const { return _mm256_add_pd(from, _mm256_mul_pd(depths, per_metre)); }
 };
@@ -86,22 +87,18 @@ WITH_AVX2 inline __m256i in_low_halves(__m256i words) {
                                                        0, 1, 0, 1, 4, 5, 4, 5, 8, 9, 8, 9, 12, 13, 12, 13));
 }
 
-/// numbers: [8].
-WITH_AVX2 inline bool are_all(const std::uint32_t* numbers, std::uint32_t number) {
-    const __m256i is_same = _mm256_cmpeq_epi32(load(numbers), _mm256_set1_epi32(static_cast<int>(number)));
-    return _mm256_movemask_epi8(is_same) == -1;
-}
-
 /// Where rows of a flat are in its grid. Worked out for many rows before their light is: so the processor can go on to
 /// the next eight while it waits for the cells of others.
 struct GridPlaces {
-    static constexpr int kMost = 128;          ///< rows; a multiple of eight
-    alignas(32) std::uint32_t numbers[kMost];  ///< of their cells
-    alignas(32) std::uint32_t across[kMost];   ///< parts, in the lower half of each
-    alignas(32) std::uint32_t along[kMost];    ///< in both halves
+    static constexpr int kMost = 128;                  ///< rows; a multiple of eight
+    alignas(32) std::uint32_t numbers[kMost + kWide];  ///< of their cells; of eight more the last one's
+    alignas(32) std::uint32_t across[kMost];           ///< parts, in the lower half of each
+    alignas(32) std::uint32_t along[kMost];            ///< in both halves
 };
 
-/// count: of rows; as many as there are to the next multiple of eight are written.
+/// count: of rows; the parts of as many as there are to the next multiple of eight are written. kIsInside: no row is
+/// beyond an end of the grid, or cut off.
+template <bool kIsInside>
 WITH_AVX2 inline void find_places(const FlatLamplight& lamplight, int row, int count, GridPlaces& to) {
     const LightGrid& grid = *lamplight.grid;
     const GridAxis u = axis_of(lamplight.base_u, lamplight.step_u, grid.columns);
@@ -110,37 +107,40 @@ WITH_AVX2 inline void find_places(const FlatLamplight& lamplight, int row, int c
     const __m256i per_column = _mm256_set1_epi32(grid.rows << 16 | 1);
     const double* const depths = lamplight.row_depths + row;
     for (int i = 0; i < count; i += kWide) {
-        const __m256d a = _mm256_min_pd(_mm256_loadu_pd(depths + i), farthest);
-        const __m256d b = _mm256_min_pd(_mm256_loadu_pd(depths + i + 4), farthest);
-        const __m256i across = u.places(a, b), along = v.places(a, b);
+        const __m256d near = _mm256_loadu_pd(depths + i), next = _mm256_loadu_pd(depths + i + 4);
+        const __m256d a = kIsInside ? near : _mm256_min_pd(near, farthest);
+        const __m256d b = kIsInside ? next : _mm256_min_pd(next, farthest);
+        const __m256i across = u.places<kIsInside>(a, b), along = v.places<kIsInside>(a, b);
         store(to.numbers + i, cell_numbers(across, along, per_column));
         store(to.across + i, _mm256_srli_epi16(across, kGridPlaceBits - kLightPartBits));
         store(to.along + i, in_low_halves(_mm256_srli_epi16(along, kGridPlaceBits - kLightPartBits)));
     }
+    store(to.numbers + count, _mm256_set1_epi32(static_cast<int>(to.numbers[count - 1])));
 }
 
 template <bool kIsAbove>
 WITH_AVX2 inline void light_rows_as(const LitRun& to, const LightGrid& grid, const GridPlaces& places,
-                                    const Shade* shades) {
+                                    const std::uint32_t* shades) {
     const LightCell* const first = grid.cells.data();
     const LightCell* const second = first + grid.rows;
-    by_eight<kIsAbove>(to, [&](__m256i pixels, __m256i texels,
-                               int i) __attribute__((always_inline, target("avx2,bmi2"))) {
-        const std::uint32_t* const numbers = places.numbers + i;
-        const __m256i across = load(places.across + i), along = load(places.along + i);
-        const Channels light = are_all(numbers, numbers[0])
-                                   ? light_of_one(first + numbers[0], second + numbers[0], in_low_halves(across), along)
-                                   : light_of_each(first, second, numbers, across, along);
-        return lit_eight<kIsAbove>(pixels, texels, in_both_halves(load(shades + i)), light);
-    });
+    by_eight<kIsAbove>(
+        to, [&](__m256i pixels, __m256i texels, int i) __attribute__((always_inline, target("avx2,bmi2"))) {
+            const std::uint32_t* const numbers = places.numbers + i;
+            const __m256i across = load(places.across + i), along = load(places.along + i);
+            const bool is_one = numbers[0] == numbers[kWide - 1];  // rows go one way
+            const Channels light =
+                is_one ? light_of_one(first + numbers[0], second + numbers[0], in_low_halves(across), along)
+                       : light_of_each(first, second, numbers, across, along);
+            return lit_eight<kIsAbove>(pixels, texels, load(shades + i), light);
+        });
 }
 
-template <bool kIsAbove>
+template <bool kIsAbove, bool kIsInside>
 WITH_AVX2 void light_flat_as(const LitRun& to, const FlatLamplight& lamplight) {
     GridPlaces places;
     for (int i = 0; i < to.run.count; i += GridPlaces::kMost) {
         const int row = to.run.first_row + i, count = std::min(GridPlaces::kMost, to.run.count - i);
-        find_places(lamplight, row, count, places);
+        find_places<kIsInside>(lamplight, row, count, places);
         const LitRun part{{to.run.pixels + i, row, count}, kIsAbove ? to.texels + i : nullptr};
         light_rows_as<kIsAbove>(part, *lamplight.grid, places, lamplight.row_shades + row);
     }
@@ -160,10 +160,30 @@ bool is_near(const LitRun& to, const FlatLamplight& lamplight) {
            is_row_near(first + to.run.count - 1);
 }
 
+/// Whether no row is beyond an end of the grid, or cut off: only the first and the last are looked at.
+bool is_inside(const LitRun& to, const FlatLamplight& lamplight) {
+    const auto is_in = [](double shifted, int count) {
+        return shifted >= kGridShift && shifted < kGridShift + (count - 1);
+    };
+    const auto is_row_inside = [&](int row) {
+        const double depth = lamplight.row_depths[row];
+        return depth <= lamplight.farthest &&
+               is_in(lamplight.base_u + depth * lamplight.step_u, lamplight.grid->columns) &&
+               is_in(lamplight.base_v + depth * lamplight.step_v, lamplight.grid->rows);
+    };
+    return is_row_inside(to.run.first_row) && is_row_inside(to.run.first_row + to.run.count - 1);
+}
+
+template <bool kIsAbove>
+void light_near_flat(const LitRun& to, const FlatLamplight& lamplight) {
+    is_inside(to, lamplight) ? light_flat_as<kIsAbove, true>(to, lamplight)
+                             : light_flat_as<kIsAbove, false>(to, lamplight);
+}
+
 void light_flat(const LitRun& to, const FlatLamplight& lamplight) {
     if (to.run.count == 0) return;
     if (!is_near(to, lamplight)) return scalar_passes().lamps.light_flat(to, lamplight);
-    to.texels ? light_flat_as<true>(to, lamplight) : light_flat_as<false>(to, lamplight);
+    to.texels ? light_near_flat<true>(to, lamplight) : light_near_flat<false>(to, lamplight);
 }
 
 }  // namespace

@@ -202,7 +202,7 @@ void FlatPainter::lay_layer(const ColumnScene& scene, const LevelPicture& layer,
     std::vector<std::uint32_t>&texels = scene.scratch.texels, &colors = scene.scratch.colors;
     const auto [top, bottom] = column.rows;
     for (int row = top; row < bottom; ++row)
-        layer_darkness_[row] = darkness_of(layer.color_table, rows_->shades()[row]);
+        layer_darkness_[row] = darkness_of(layer.color_table, rows_->shades()[row] & 0xFFFF);
     paint_picture(scene, layer, column, {colors.data(), layer_darkness_.data()});
     read(scene, layer, column, {texels.data(), nullptr});
     scene.passes.blend(scene.canvas.run(column.x, top, bottom), colors.data() + top, texels.data() + top);

@@ -39,7 +39,10 @@ void FlatRows::prepare_more(const RayTables& screen, int top, int bottom) {
 
 void FlatRows::shade(int top, int bottom, const double* depths) {
     dimming_.at_all(depths, bottom - top, &shades_[static_cast<std::size_t>(top)]);
-    for (int row = top; row < bottom; ++row) darkness_[row] = darkness_of(key_.color_table, shades_[row]);
+    for (int row = top; row < bottom; ++row) {
+        darkness_[row] = darkness_of(key_.color_table, shades_[row]);
+        shades_[row] = darkness_of(nullptr, shades_[row]);
+    }
     if (is_there(key_.fog))
         for (int row = top; row < bottom; ++row)
             fog_parts_[row] = fog_part_at(key_.fog.reach, depths[row - top], key_.fog.step);

@@ -60,8 +60,8 @@ public:
     void shade(int top, int bottom, const double* depths);
 
     // By row [height + kRowsBeyond], valid for those that are known.
-    const double* depths() const { return depths_.data(); }  ///< [m]
-    const Shade* shades() const { return shades_.data(); }
+    const double* depths() const { return depths_.data(); }             ///< [m]
+    const std::uint32_t* shades() const { return shades_.data(); }      ///< in both halves of each word
     const std::uint32_t* darkness() const { return darkness_.data(); }  ///< the same as kernels want it
     const FogPart* fog_parts() const { return fog_parts_.data(); }      ///< where there is fog
 
@@ -72,7 +72,7 @@ private:
     Dimming dimming_;
     OpenRows known_;
     std::vector<double> depths_;
-    std::vector<Shade> shades_;
+    std::vector<std::uint32_t> shades_;
     std::vector<std::uint32_t> darkness_;
     std::vector<FogPart> fog_parts_;
 };

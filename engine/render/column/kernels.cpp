@@ -133,7 +133,7 @@ void light_wall(const LitRun& to, const WallLamplight& lamplight) {
 void light_flat(const LitRun& to, const FlatLamplight& lamplight) {
     for (int i = 0; i < to.run.count; ++i) {
         const int row = to.run.first_row + i;
-        light_pixel(to, i, lamplight.row_shades[row], light_at(lamplight, row));
+        light_pixel(to, i, lamplight.row_shades[row] & 0xFFFF, light_at(lamplight, row));
     }
 }
 

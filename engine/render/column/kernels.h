@@ -225,7 +225,8 @@ struct FlatLamplight {
     double step_u, step_v;     ///< per metre of depth along this column's ray [cells/m]
     double farthest;           ///< depths are cut off here: where the wall behind the flat stands; finite [m]
     const double* row_depths;  ///< by row, and kRowsBeyond more that may be read [m]
-    const Shade* row_shades;   ///< without lamps, by row; and as many more
+    /// Without lamps, by row, in both halves of each word; and as many more.
+    const std::uint32_t* row_shades;
 };
 
 struct LampPasses {

@@ -151,10 +151,10 @@ TEST_P(EachPasses, LightFlatsByTheirPlaceInTheGrid) {
             0, 0, kUsualLightPoints, 2 + static_cast<int>(random.below(6)), 2 + static_cast<int>(random.below(6)), {}};
         for (int i = 0; i < grid.columns * grid.rows; ++i) grid.cells.push_back(any_light(random));
         std::vector<double> depths;
-        std::vector<Shade> shades;
+        std::vector<std::uint32_t> shades;
         for (int y = 0; y < kPassRows + kRowsBeyond; ++y) {
             depths.push_back(y < trial % 20 ? std::numeric_limits<double>::infinity() : 40.0 / (y + 1));
-            shades.push_back(static_cast<Shade>(random.below(257)));
+            shades.push_back(darkness_of(nullptr, static_cast<Shade>(random.below(257))));
         }
         // Round numbers, so that some places are points.
         const auto number = [&] { return static_cast<double>(random.below(64)) / 8 - 4; };
@@ -176,7 +176,7 @@ TEST_P(EachPasses, LightFlatsByTheirPlaceInTheGrid) {
                 const double depth = std::min(depths[static_cast<std::size_t>(y)], farthest);
                 const GridStep across = grid_step_of_shifted(lamplight.base_u + depth * lamplight.step_u, grid.columns);
                 const GridStep along = grid_step_of_shifted(lamplight.base_v + depth * lamplight.step_v, grid.rows);
-                return in_light(column, y, pixel, shades[static_cast<std::size_t>(y)],
+                return in_light(column, y, pixel, shades[static_cast<std::size_t>(y)] & 0xFFFF,
                                 light_between(grid, across, along));
             });
     }
