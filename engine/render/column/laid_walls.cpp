@@ -1,4 +1,6 @@
 // Pictures with holes: walls, panels and things, laid over what is drawn already.
+#include <algorithm>
+
 #include "render/column/kernels.h"
 #include "render/column/painters.h"
 #include "render/column/scene.h"
@@ -55,10 +57,16 @@ void WallPainter::lay_column(const ColumnScene& scene, int x, OpenRows rows, con
     std::vector<std::uint32_t>&texels = scene.scratch.texels, &colors = scene.scratch.colors;
     const ColumnRuns to_texels{texels.data(), 0, 1, &rows.top, &rows.bottom};
     if (scene.kernels.read_walls(walls_at(to_texels, placed, 0)) >> 24 == 0) return;
-    const ColumnRuns to_colors{colors.data(), 0, 1, &rows.top, &rows.bottom};
-    fill(scene, to_colors, placed, &hit.depth, &hit.along);
     const int top = rows.top, count = rows.bottom - rows.top;
-    if (is_there(fog_)) add_fog(scene, {colors.data() + top, top, count}, hit.depth);
+    const Run run{colors.data() + top, top, count};
+    if (built_in::kPointLights && light_grid_ && !color_table_ && !is_dark_at(hit)) {
+        std::copy_n(texels.begin() + top, count, run.pixels);
+        scene.passes.lamps.light_wall({run}, lamplight_at(scene, top, rows.bottom, placed.shades[0], hit));
+    } else {
+        const ColumnRuns to_colors{colors.data(), 0, 1, &rows.top, &rows.bottom};
+        fill(scene, to_colors, placed, &hit.depth, &hit.along);
+    }
+    if (is_there(fog_)) add_fog(scene, run, hit.depth);
     scene.passes.blend(scene.canvas.run(x, top, rows.bottom), colors.data() + top, texels.data() + top);
     if (scene.facts) note_laid(scene, x, rows, at, hit.depth);
 }
