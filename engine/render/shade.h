@@ -276,12 +276,6 @@ inline LightCell light_between(const LightGrid& grid, GridStep across, GridStep 
     return between(between(first[0], second[0], across.part), between(first[1], second[1], across.part), along.part);
 }
 
-/// Whether a place is so far beyond the grid that it is dark. Counted in points from the first.
-inline bool is_beyond_light(const LightGrid& grid, double across, double along) {
-    return (grid.is_dark_before_u && across <= 0) || (grid.is_dark_after_u && across >= grid.columns - 1) ||
-           (grid.is_dark_before_v && along <= 0) || (grid.is_dark_after_v && along >= grid.rows - 1);
-}
-
 /// The light at a place: even between the four points around it; beyond the grid that of its edge.
 inline LightCell light_on(const LightGrid& grid, double u, double v) {
     return light_between(grid, grid_step((u - grid.u) * grid.per_m, grid.columns),

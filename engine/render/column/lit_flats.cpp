@@ -6,6 +6,24 @@
 #include "render/column/scene.h"
 
 namespace enfilade::column {
+namespace {
+
+/// Those that do, which are the first of the rows, or the last, or all, or none.
+template <class Do>
+OpenRows rows_that(OpenRows rows, const Do& do_so) {
+    if (rows.is_closed()) return rows;
+    const bool first_does = do_so(rows.top), last_does = do_so(rows.bottom - 1);
+    if (first_does && last_does) return rows;
+    if (!first_does && !last_does) return {rows.top, rows.top};
+    int from = rows.top, to = rows.bottom - 1;  // one does, the other does not
+    while (to - from > 1) {
+        const int middle = from + (to - from) / 2;
+        (do_so(middle) == first_does ? from : to) = middle;
+    }
+    return first_does ? OpenRows{rows.top, to} : OpenRows{to, rows.bottom};
+}
+
+}  // namespace
 
 /// Draws the rows that no lamp reaches, above and below those that some may, then these.
 void FlatPainter::paint_plainly_lit(const ColumnScene& scene, const WallLooks& looks, const int* tops,
@@ -21,7 +39,7 @@ void FlatPainter::paint_plainly_lit(const ColumnScene& scene, const WallLooks& l
     for (int i = 0; i < looks.count; ++i) {
         const OpenRows open{tops[i], bottoms[i]};
         lamplights[i] = lamplight_at(column_at(scene, looks.begin + i, open, looks.depth[i]));
-        const OpenRows lit = open.is_closed() ? open : lit_rows(lamplights[i], open);
+        const OpenRows lit = lit_rows(lamplights[i], open);
         lit_tops[i] = lit.top;
         lit_bottoms[i] = lit.bottom;
         is_any_dark |= lit.top != open.top || lit.bottom != open.bottom;
@@ -76,16 +94,20 @@ FlatLamplight FlatPainter::lamplight_at(const FlatColumn& column) const {
             rows_->shades()};
 }
 
-/// Which of the rows may be lit: only their ends are looked at.
+/// Which of the rows may be lit. Down the column places only go one way, so that beyond each edge of the light are its
+/// first rows, or its last, or all.
 OpenRows FlatPainter::lit_rows(const FlatLamplight& lamplight, const OpenRows& rows) const {
-    const auto is_dark = [&](int row) {
-        const double depth = std::min(rows_->depths()[row], lamplight.farthest);
-        return is_beyond_light(*lamplight.grid, lamplight.base_u + depth * lamplight.step_u - kGridShift,
-                               lamplight.base_v + depth * lamplight.step_v - kGridShift);
-    };
+    const LightGrid& grid = *lamplight.grid;
+    const auto depth = [&](int row) { return std::min(rows_->depths()[row], lamplight.farthest); };
+    const auto u = [&](int row) { return lamplight.base_u + depth(row) * lamplight.step_u; };
+    const auto v = [&](int row) { return lamplight.base_v + depth(row) * lamplight.step_v; };
+    constexpr double kFirst = kGridShift;
+    const double last_u = kGridShift + (grid.columns - 1), last_v = kGridShift + (grid.rows - 1);
     OpenRows lit = rows;
-    while (lit.top < lit.bottom && is_dark(lit.top)) ++lit.top;
-    while (lit.top < lit.bottom && is_dark(lit.bottom - 1)) --lit.bottom;
+    if (grid.is_dark_before_u) lit = rows_that(lit, [&](int row) { return u(row) > kFirst; });
+    if (grid.is_dark_after_u) lit = rows_that(lit, [&](int row) { return u(row) < last_u; });
+    if (grid.is_dark_before_v) lit = rows_that(lit, [&](int row) { return v(row) > kFirst; });
+    if (grid.is_dark_after_v) lit = rows_that(lit, [&](int row) { return v(row) < last_v; });
     return lit;
 }
 
