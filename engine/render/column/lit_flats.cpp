@@ -58,8 +58,24 @@ void FlatPainter::paint_plainly_lit(const ColumnScene& scene, const WallLooks& l
     note_plain(scene, looks, tops, bottoms);
 }
 
+/// Down a flat seen from its wrong side depths grow up to the horizon's, and are 0 beyond it, or the other way round:
+/// rows before and beyond it are lit by themselves.
 void FlatPainter::paint_lit(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                             const LevelTarget& to) const {
+    if (!is_extended_) return paint_lit_one_way(scene, picture, column, to);
+    const double* const depths = rows_->depths();
+    FlatColumn part = column;
+    for (int row = column.rows.top; row < column.rows.bottom; row = part.rows.bottom) {
+        int end = row + 1;
+        while (end < column.rows.bottom && (depths[end] > 0) == (depths[row] > 0)) ++end;
+        part.rows = {row, end};
+        paint_lit_one_way(scene, picture, part, to);
+    }
+}
+
+/// Rows down which depths only grow or only shrink.
+void FlatPainter::paint_lit_one_way(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
+                                    const LevelTarget& to) const {
     const FlatLamplight lamplight = lamplight_at(column);
     FlatColumn above = column, lit = column, below = column;
     lit.rows = lit_rows(lamplight, column.rows);

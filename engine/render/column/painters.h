@@ -208,6 +208,8 @@ private:
               const LevelTarget& to) const;
     void paint_lit(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                    const LevelTarget& to) const;
+    void paint_lit_one_way(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
+                           const LevelTarget& to) const;
     void lay_layer(const ColumnScene& scene, const LevelPicture& layer, const FlatColumn& column);
     FlatLamplight lamplight_at(const FlatColumn& column) const;
     OpenRows lit_rows(const FlatLamplight& lamplight, const OpenRows& rows) const;
