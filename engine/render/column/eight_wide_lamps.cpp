@@ -146,44 +146,49 @@ WITH_AVX2 void light_flat_as(const LitRun& to, const FlatLamplight& lamplight) {
     }
 }
 
-/// Whether all its places, in 2^-16 of a cell, are numbers of 32 bits, and cells and columns are counted in 16. Down a
-/// column they go one way.
-bool is_near(const LitRun& to, const FlatLamplight& lamplight) {
-    constexpr int kMost = (1 << 15) - 1;  // points, and cells before the first one or after the last
-    const auto is_in = [](double shifted) { return std::fabs(shifted - kGridShift) < kMost; };
-    const auto is_row_near = [&](int row) {
+// Down a column places go one way: only the first row and the last are looked at.
+
+/// Whether do_so(position across, position along) of both: cells, and kGridShift more.
+template <class DoSo>
+bool do_both_ends(const LitRun& to, const FlatLamplight& lamplight, const DoSo& do_so) {
+    const auto does = [&](int row) {
         const double depth = std::min(lamplight.row_depths[row], lamplight.farthest);
-        return is_in(lamplight.base_u + depth * lamplight.step_u) && is_in(lamplight.base_v + depth * lamplight.step_v);
+        return do_so(lamplight.base_u + depth * lamplight.step_u, lamplight.base_v + depth * lamplight.step_v);
     };
-    const int first = to.run.first_row;
-    return lamplight.grid->columns <= kMost && lamplight.grid->rows <= kMost && is_row_near(first) &&
-           is_row_near(first + to.run.count - 1);
+    return does(to.run.first_row) && does(to.run.first_row + to.run.count - 1);
 }
 
-/// Whether no row is beyond an end of the grid, or cut off: only the first and the last are looked at.
+/// Points, and cells before the first one or after the last: so many can be counted in 16 bits.
+constexpr int kMostCells = (1 << 15) - 1;
+
+bool is_small(const LightGrid& grid) { return grid.columns <= kMostCells && grid.rows <= kMostCells; }
+
+/// Whether all places, in 2^-16 of a cell, are numbers of 32 bits.
+bool is_near(const LitRun& to, const FlatLamplight& lamplight) {
+    const auto is_in = [](double shifted) { return std::fabs(shifted - kGridShift) < kMostCells; };
+    return do_both_ends(to, lamplight, [&](double u, double v) { return is_in(u) && is_in(v); });
+}
+
+/// Whether no row is beyond an end of the grid, or cut off.
 bool is_inside(const LitRun& to, const FlatLamplight& lamplight) {
+    const double *const first = lamplight.row_depths + to.run.first_row, *const last = first + to.run.count - 1;
+    if (std::max(*first, *last) > lamplight.farthest) return false;
     const auto is_in = [](double shifted, int count) {
         return shifted >= kGridShift && shifted < kGridShift + (count - 1);
     };
-    const auto is_row_inside = [&](int row) {
-        const double depth = lamplight.row_depths[row];
-        return depth <= lamplight.farthest &&
-               is_in(lamplight.base_u + depth * lamplight.step_u, lamplight.grid->columns) &&
-               is_in(lamplight.base_v + depth * lamplight.step_v, lamplight.grid->rows);
-    };
-    return is_row_inside(to.run.first_row) && is_row_inside(to.run.first_row + to.run.count - 1);
-}
-
-template <bool kIsAbove>
-void light_near_flat(const LitRun& to, const FlatLamplight& lamplight) {
-    is_inside(to, lamplight) ? light_flat_as<kIsAbove, true>(to, lamplight)
-                             : light_flat_as<kIsAbove, false>(to, lamplight);
+    const LightGrid& grid = *lamplight.grid;
+    return do_both_ends(to, lamplight,
+                        [&](double u, double v) { return is_in(u, grid.columns) && is_in(v, grid.rows); });
 }
 
 void light_flat(const LitRun& to, const FlatLamplight& lamplight) {
     if (to.run.count == 0) return;
-    if (!is_near(to, lamplight)) return scalar_passes().lamps.light_flat(to, lamplight);
-    to.texels ? light_near_flat<true>(to, lamplight) : light_near_flat<false>(to, lamplight);
+    if (is_small(*lamplight.grid) && is_inside(to, lamplight))
+        to.texels ? light_flat_as<true, true>(to, lamplight) : light_flat_as<false, true>(to, lamplight);
+    else if (is_small(*lamplight.grid) && is_near(to, lamplight))
+        to.texels ? light_flat_as<true, false>(to, lamplight) : light_flat_as<false, false>(to, lamplight);
+    else
+        scalar_passes().lamps.light_flat(to, lamplight);
 }
 
 }  // namespace
