@@ -1,7 +1,10 @@
 #include "math/predicates.h"
 
+#include <algorithm>
+#include <cmath>
 #include <compare>
 #include <cstdint>
+#include <optional>
 
 #include "base/result.h"
 
@@ -93,13 +96,34 @@ bool path_leaves_through(Vec2 p, Vec2 q, Vec2 a, Vec2 b) {
            side_of_path(p, q, b) > 0;
 }
 
+namespace {
+
+/// Whether the line through the start of `along` passes p nearer than r, if numbers of 53 bits tell.
+std::optional<bool> is_line_clearly_nearer(GridVec along, GridVec to_p, std::int64_t r) {
+    // More than all roundings here, as a part of what is rounded.
+    constexpr double kDoubt = 0x1p-48;
+    const double ax = static_cast<double>(along.x), ay = static_cast<double>(along.y), rr = static_cast<double>(r);
+    const double left = ax * static_cast<double>(to_p.y), right = ay * static_cast<double>(to_p.x);
+    const double area = std::fabs(left - right), doubt = (std::fabs(left) + std::fabs(right)) * kDoubt;
+    const double most = rr * rr * (ax * ax + ay * ay);
+    const double high = area + doubt, low = std::max(area - doubt, 0.0);
+    if (high * high < most * (1 - kDoubt)) return true;
+    if (low * low > most * (1 + kDoubt)) return false;
+    return {};
+}
+
+}  // namespace
+
 bool segment_is_nearer(Vec2 a, Vec2 b, Vec2 p, double radius) {
     if (radius <= 0) return false;
     const GridVec along = difference(b, a), to_p = difference(p, a);
-    const Int128 r_squared = Int128{to_grid_units(radius)} * to_grid_units(radius);
+    const std::int64_t r = to_grid_units(radius);
+    const Int128 r_squared = Int128{r} * r;
+    if (along.x == 0 && along.y == 0) return dot(to_p, to_p) < r_squared;
     const Int128 length_squared = dot(along, along), foot = dot(along, to_p);
     if (foot <= 0) return dot(to_p, to_p) < r_squared;
     if (foot >= length_squared) return dot(difference(p, b), difference(p, b)) < r_squared;
+    if (const auto is_nearer = is_line_clearly_nearer(along, to_p, r)) return *is_nearer;
     const Int128 area = cross(along, to_p);
     return compare_products(area, area, r_squared, length_squared) < 0;
 }

@@ -48,6 +48,7 @@ public:
 
 private:
     void look_at(const Room& room, WallId id) {
+        if (id == room.entrance) return;  // nobody sees the front of what he has come through
         const Wall& wall = map_[id];
         if (!box_is_near(wall, room.centre) || !segment_is_nearer(wall.a, wall.b, room.centre, radius_)) return;
         each_cone(room, wall, is_beyond, [&](const Cone& cone) { look_at_part(room, id, cone); });
@@ -245,8 +246,9 @@ private:
 
     /// Of all rooms so far, the first time; from then on, of the last one.
     void note_entrances() {
-        std::size_t i = latest_.empty() ? 1 : rooms_.size() - 1;
-        latest_.resize(kRows);
+        const bool is_first_time = latest_.empty();
+        if (is_first_time) latest_.resize(kRows);
+        std::size_t i = is_first_time ? 1 : rooms_.size() - 1;
         for (; i < rooms_.size(); ++i) {
             std::uint32_t& latest = latest_[rooms_[i].entrance.index % kRows];
             rooms_[i].earlier = std::exchange(latest, static_cast<std::uint32_t>(i));
@@ -278,7 +280,7 @@ private:
     double radius_;
     const MayPass& may_pass_;
     /// So many are looked through one by one; what more there are is found by their entrances.
-    static constexpr std::size_t kFewRooms = 16, kRows = 64;
+    static constexpr std::size_t kFewRooms = 16, kRows = 512;
 
     ShortList<Room, 16> rooms_;
     std::vector<std::uint32_t> latest_;  ///< of the rooms whose entrances share a row, 0: none; empty: few rooms

@@ -1,11 +1,12 @@
 // The longest ticks: `worst_tick [TICKS]`: random walks of TICKS (by default 20000; a hundred times as many in random
 // maps) in maps that make walking hard: rooms at many heights, doorways that are links all round, wedges whose two
 // sides are one, ramps of fine steps, and maps named on the command line. Prints, for each kind, the mean and the
-// longest processor time of a tick [us] and how many took over a millisecond.
+// longest processor time of a tick [us], each the least of three times, and how many took over a millisecond.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 #include <numbers>
 
 #include "app/open_map.h"
@@ -27,13 +28,25 @@ struct Times {
     int ticks = 0, over_a_millisecond = 0;
 };
 
+/// Does one tick. Its time is the least of some: what else the machine does makes a tick longer, never shorter [us].
+double time_tick(const Map& map, World& world, const TickInput& input) {
+    constexpr int kRepeats = 3;
+    double least = std::numeric_limits<double>::infinity();
+    World next;
+    for (int i = 0; i < kRepeats; ++i) {
+        next = world;
+        const double begin = processor_us();
+        step(map, next, input);
+        least = std::min(least, processor_us() - begin);
+    }
+    world = std::move(next);
+    return least;
+}
+
 void walk_for(const Map& map, World world, std::uint64_t seed, int ticks, Times& times) {
     test::RandomKeys keys(seed);
     for (int i = 0; i < ticks; ++i) {
-        const TickInput input = keys.next();
-        const double begin = processor_us();
-        step(map, world, input);
-        const double took = processor_us() - begin;
+        const double took = time_tick(map, world, keys.next());
         world.health = kFullHealth;
         times.sum_us += took;
         times.most_us = std::max(times.most_us, took);

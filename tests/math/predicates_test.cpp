@@ -195,6 +195,23 @@ TEST(SegmentIsNearer, DoesNotCountTouching) {
     EXPECT_TRUE(segment_is_nearer({0, 0}, {8, 0}, {11 - step, 4}, 5));
 }
 
+/// Along (3, 4) all distances of whole steps times 5 are whole, however large: rounded numbers do not tell them.
+TEST(SegmentIsNearer, DoesNotCountTouchingAskewOfLongWalls) {
+    Random random(32);
+    const auto at = [](std::int64_t x, std::int64_t y) {
+        return Vec2{static_cast<double>(x) * kPointGrid, static_cast<double>(y) * kPointGrid};
+    };
+    for (int i = 0; i < 10000; ++i) {
+        const auto length = static_cast<std::int64_t>((std::uint64_t{1} << 44) + random.below(std::uint64_t{1} << 44));
+        const auto foot = static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(length)));
+        const auto away = static_cast<std::int64_t>(1 + random.below(std::uint64_t{1} << 44));
+        const Vec2 p = at(3 * foot - 4 * away, 4 * foot + 3 * away), end = at(3 * length, 4 * length);
+        const double distance = static_cast<double>(5 * away) * kPointGrid;
+        ASSERT_FALSE(segment_is_nearer({0, 0}, end, p, distance)) << i;
+        ASSERT_TRUE(segment_is_nearer({0, 0}, end, p, distance + kPointGrid)) << i;
+    }
+}
+
 TEST(SegmentIsNearer, TakesASegmentOfNoLengthForAPoint) {
     EXPECT_TRUE(segment_is_nearer({1, 1}, {1, 1}, {4, 5}, 5 + kPointGrid));
     EXPECT_FALSE(segment_is_nearer({1, 1}, {1, 1}, {4, 5}, 5));
