@@ -120,8 +120,8 @@ std::string summary_of(const std::vector<AccuracyScene>& scenes, const std::vect
         "is saved.",
         exact.errors.largest, 100 * cheapest->ratio(), best_scene(scenes, cheapest->name));
     if (exact.price.instructions && cheapest->price.instructions)
-        text += fmt::format(" A pixel takes {:.1f} and {:.1f} instructions.", *exact.price.instructions,
-                            *cheapest->price.instructions);
+        text += fmt::format(" A pixel takes {:.1f} instructions in the exact picture, {:.1f} in the cheapest.",
+                            *exact.price.instructions, *cheapest->price.instructions);
     const auto vanilla = std::ranges::find(sums, "--dial number=vanilla", &SettingSum::name);
     if (vanilla != sums.end())
         text +=
