@@ -119,7 +119,6 @@ bool segment_is_nearer(Vec2 a, Vec2 b, Vec2 p, double radius) {
     const GridVec along = difference(b, a), to_p = difference(p, a);
     const std::int64_t r = to_grid_units(radius);
     const Int128 r_squared = Int128{r} * r;
-    if (along.x == 0 && along.y == 0) return dot(to_p, to_p) < r_squared;
     const Int128 length_squared = dot(along, along), foot = dot(along, to_p);
     if (foot <= 0) return dot(to_p, to_p) < r_squared;
     if (foot >= length_squared) return dot(difference(p, b), difference(p, b)) < r_squared;

@@ -279,7 +279,8 @@ private:
     Place place_;
     double radius_;
     const MayPass& may_pass_;
-    /// So many are looked through one by one; what more there are is found by their entrances.
+    /// So many are looked through one by one; what more there are is found by their entrances, in rows of one or two
+    /// even on the finest ramp.
     static constexpr std::size_t kFewRooms = 16, kRows = 512;
 
     ShortList<Room, 16> rooms_;

@@ -28,7 +28,8 @@ struct Times {
     int ticks = 0, over_a_millisecond = 0;
 };
 
-/// Does one tick. Its time is the least of some: what else the machine does makes a tick longer, never shorter [us].
+/// Does one tick. Its time is the least of some, for what else the machine does makes ticks longer; so memory that only
+/// the first of them asks for is left out [us].
 double time_tick(const Map& map, World& world, const TickInput& input) {
     constexpr int kRepeats = 3;
     double least = std::numeric_limits<double>::infinity();

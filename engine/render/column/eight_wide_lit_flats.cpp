@@ -148,14 +148,14 @@ WITH_AVX2 void light_flat_as(const LitRun& to, const FlatLamplight& lamplight) {
 
 // Down a column places go one way: only the first row and the last are looked at.
 
-/// Whether do_so(position across, position along) of both: cells, and kGridShift more.
-template <class DoSo>
-bool do_both_ends(const LitRun& to, const FlatLamplight& lamplight, const DoSo& do_so) {
-    const auto does = [&](int row) {
+/// Whether holds(position across, position along) of both: cells, and kGridShift more.
+template <class Holds>
+bool holds_at_both_ends(const LitRun& to, const FlatLamplight& lamplight, const Holds& holds) {
+    const auto holds_in = [&](int row) {
         const double depth = std::min(lamplight.row_depths[row], lamplight.farthest);
-        return do_so(lamplight.base_u + depth * lamplight.step_u, lamplight.base_v + depth * lamplight.step_v);
+        return holds(lamplight.base_u + depth * lamplight.step_u, lamplight.base_v + depth * lamplight.step_v);
     };
-    return does(to.run.first_row) && does(to.run.first_row + to.run.count - 1);
+    return holds_in(to.run.first_row) && holds_in(to.run.first_row + to.run.count - 1);
 }
 
 /// Points, and cells before the first one or after the last: so many can be counted in 16 bits.
@@ -166,7 +166,7 @@ bool is_small(const LightGrid& grid) { return grid.columns <= kMostCells && grid
 /// Whether all places, in 2^-16 of a cell, are numbers of 32 bits.
 bool is_near(const LitRun& to, const FlatLamplight& lamplight) {
     const auto is_in = [](double shifted) { return std::fabs(shifted - kGridShift) < kMostCells; };
-    return do_both_ends(to, lamplight, [&](double u, double v) { return is_in(u) && is_in(v); });
+    return holds_at_both_ends(to, lamplight, [&](double u, double v) { return is_in(u) && is_in(v); });
 }
 
 /// Whether no row is beyond an end of the grid, or cut off.
@@ -177,8 +177,8 @@ bool is_inside(const LitRun& to, const FlatLamplight& lamplight) {
         return shifted >= kGridShift && shifted < kGridShift + (count - 1);
     };
     const LightGrid& grid = *lamplight.grid;
-    return do_both_ends(to, lamplight,
-                        [&](double u, double v) { return is_in(u, grid.columns) && is_in(v, grid.rows); });
+    return holds_at_both_ends(to, lamplight,
+                              [&](double u, double v) { return is_in(u, grid.columns) && is_in(v, grid.rows); });
 }
 
 void light_flat(const LitRun& to, const FlatLamplight& lamplight) {

@@ -201,11 +201,9 @@ WITH_AVX2 void fill_long_sky(const Run& run, const SkyRun& sky) {
     }
 }
 
-bool goes_by_shifts(const Texture& texture) { return texture.height > 1 && is_power_of_two(texture.height); }
-
 }  // namespace
 
-// Looking up gains nothing from eight at a time.
+// Colours that are looked up in a table gain nothing from eight at a time.
 
 void eight_wide::fill_walls(const PlainWalls& w) {
     if (w.color_table)

@@ -85,10 +85,7 @@ void fill_walls_as(const PlainWalls& w) {
     }
 }
 
-void fill_walls(const PlainWalls& w) {
-    const std::uint32_t height = w.texture->height;
-    height > 1 && is_power_of_two(height) ? fill_walls_as<true>(w) : fill_walls_as<false>(w);
-}
+void fill_walls(const PlainWalls& w) { goes_by_shifts(*w.texture) ? fill_walls_as<true>(w) : fill_walls_as<false>(w); }
 
 /// Of four places the whole part of place * size / 2^32.
 __m128i scaled(__m128i places, __m128i size) {

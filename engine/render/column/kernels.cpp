@@ -42,8 +42,6 @@ void lay_walls_as(const PlainWalls& walls) {
     }
 }
 
-bool goes_by_shifts(const Texture& texture) { return texture.height > 1 && is_power_of_two(texture.height); }
-
 /// Which of its picture's texels a flat shows in row y of the i-th column, however far that is.
 std::size_t texel_at(const PlainFlats& f, int i, int y) {
     const double depth = std::min(f.row_depths[y], f.farthest[i]);

@@ -14,9 +14,9 @@
 
 namespace enfilade::column {
 
-// The inner loops that draw most pixels: skies, and walls and flats in one light, without fog, lamps or holes. Those
-// draw the runs of one surface down neighbouring columns at once, so that what the surface has in common is made ready
-// once.
+// The inner loops that draw most pixels: skies, and walls and flats in one light, without fog or lamps; walls with
+// holes, too. Those draw the runs of one surface down neighbouring columns at once, so that what the surface has in
+// common is made ready once.
 //
 // The scalar kernels say what is drawn; those for SSE2 and AVX2 draw the same bits, four and eight pixels at a time.
 
@@ -162,7 +162,10 @@ constexpr bool is_power_of_two(std::uint32_t size) { return (size & (size - 1)) 
 /// Such that size = 2^bits_below(size), where it is a power of two.
 constexpr int bits_below(std::uint32_t size) { return std::countr_zero(size); }
 
-/// Where steps down a tile fall among the texels of a picture's column. By shifts only where height > 1.
+/// Whether its rows are found by shifts.
+inline bool goes_by_shifts(const Texture& texture) { return texture.height > 1 && is_power_of_two(texture.height); }
+
+/// Where steps down a tile fall among the texels of a picture's column. By shifts only where it goes_by_shifts().
 template <bool kByShifts>
 class RowNumber {
 public:

@@ -8,19 +8,19 @@
 namespace enfilade::column {
 namespace {
 
-/// Those that do, which are the first of the rows, or the last, or all, or none.
-template <class Do>
-OpenRows rows_that(OpenRows rows, const Do& do_so) {
+/// Of which it holds: of the first rows, or the last, or all, or none.
+template <class Holds>
+OpenRows rows_where(OpenRows rows, const Holds& holds) {
     if (rows.is_closed()) return rows;
-    const bool first_does = do_so(rows.top), last_does = do_so(rows.bottom - 1);
-    if (first_does && last_does) return rows;
-    if (!first_does && !last_does) return {rows.top, rows.top};
-    int from = rows.top, to = rows.bottom - 1;  // one does, the other does not
+    const bool of_first = holds(rows.top), of_last = holds(rows.bottom - 1);
+    if (of_first && of_last) return rows;
+    if (!of_first && !of_last) return {rows.top, rows.top};
+    int from = rows.top, to = rows.bottom - 1;  // it holds of one of them
     while (to - from > 1) {
         const int middle = from + (to - from) / 2;
-        (do_so(middle) == first_does ? from : to) = middle;
+        (holds(middle) == of_first ? from : to) = middle;
     }
-    return first_does ? OpenRows{rows.top, to} : OpenRows{to, rows.bottom};
+    return of_first ? OpenRows{rows.top, to} : OpenRows{to, rows.bottom};
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ void FlatPainter::paint_plainly_lit(const ColumnScene& scene, const WallLooks& l
     for (int i = 0; i < looks.count; ++i) {
         const OpenRows open{tops[i], bottoms[i]};
         lamplights[i] = lamplight_at(column_at(scene, looks.begin + i, open, looks.depth[i]));
-        const OpenRows lit = lit_rows(lamplights[i], open);
+        const OpenRows lit = goes_one_way(open) ? lit_rows(lamplights[i], open) : OpenRows{open.top, open.top};
         lit_tops[i] = lit.top;
         lit_bottoms[i] = lit.bottom;
         is_any_dark |= lit.top != open.top || lit.bottom != open.bottom;
@@ -50,19 +50,22 @@ void FlatPainter::paint_plainly_lit(const ColumnScene& scene, const WallLooks& l
     }
     scene.kernels.read_flats(flats_at(scene, looks, steps, lit_tops, lit_bottoms));
     for (int i = 0; i < looks.count; ++i) {
-        if (lit_tops[i] < lit_bottoms[i])
+        const OpenRows open{tops[i], bottoms[i]};
+        if (!goes_one_way(open))
+            paint_lit(scene, picture_, column_at(scene, looks.begin + i, open, looks.depth[i]),
+                      {scene.canvas.column(looks.begin + i), rows_->darkness()});
+        else if (lit_tops[i] < lit_bottoms[i])
             scene.passes.lamps.light_flat({scene.canvas.run(looks.begin + i, lit_tops[i], lit_bottoms[i])},
                                           lamplights[i]);
-        if (is_there(fog_) && tops[i] < bottoms[i]) add_fog(scene, looks.begin + i, {tops[i], bottoms[i]});
+        if (is_there(fog_) && !open.is_closed()) add_fog(scene, looks.begin + i, open);
     }
     note_plain(scene, looks, tops, bottoms);
 }
 
-/// Down a flat seen from its wrong side depths grow up to the horizon's, and are 0 beyond it, or the other way round:
-/// rows before and beyond it are lit by themselves.
+/// Rows before and beyond the horizon are lit by themselves.
 void FlatPainter::paint_lit(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                             const LevelTarget& to) const {
-    if (!is_extended_) return paint_lit_one_way(scene, picture, column, to);
+    if (goes_one_way(column.rows)) return paint_lit_one_way(scene, picture, column, to);
     const double* const depths = rows_->depths();
     FlatColumn part = column;
     for (int row = column.rows.top; row < column.rows.bottom; row = part.rows.bottom) {
@@ -73,7 +76,14 @@ void FlatPainter::paint_lit(const ColumnScene& scene, const LevelPicture& pictur
     }
 }
 
-/// Rows down which depths only grow or only shrink.
+/// Whether depths only grow or only shrink down the rows. Down a flat seen from its wrong side, or one so near the
+/// eye's height that the tie rule gives it a row beyond the horizon, they grow up to the horizon's and are 0 beyond it,
+/// or the other way round.
+bool FlatPainter::goes_one_way(const OpenRows& rows) const {
+    return rows.is_closed() || (rows_->depths()[rows.top] > 0 && rows_->depths()[rows.bottom - 1] > 0);
+}
+
+/// Rows that go one way.
 void FlatPainter::paint_lit_one_way(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                                     const LevelTarget& to) const {
     const FlatLamplight lamplight = lamplight_at(column);
@@ -120,10 +130,10 @@ OpenRows FlatPainter::lit_rows(const FlatLamplight& lamplight, const OpenRows& r
     constexpr double kFirst = kGridShift;
     const double last_u = kGridShift + (grid.columns - 1), last_v = kGridShift + (grid.rows - 1);
     OpenRows lit = rows;
-    if (grid.is_dark_before_u) lit = rows_that(lit, [&](int row) { return u(row) > kFirst; });
-    if (grid.is_dark_after_u) lit = rows_that(lit, [&](int row) { return u(row) < last_u; });
-    if (grid.is_dark_before_v) lit = rows_that(lit, [&](int row) { return v(row) > kFirst; });
-    if (grid.is_dark_after_v) lit = rows_that(lit, [&](int row) { return v(row) < last_v; });
+    if (grid.is_dark_before_u) lit = rows_where(lit, [&](int row) { return u(row) > kFirst; });
+    if (grid.is_dark_after_u) lit = rows_where(lit, [&](int row) { return u(row) < last_u; });
+    if (grid.is_dark_before_v) lit = rows_where(lit, [&](int row) { return v(row) > kFirst; });
+    if (grid.is_dark_after_v) lit = rows_where(lit, [&](int row) { return v(row) < last_v; });
     return lit;
 }
 

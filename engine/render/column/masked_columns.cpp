@@ -130,7 +130,6 @@ bool PanelColumns::is_before_wall(const RoomView& view, const PanelBoard& board,
 int PanelColumns::look(const RoomView& view, const WallColumns& columns) {
     move_to(columns.begin);
     WallColumns shared = columns;
-    shared.end = std::min(shared.end, shared.begin + WallLooks::kMost);
     if (next_ < boards_.size()) shared.end = std::min(shared.end, boards_[next_].place.begin);
     for (const int index : row_) shared.end = std::min(shared.end, boards_[static_cast<std::size_t>(index)].place.end);
     shown_count_ = 0;
@@ -256,9 +255,19 @@ void RoomColumns::note(const RoomView& view, MaskedColumns& masked) {
     }
     // A panel may be before a thing in one column and behind it in the next.
     for (const WallColumns& stretch : view.nearest.stretches())
-        for (int x = stretch.begin; x < stretch.end;)
-            for (const int end = panels_.look(view, {x, stretch.end, stretch.wall}); x < end; ++x)
-                if (!view.viewport.rows_at(x).is_closed()) note_column(view, x, masked);
+        for (int x = stretch.begin; x < stretch.end;) x = note_some(view, {x, stretch.end, stretch.wall}, masked);
+}
+
+/// Notes the first of the columns, and with them as many as see the same panels. Returns the first that is left.
+/// What a closed column would see is not looked for: hostile maps have many of them.
+int RoomColumns::note_some(const RoomView& view, const WallColumns& columns, MaskedColumns& masked) {
+    const int most = std::min(columns.end, columns.begin + WallLooks::kMost);
+    int closed = columns.begin;
+    while (closed < most && !view.viewport.rows_at(closed).is_closed()) ++closed;
+    if (closed == columns.begin) return columns.begin + 1;
+    const int end = panels_.look(view, {columns.begin, closed, columns.wall});
+    for (int x = columns.begin; x < end; ++x) note_column(view, x, masked);
+    return end;
 }
 
 void RoomColumns::note_column(const RoomView& view, int x, MaskedColumns& masked) {

@@ -38,7 +38,8 @@ public:
     /// Rows [tops[i], bottoms[i]) of the columns that look at the wall.
     void paint(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
 
-    /// The same for a picture with holes, laid over what is there already. Of the looks' wall nothing is asked.
+    /// The same for a picture with holes, laid over what is there already. The wall of the looks may be
+    /// null, and their inverse depths may be anything.
     void lay_over(const ColumnScene& scene, const WallLooks& looks, const int* tops, const int* bottoms) const;
 
 private:
@@ -208,6 +209,7 @@ private:
               const LevelTarget& to) const;
     void paint_lit(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                    const LevelTarget& to) const;
+    bool goes_one_way(const OpenRows& rows) const;
     void paint_lit_one_way(const ColumnScene& scene, const LevelPicture& picture, const FlatColumn& column,
                            const LevelTarget& to) const;
     void lay_layer(const ColumnScene& scene, const LevelPicture& layer, const FlatColumn& column);

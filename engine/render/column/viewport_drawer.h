@@ -88,9 +88,9 @@ public:
         WallLooks looks;
     };
 
-    /// Looks for the panels that columns.begin and those right of it see before the wall, as many columns as see the
-    /// same panels. Returns the first that need not, at most columns.end. columns.begin grows from call to call after
-    /// gather(), and a wall is seen in all of them.
+    /// Looks for the panels that are seen before the wall in columns.begin, and in those right of it up to where others
+    /// are seen. Returns the first column that needs another look, at most columns.end. columns: 1..WallLooks::kMost;
+    /// columns.begin grows from call to call after gather().
     int look(const RoomView& view, const WallColumns& columns);
 
     /// What the last look found, the nearest first; their depths never fall.
@@ -180,6 +180,7 @@ public:
     void note(const RoomView& view, MaskedColumns& masked);
 
 private:
+    int note_some(const RoomView& view, const WallColumns& columns, MaskedColumns& masked);
     void note_column(const RoomView& view, int x, MaskedColumns& masked);
 
     ThingColumns things_;
