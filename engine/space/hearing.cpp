@@ -26,7 +26,9 @@ Hearing::Hearing(const Map& map) : map_(map), tiling_(map), roots_(map.walls.siz
     for (SoundField* field : {&heard_, &field_}) {
         field->latest.resize(tiling_.tile_count());
         field->touched.resize(map.sectors.size());
+        field->beams.reserve(kMostBeams);  // grown while somebody listens, all would be moved within one tick
     }
+    waiting_.reserve(kMostBeams);
 }
 
 void Hearing::listen(const Place& listener, double reach_m, const MayPass& may_pass, std::size_t slice) {
