@@ -98,8 +98,10 @@ bool cross(const Map& map, World& world, const Crossing& crossing) {
 ShortList<ThingId, 16> things_touched(const Map& map, const World& world) {
     ShortList<ThingId, 16> found;
     const Instant at = now(map, world);
-    const Body body = body_of(at, world.player);
-    for (const ReachedSector& reached : around(at, body).sectors) {
+    if (map.touchables.empty()) return found;
+    const PlacedBody placed = placed_body_of(at, world.player);
+    const Body& body = placed.body;
+    for (const ReachedSector& reached : placed.around.sectors) {
         const Sector& sector = map[reached.sector];
         const Vec2 centre = snap_to_point_grid(reached.passage.apply(body.place.point));
         for (std::uint32_t i = sector.first_touchable; i < sector.first_touchable + sector.touchable_count; ++i) {

@@ -101,21 +101,29 @@ bool fits(const Instant& now, const Body& body, const Reach& around, const Enter
     return is_at_most(body.height, std::min(free.ceiling_z - there.feet_z, height_in(now, there, entered)));
 }
 
-Body squeezed(const Instant& now, Body body) {
-    const double wanted = body.height;
-    body.ceiling_z = heights_of(now, body.place.sector).ceiling_z;
+PlacedBody placed(const Instant& now, Body body) {
+    PlacedBody found{body, {}, {}, {}};
+    Body& it = found.body;
+    const auto look_around = [&] {
+        found.entered.clear();
+        found.around = around(now, it, &found.entered);
+    };
+    const auto be_as_high_as_it_can = [&] { it.height = std::clamp(it.ceiling_z - it.feet_z, 0.0, body.height); };
+    it.ceiling_z = heights_of(now, it.place.sector).ceiling_z;
     for (int tries = 0; tries < kMostSqueezes; ++tries) {
-        body.height = std::clamp(body.ceiling_z - body.feet_z, 0.0, wanted);
-        Reach found = around(now, body);
-        for (const ReachedWall& wall : found.walls)
-            if (!is_one_way_exit(now.map, wall))
-                body.radius = std::min(body.radius, grid_length_below(distance_to(wall)));
-        if (!found.walls.empty()) found = around(now, body);
-        const double before = std::exchange(body.ceiling_z, clearance(now, body, found.sectors).ceiling_z);
-        if (body.ceiling_z == before) break;
+        be_as_high_as_it_can();
+        look_around();
+        for (const ReachedWall& wall : found.around.walls)
+            if (!is_one_way_exit(now.map, wall)) it.radius = std::min(it.radius, grid_length_below(distance_to(wall)));
+        if (!found.around.walls.empty()) look_around();
+        found.free = clearance(now, it, found.around.sectors);
+        const double before = std::exchange(it.ceiling_z, found.free.ceiling_z);
+        if (it.ceiling_z == before) return found;
     }
-    body.height = std::clamp(body.ceiling_z - body.feet_z, 0.0, wanted);
-    return body;
+    be_as_high_as_it_can();
+    look_around();
+    found.free = clearance(now, it, found.around.sectors);
+    return found;
 }
 
 namespace {

@@ -75,10 +75,22 @@ double lowest_feet_in(const Instant& now, const EnteredPortals& entered);
 /// once it has stepped up there, under the ceiling that it has there. Things beside it are for the walk to see to.
 bool fits(const Instant& now, const Body& body, const Reach& around, const EnteredPortals& entered);
 
+/// A body, and what was found around it.
+struct PlacedBody {
+    Body body;
+    Reach around;
+    EnteredPortals entered;
+    Clearance free;
+};
+
 /// The body where it is, made as wide, and at most as high, as there is room: a body that was put closer to a wall
 /// than its radius can still walk, and gets its width back as it leaves. In the exit of a one-way portal it keeps its
-/// width. Sets its ceiling.
-Body squeezed(const Instant& now, Body body);
+/// width. Sets its ceiling. Cost: reach(), once more for each ceiling that is lower than the one before, at most 17
+/// times.
+PlacedBody placed(const Instant& now, Body body);
+
+/// The same without what is around it.
+inline Body squeezed(const Instant& now, const Body& body) { return placed(now, body).body; }
 
 // When a moving disc first touches a wall or a solid thing.
 

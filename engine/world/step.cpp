@@ -36,11 +36,10 @@ double room_above(const Instant& now, Body body, double ceiling_z, const Entered
 
 class Carrier {
 public:
-    Carrier(const Map& map, World& world)
-        : map_(map), world_(world), body_(body_of(here(), world.player)), around_(around(here(), body_, &entered_)) {}
+    Carrier(const Map& map, World& world) : map_(map), world_(world), placed_(placed_body_of(here(), world.player)) {}
 
     void run() {
-        const double floor_before = clearance(here(), body_, around_.sectors).floor_z;
+        const double floor_before = placed_.free.floor_z;
         make_room();
         const Clearance next = clearance(then(), body_, around_.sectors);
         stand_on(floor_before, std::max(next.floor_z, lowest_feet_in(then(), entered_)));
@@ -131,9 +130,10 @@ private:
 
     const Map& map_;
     World& world_;
-    Body body_;
-    EnteredPortals entered_;
-    Reach around_;
+    PlacedBody placed_;
+    const Body& body_ = placed_.body;
+    const Reach& around_ = placed_.around;
+    const EnteredPortals& entered_ = placed_.entered;
 };
 
 /// Lets floors and ceilings around the player go from this tick to the next: what would leave too little room turns
@@ -197,13 +197,12 @@ bool is_held(const Instant& now, const Body& body) {
 
 /// Grows or shrinks towards the height asked for, as far as the ceiling and the portals that the body is in let it.
 void stand_or_crouch(const Instant& now, Player& player, bool crouch, double seconds) {
-    const Body body = body_of(now, player);
+    const PlacedBody placed = placed_body_of(now, player);
+    const Body& body = placed.body;
     const double wanted = crouch ? kCrouchedHeight : kStandingHeight, change = kStanceSpeed * seconds;
     double grown = std::clamp(wanted, player.height - change, player.height + change);
     if (grown > player.height) {
-        EnteredPortals entered;
-        static_cast<void>(around(now, body, &entered));
-        grown = std::clamp(height_in(now, body, entered), player.height, grown);
+        grown = std::clamp(height_in(now, body, placed.entered), player.height, grown);
     } else if (grown < player.height) {
         // Who is low enough for the way back of the exit one stands in has to fit behind it, too.
         Body lower = body;
@@ -318,12 +317,11 @@ void step(const Map& map, World& world, const TickInput& played) {
     go(map, world, player.velocity, true);
 
     const Instant next = now(map, world);
-    const Body body = body_of(next, player);
-    EnteredPortals entered;
-    Clearance free = clearance(next, body, around(next, body, &entered).sectors);
+    const PlacedBody placed = placed_body_of(next, player);
+    Clearance free = placed.free;
     const double feet_z = player.feet_z;
-    step_or_fall(player, std::max(free.floor_z, lowest_feet_in(next, entered)), pace.seconds);
-    if (body.radius < kBodyRadius || player.feet_z != feet_z) free = come_to_rest(next, player);
+    step_or_fall(player, std::max(free.floor_z, lowest_feet_in(next, placed.entered)), pace.seconds);
+    if (placed.body.radius < kBodyRadius || player.feet_z != feet_z) free = come_to_rest(next, player);
     settle_eye(player, free.ceiling_z, pace);
     touch_what_is_near(map, world);
     feel_the_floor(map, world);

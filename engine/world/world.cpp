@@ -76,18 +76,17 @@ double eye_height(double height) {
     return kCrouchedEye + (kStandingEye - kCrouchedEye) * standing;
 }
 
-Body body_of(const Instant& now, const Player& player) {
-    return squeezed(now, {player.place, player.feet_z, player.height, kBodyRadius, kWorldLimit});
+PlacedBody placed_body_of(const Instant& now, const Player& player) {
+    return placed(now, {player.place, player.feet_z, player.height, kBodyRadius, kWorldLimit});
 }
 
 Clearance come_to_rest(const Instant& now, Player& player) {
     Clearance free{};
     double footing_z = 0;
     for (int lifts = 0; lifts <= kMostLifts; ++lifts) {
-        const Body body = body_of(now, player);
-        EnteredPortals entered;
-        free = clearance(now, body, around(now, body, &entered).sectors);
-        footing_z = std::max(free.floor_z, lowest_feet_in(now, entered));
+        const PlacedBody there = placed_body_of(now, player);
+        free = there.free;
+        footing_z = std::max(free.floor_z, lowest_feet_in(now, there.entered));
         const double feet_z = std::max(player.feet_z, free.floor_z);
         const double height = std::clamp(free.ceiling_z - feet_z, 0.0, player.height);
         if (feet_z == player.feet_z && height == player.height) break;

@@ -48,8 +48,11 @@ inline constexpr double kEyeBelowCeiling = 0.15;
 /// a wall, it is moved off as far as there is room.
 Player player_at(const Instant& now, const PlayerStart& start);
 
-/// The player's body, as wide and high as there is room.
-Body body_of(const Instant& now, const Player& player);
+/// The player's body, as wide and high as there is room, and what is around it.
+PlacedBody placed_body_of(const Instant& now, const Player& player);
+
+/// The body alone.
+inline Body body_of(const Instant& now, const Player& player) { return placed_body_of(now, player).body; }
 
 /// Lifts the player onto every floor that its body is over, and ducks it below every ceiling, until nothing of it is in
 /// either; then says what is free. Who is squeezed between walls comes free of some of them where it is lifted, as of a
