@@ -102,8 +102,8 @@ bool fits(const Instant& now, const Body& body, const Reach& around, const Enter
 }
 
 PlacedBody placed(const Instant& now, Body body) {
-    PlacedBody found{body, {}, {}, {}};
-    Body& it = found.body;
+    PlacedBody found;  // without braces, which would clear kilobytes of empty lists
+    Body& it = found.body = body;
     const auto look_around = [&] {
         found.entered.clear();
         found.around = around(now, it, &found.entered);
