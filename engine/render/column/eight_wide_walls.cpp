@@ -48,7 +48,7 @@ struct Texels {
 // What becomes of texels.
 
 /// They are drawn in their light, whatever the pixels were before.
-struct Filling {
+struct TexelsInLight {
     __m256i shades;  ///< in both halves
 
     static constexpr bool kIsLaid = false;
@@ -56,7 +56,7 @@ struct Filling {
 };
 
 /// They are drawn as they are painted.
-struct Reading {
+struct TexelsAsPainted {
     __m256i counts;  ///< all bits of those of eight that count: where a run is shorter, others are beyond it
     __m256i* any;    ///< all that were read, or-ed
 
@@ -69,7 +69,7 @@ struct Reading {
 
 /// They are laid over the pixels in their light. Most of what has holes is either there or not; what is in between is
 /// mixed one by one.
-struct Laying {
+struct TexelsLaidOver {
     __m256i shades;  ///< in both halves
 
     static constexpr bool kIsLaid = true;
@@ -152,7 +152,7 @@ WITH_AVX2 inline void draw_columns(const PlainWalls& w, const DrawingOf& drawing
     }
 }
 
-/// Drawing: Filling or Laying.
+/// Drawing: TexelsInLight or TexelsLaidOver.
 template <class Drawing, bool kByShifts>
 WITH_AVX2 void draw_walls_as(const PlainWalls& w) {
     draw_columns<kByShifts>(w, [&](int i, int) __attribute__((always_inline, target("avx2,bmi2"))) {
@@ -164,7 +164,7 @@ template <bool kByShifts>
 WITH_AVX2 std::uint32_t read_walls_as(const PlainWalls& w) {
     __m256i any = _mm256_setzero_si256();
     draw_columns<kByShifts>(w, [&](int, int count) __attribute__((always_inline, target("avx2,bmi2"))) {
-        return Reading{count < kWide ? first_words(count) : _mm256_set1_epi32(-1), &any};
+        return TexelsAsPainted{count < kWide ? first_words(count) : _mm256_set1_epi32(-1), &any};
     });
     const __m128i four = _mm_or_si128(_mm256_castsi256_si128(any), _mm256_extracti128_si256(any, 1));
     const __m128i two = _mm_or_si128(four, _mm_unpackhi_epi64(four, four));
@@ -209,14 +209,14 @@ void eight_wide::fill_walls(const PlainWalls& w) {
     if (w.color_table)
         four_wide_kernels()->fill_walls(w);
     else
-        goes_by_shifts(*w.texture) ? draw_walls_as<Filling, true>(w) : draw_walls_as<Filling, false>(w);
+        goes_by_shifts(*w.texture) ? draw_walls_as<TexelsInLight, true>(w) : draw_walls_as<TexelsInLight, false>(w);
 }
 
 void eight_wide::lay_walls(const PlainWalls& w) {
     if (w.color_table)
         column::lay_walls(w);
     else
-        goes_by_shifts(*w.texture) ? draw_walls_as<Laying, true>(w) : draw_walls_as<Laying, false>(w);
+        goes_by_shifts(*w.texture) ? draw_walls_as<TexelsLaidOver, true>(w) : draw_walls_as<TexelsLaidOver, false>(w);
 }
 
 std::uint32_t eight_wide::read_walls(const PlainWalls& w) {
