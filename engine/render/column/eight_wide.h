@@ -152,6 +152,9 @@ std::uint32_t read_walls(const PlainWalls& walls);
 void lay_walls(const PlainWalls& walls);
 void fill_sky(const Run& run, const SkyRun& sky);
 
+// Of the passes that which lays over.
+void blend(const Run& run, const std::uint32_t* colors, const std::uint32_t* texels);
+
 // Of lamps those that light walls.
 void mix_cells(const LightCell* a, const LightCell* b, LightPart part, const LightRow& to);
 void light_wall(const LitRun& to, const WallLamplight& lamplight);

@@ -140,8 +140,10 @@ WITH_AVX2 void add_fog(const Run& run, std::uint32_t fog, const FogPart* fog_par
     });
 }
 
+}  // namespace
+
 /// Most of what has holes is either there or not; what is in between is mixed one by one.
-WITH_AVX2 void blend(const Run& run, const std::uint32_t* colors, const std::uint32_t* texels) {
+WITH_AVX2 void eight_wide::blend(const Run& run, const std::uint32_t* colors, const std::uint32_t* texels) {
     const __m256i opaque = _mm256_set1_epi32(static_cast<int>(0xFF000000u));
     int i = 0;
     for (; i + kWide <= run.count; i += kWide) {
@@ -156,8 +158,6 @@ WITH_AVX2 void blend(const Run& run, const std::uint32_t* colors, const std::uin
     }
     scalar_passes().blend({run.pixels + i, run.first_row + i, run.count - i}, colors + i, texels + i);
 }
-
-}  // namespace
 
 WITH_AVX2 void eight_wide::mix_cells(const LightCell* a, const LightCell* b, LightPart part, const LightRow& to) {
     const __m256i parts = _mm256_set1_epi16(static_cast<short>(part));
@@ -187,7 +187,7 @@ void eight_wide::light_wall(const LitRun& to, const WallLamplight& lamplight) {
 
 std::optional<Passes> eight_wide_passes() {
     if (!has_avx2()) return {};
-    return Passes{eight_wide_lamps(), add_fog, blend};
+    return Passes{eight_wide_lamps(), add_fog, eight_wide::blend};
 }
 
 }  // namespace enfilade::column

@@ -201,6 +201,28 @@ WITH_AVX2 void fill_long_sky(const Run& run, const SkyRun& sky) {
     }
 }
 
+/// By a table. Stretches of rows of which something is seen are filled aside, then laid over.
+void lay_by_table(const PlainWalls& w) {
+    static constexpr int kMostRows = 128, kFromFirst = 0;
+    std::uint32_t texels[kMostRows], colors[kMostRows];
+    for (int i = 0; i < w.runs.count; ++i)
+        for (int row = w.runs.tops[i]; row < w.runs.bottoms[i]; row += kMostRows) {
+            const int count = w.runs.bottoms[i] - row < kMostRows ? w.runs.bottoms[i] - row : kMostRows;
+            const TileSteps v = w.v_at_row_0[i] + w.v_per_row[i] * static_cast<TileSteps>(row);
+            PlainWalls part{{texels, 0, 1, &kFromFirst, &count},
+                            w.texture,
+                            w.first_texels + i,
+                            &v,
+                            w.v_per_row + i,
+                            w.shades + i,
+                            w.color_table};
+            if (eight_wide::read_walls(part) >> 24 == 0) continue;
+            part.runs.pixels = colors;
+            eight_wide::fill_walls(part);
+            eight_wide::blend({w.runs.pixels + i * w.runs.pitch + row, row, count}, colors, texels);
+        }
+}
+
 }  // namespace
 
 // Colours that are looked up in a table gain nothing from eight at a time.
@@ -214,7 +236,7 @@ void eight_wide::fill_walls(const PlainWalls& w) {
 
 void eight_wide::lay_walls(const PlainWalls& w) {
     if (w.color_table)
-        column::lay_walls(w);
+        lay_by_table(w);
     else
         goes_by_shifts(*w.texture) ? draw_walls_as<TexelsLaidOver, true>(w) : draw_walls_as<TexelsLaidOver, false>(w);
 }
