@@ -72,9 +72,9 @@ int side_of_path(Vec2 p, Vec2 q, Vec2 v) {
     return side;
 }
 
-double exact_cross(Vec2 a, Vec2 b, Vec2 p) {
-    return static_cast<double>(cross(difference(b, a), difference(p, a))) * 0x1p-64;
-}
+Int128 whole_cross(Vec2 a, Vec2 b, Vec2 p) { return cross(difference(b, a), difference(p, a)); }
+
+double exact_cross(Vec2 a, Vec2 b, Vec2 p) { return static_cast<double>(whole_cross(a, b, p)) * 0x1p-64; }
 
 PathFraction fraction_along_path(Vec2 p, Vec2 q, Vec2 a, Vec2 b) {
     const GridVec along = difference(b, a);

@@ -27,7 +27,10 @@ int side_of_line(Vec2 a, Vec2 b, Vec2 p);
 /// 1 right, -1 left. Never 0. p != q.
 int side_of_path(Vec2 p, Vec2 q, Vec2 v);
 
-/// cross(b - a, p - a), exact and then rounded once [m^2]. No tie rule: 0 on the line.
+/// cross(b - a, p - a), exact [2^-64 m^2]. No tie rule: 0 on the line.
+Int128 whole_cross(Vec2 a, Vec2 b, Vec2 p);
+
+/// The same, rounded once [m^2].
 double exact_cross(Vec2 a, Vec2 b, Vec2 p);
 
 /// Where along a path p -> q it crosses a line a -> b: a fraction, kept as whole numbers and tie-rule terms, so that
