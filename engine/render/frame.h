@@ -77,8 +77,7 @@ struct FrameFacts {
     std::vector<PixelSurface> ids;
     std::vector<double> depths;  ///< along `forward` [m]; sky: infinity
     std::vector<TexelPosition> texels;
-    std::vector<std::uint8_t> writes;     ///< how often the opaque pass wrote the pixel: 1 everywhere in a sound frame
-    std::vector<std::uint8_t> ambiguous;  ///< reference only: 1 where a decision was closer than 1e-7
+    std::vector<std::uint8_t> writes;  ///< how often the opaque pass wrote the pixel: 1 everywhere in a sound frame
 };
 
 /// As all x86-64 and most others have.
@@ -135,7 +134,6 @@ inline void reset(FrameFacts& facts, int width, int height) {
     facts.depths.assign(count, std::numeric_limits<double>::infinity());
     facts.texels.assign(count, {});
     facts.writes.assign(count, 0);
-    facts.ambiguous.assign(count, 0);
 }
 
 /// Of size and pixels: the number goldens record.

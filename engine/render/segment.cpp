@@ -50,29 +50,34 @@ bool is_panel_beyond(const Segment& panel, const Segment& entry) {
 
 namespace {
 
-/// The tie rule for an eye that stands on a vertex: the eye counts as (e, e^2) farther, so the vertex lies in the
-/// direction -(1, e). The slope 2^-40 is flatter than any wall of the vertex grid (2^-26), and the length 2^-64 [m] is
-/// nothing beside any wall.
+/// The way from the eye to a vertex that it stands on, by the tie rule's -(e, e^2): flatter than any wall of the vertex
+/// grid (2^-26), and nothing beside any wall [m].
 constexpr Vec2 kVertexAtEye{-0x1p-64, -0x1p-104};
 
-/// Whether the ray of a column runs to the right of a vertex. For a vertex exactly on it the tie rule decides: the eye
-/// at eye + (e, e^2) adds -(n.x e + n.y e^2), n = slope * forward - right, to the edge functions of all vertices alike.
-/// Any rule of the vertex's own would lose the ray of an eye that stands on a doorway's line and looks along it.
-bool runs_right_of(Vec2 vertex_v, double slope, const Pose& pose) {
-    const double e = edge(vertex_v, slope);
-    if (e != 0) return e > 0;
-    const Vec2 normal = pose.forward * slope - pose.right;
-    return normal.x != 0 ? normal.x < 0 : normal.y < 0;
+/// One end of a wall.
+struct End {
+    Vec2 vertex, vertex_v;
+};
+
+/// Rounded numbers decide where they are not in doubt.
+bool is_right_of(const End& end, double slope, const Pose& pose) {
+    const double e = edge(end.vertex_v, slope);
+    if (std::fabs(e) > edge_doubt(end.vertex_v, slope) && end.vertex != pose.eye) return e > 0;
+    return runs_right_of(ray_normal(pose, slope), end.vertex, pose.eye);
+}
+
+bool is_ahead(const End& end, const Pose& pose) {
+    return end.vertex == pose.eye ? is_own_vertex_ahead(pose.forward) : end.vertex_v.y >= 0;
 }
 
 /// The first column of those to the right of the vertex's own ray (for a vertex behind the eye: of the ray's other
 /// half, where the edge function turns negative). The division only guesses; the edge function decides.
-int split_column(Vec2 v, const Pose& pose, const ColumnRays& rays) {
+int split_column(const End& end, bool ahead, const Pose& pose, const ColumnRays& rays) {
     const int width = static_cast<int>(rays.slopes.size());
     const auto is_right = [&](int x) {
-        return runs_right_of(v, rays.slopes[static_cast<std::size_t>(x)], pose) == (v.y >= 0);
+        return is_right_of(end, rays.slopes[static_cast<std::size_t>(x)], pose) == ahead;
     };
-    const double guess = std::ceil((v.x / v.y - rays.slopes.front()) * rays.per_slope);
+    const double guess = std::ceil((end.vertex_v.x / end.vertex_v.y - rays.slopes.front()) * rays.per_slope);
     int x = !(guess > 0) ? 0 : guess >= width ? width : static_cast<int>(guess);
     while (x > 0 && is_right(x - 1)) --x;
     while (x < width && !is_right(x)) ++x;
@@ -87,12 +92,19 @@ Vec2 to_view(Vec2 vertex, const Pose& pose) {
     return {dot(pose.right, d), dot(pose.forward, d)};
 }
 
-CoveredColumns covered_columns(Vec2 left_v, Vec2 right_v, const Pose& pose, const ColumnRays& rays) {
+FacingWall facing_wall(const Segment& wall, const Pose& pose) {
+    const bool swapped = pose.flip < 0;
+    const Vec2 left = swapped ? wall.b : wall.a, right = swapped ? wall.a : wall.b;
+    return {left, right, to_view(left, pose), to_view(right, pose), swapped};
+}
+
+CoveredColumns covered_columns(const FacingWall& wall, const Pose& pose, const ColumnRays& rays) {
     const int width = static_cast<int>(rays.slopes.size());
-    const int left = split_column(left_v, pose, rays), right = split_column(right_v, pose, rays);
-    const bool left_ahead = left_v.y >= 0, right_ahead = right_v.y >= 0;
-    return {std::max(left_ahead ? left : 0, right_ahead ? 0 : right),
-            std::min(left_ahead ? width : left, right_ahead ? right : width)};
+    const End left{wall.left, wall.left_v}, right{wall.right, wall.right_v};
+    const bool left_ahead = is_ahead(left, pose), right_ahead = is_ahead(right, pose);
+    const int from = split_column(left, left_ahead, pose, rays), to = split_column(right, right_ahead, pose, rays);
+    return {std::max(left_ahead ? from : 0, right_ahead ? 0 : to),
+            std::min(left_ahead ? width : from, right_ahead ? to : width)};
 }
 
 int first_column_from(double x_v, double depth, const ColumnRays& rays) {
@@ -107,17 +119,22 @@ int first_column_from(double x_v, double depth, const ColumnRays& rays) {
 
 namespace {
 
-/// How far the ray passes beside a wall that faces the eye, times its distance [m^2].
-double missed_by(const Wall& wall, const Pose& pose, double slope) {
-    const bool is_swapped = pose.flip < 0;
-    const Vec2 left_v = to_view(is_swapped ? wall.b : wall.a, pose),
-               right_v = to_view(is_swapped ? wall.a : wall.b, pose);
-    return std::max({-edge(left_v, slope), edge(right_v, slope), 0.0});
-}
+/// A wall that faces the eye, and how far to the left of the ray its ends are [2^-87 m].
+struct Missed {
+    double left, right;
 
-}  // namespace
+    Missed(const Wall& wall, const Pose& pose, const RayNormal& ray) {
+        const FacingWall ends = facing_wall(wall, pose);
+        left = static_cast<double>(offset_left(ray, ends.left, pose.eye));
+        right = static_cast<double>(offset_left(ray, ends.right, pose.eye));
+    }
 
-WallId least_missed(const Map& map, SectorId sector, const Pose& pose, double slope, WallId entry) {
+    /// How far the ray passes beside it.
+    double by() const { return std::max({-left, right, 0.0}); }
+};
+
+WallId least_missed(const Map& map, SectorId sector, const Pose& pose, const RayNormal& ray, WallId entry) {
+    constexpr double kFarther = 0x1p120;  // than any wall is missed by
     const Sector& s = map[sector];
     WallId best;
     double least = std::numeric_limits<double>::infinity();
@@ -125,13 +142,27 @@ WallId least_missed(const Map& map, SectorId sector, const Pose& pose, double sl
         const Wall& wall = map.walls[i];
         if (side_of_line(wall.a, wall.b, pose.eye) < 0) continue;
         const bool is_before = entry && (entry == WallId(i) || !is_beyond(wall, map[entry]));
-        const double missed = missed_by(wall, pose, slope) + (is_before ? kWorldLimit * kWorldLimit : 0);
+        const double missed = Missed(wall, pose, ray).by() + (is_before ? kFarther : 0);
         if (missed >= least) continue;
         least = missed;
         best = WallId(i);
     }
     ENFILADE_CHECK(best);  // around a closed outline some wall always faces the eye
     return best;
+}
+
+}  // namespace
+
+StandIn stand_in(const Map& map, SectorId sector, const Pose& pose, double slope, WallId entry) {
+    const RayNormal ray = ray_normal(pose, slope);
+    const WallId id = least_missed(map, sector, pose, ray, entry);
+    const Wall& wall = map[id];
+    const Missed missed(wall, pose, ray);
+    const double from_left =
+        missed.left != missed.right ? std::clamp(missed.left / (missed.left - missed.right), 0.0, 1.0) : 0.0;
+    const double along = pose.flip < 0 ? 1 - from_left : from_left;
+    const Vec2 place = wall.a + (wall.b - wall.a) * along;
+    return {id, std::max(dot(pose.forward, place - pose.eye), 0.0), along};
 }
 
 }  // namespace enfilade

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "map/map.h"
+#include "render/exact_ray.h"
 #include "render/view.h"
 
 namespace enfilade {
@@ -24,13 +25,23 @@ Segment facing(const Panel& panel, Vec2 eye);
 /// one, or both lie on one line. Exact: they never cross, so one of them lies wholly on one side of the other's line.
 bool is_nearer(const Segment& a, const Segment& b);
 
+/// How far rounding may take edge() from the exact offset_left() of a vertex [m]: turned into view space, multiplied
+/// and subtracted, the ray's normal rounded to its grid.
+inline double edge_doubt(Vec2 vertex_v, double slope) {
+    constexpr double kRounding = 0x1p-50;
+    return kRounding * (1 + std::fabs(slope)) * (std::fabs(vertex_v.x) + std::fabs(vertex_v.y));
+}
+
+/// The same of the difference of a wall's ends.
+inline double span_doubt(Vec2 left_v, Vec2 right_v, double slope) {
+    return edge_doubt(left_v, slope) + edge_doubt(right_v, slope);
+}
+
 /// How far rounding may take the inverse depth of a wall in a column from the true one [1/m]. Of a wall that is seen
 /// almost on edge it is a small difference of large numbers, and good for nothing near its end.
 /// cross: of the wall's ends [m^2], which are in view space; 0 yields infinity.
 inline double inverse_depth_doubt(Vec2 left_v, Vec2 right_v, double cross, double slope) {
-    constexpr double kRounding = 0x1p-50;  // of each way: turned into view space, multiplied and subtracted
-    const double ways = std::fabs(left_v.x) + std::fabs(left_v.y) + std::fabs(right_v.x) + std::fabs(right_v.y);
-    return kRounding * (1 + std::fabs(slope)) * ways / cross;
+    return span_doubt(left_v, right_v, slope) / cross;
 }
 
 /// Whether two inverse depths in one column differ enough to tell which wall is nearer: by more than both are in doubt,
@@ -56,8 +67,17 @@ bool is_panel_beyond(const Segment& panel, const Segment& entry);
 /// e_V(slope): positive where the ray passes to the right of a vertex ahead of the eye.
 inline double edge(Vec2 vertex_v, double slope) { return slope * vertex_v.y - vertex_v.x; }
 
-/// The vertex in view space: x right, y stands for depth. One at the very eye is moved by the tie rule.
+/// The vertex in view space: x right, y stands for depth. One at the very eye is moved a little the way the tie rule
+/// says, so that it has a direction to draw; nothing is decided by it.
 Vec2 to_view(Vec2 vertex, const Pose& pose);
+
+/// A wall that faces the eye, by its ends from left to right: in the plane, on the vertex grid, and in view space.
+struct FacingWall {
+    Vec2 left, right;
+    Vec2 left_v, right_v;
+    bool swapped;  ///< `left` is the wall's b: it is seen in a mirror
+};
+FacingWall facing_wall(const Segment& wall, const Pose& pose);
 
 /// The rays of a picture's columns.
 struct ColumnRays {
@@ -71,21 +91,27 @@ struct CoveredColumns {
     int end = 0;
 };
 
-/// The columns whose rays run to the right of the left end L and to the left of the right end R of a wall that faces
-/// the eye: where e_L > 0 > e_R. A function of each vertex alone, so neighbours meet without gap or overlap, and
-/// nothing has to be clipped at a near plane. On which side 0 counts is a property of the ray alone (the tie rule,
-/// math/predicates.h).
-CoveredColumns covered_columns(Vec2 left_v, Vec2 right_v, const Pose& pose, const ColumnRays& rays);
+/// The columns whose rays run to the right of the left end L and to the left of the right end R: where e_L > 0 > e_R,
+/// exactly (render/exact_ray.h). A function of each vertex alone, so neighbours meet without gap or overlap, and
+/// nothing has to be clipped at a near plane.
+CoveredColumns covered_columns(const FacingWall& wall, const Pose& pose, const ColumnRays& rays);
 
 /// The first column whose ray passes, `depth` away, at x_v or to the right of it; the picture's width if none does.
 int first_column_from(double x_v, double depth, const ColumnRays& rays);
 
 // The wall that stands in for one that rounding lost: shared by the renderers that draw walls as a whole.
 
+/// Where a ray that misses all walls counts as meeting one: at the end that is nearer to it.
+struct StandIn {
+    WallId wall;
+    double depth = 0;  ///< of that end, not behind the eye [m]
+    double along = 0;  ///< from the wall's a to its b, 0..1
+};
+
 /// For a ray that no wall of the sector covers: the wall that comes nearest to it, preferably one beyond `entry`, which
 /// may be none. The eye is rounded onto its grid behind a link, and the tie rule moves it there in that space's own
 /// way, which can put a ray that came in at the very edge of the doorway just outside it; without this its pixels would
 /// never be drawn. Cost: the walls of the sector.
-WallId least_missed(const Map& map, SectorId sector, const Pose& pose, double slope, WallId entry);
+StandIn stand_in(const Map& map, SectorId sector, const Pose& pose, double slope, WallId entry);
 
 }  // namespace enfilade

@@ -42,13 +42,19 @@ bool is_behind(const Middle& middle, Vec2 a, Vec2 b) {
 }
 
 bool is_seen_in(const Map& map, const Snapshot& snapshot, const Middle& middle, const RoomCrossing& room) {
-    const auto leans_out = [&](WallId doorway, double depth) {
-        return depth_steps(depth) > depth_steps(middle.depth) && is_open(map, snapshot, map[doorway]);
+    const auto leans_out = [&](WallId doorway, std::int64_t steps) {
+        return steps > depth_steps(middle.depth) && is_open(map, snapshot, map[doorway]);
     };
     // A doorway is a wall of both rooms, a -> b of the one before it and b -> a of the one behind.
     if (room.entry && !is_behind(middle, map[room.entry].b, map[room.entry].a)) return false;
-    if (room.entry && leans_out(room.entry, room.entry_depth)) return false;
-    return !is_behind(middle, map[room.exit].a, map[room.exit].b) || leans_out(room.exit, room.exit_depth);
+    if (room.entry && leans_out(room.entry, room.entry_steps)) return false;
+    return !is_behind(middle, map[room.exit].a, map[room.exit].b) || leans_out(room.exit, room.exit_steps);
+}
+
+SpriteSpan span_of(const SpritePicture& picture, double place_x_v, double flip) {
+    const bool mirrored = (flip < 0) != picture.is_mirrored;
+    const double left_of_it = mirrored ? picture.size_m.x - picture.origin_m.x : picture.origin_m.x;
+    return {place_x_v - left_of_it, picture.size_m.x, mirrored};
 }
 
 std::size_t view_from(Vec2 eye, const Presence& presence, Angle yaw) {

@@ -15,13 +15,13 @@
 // doorway or behind it, one of its two rooms shows the picture; through a link it is seen once, on its own side. A
 // tilted picture has no columns to say this of; there things are cut.
 #pragma once
-#include <algorithm>
 #include <cstdint>
 
 #include "map/map.h"
 #include "map/textures.h"
 #include "math/vec.h"
 #include "render/built_in.h"
+#include "render/exact_ray.h"
 #include "render/lighting.h"
 #include "space/reach.h"
 #include "world/snapshot.h"
@@ -31,27 +31,15 @@ namespace enfilade {
 /// A picture nearer than this is not shown: who stands in a thing looks through it [m]. Doom's number, 4 units.
 inline constexpr double kNearestSprite = 0.125;
 
-/// Whether a picture is met before or behind a wall, or another picture, is decided in whole steps of depth. A thing
-/// that stands in the very plane of a doorway is as deep as the doorway, however the look got there: what rounding
-/// leaves behind a link, some 1e-12 m, is far below half a step [m].
-inline constexpr double kDepthStep = 0x1p-20;
+/// A ray's way through a room, in steps of depth (render/exact_ray.h).
+struct RoomCrossing {
+    WallId entry, exit;  ///< walls of the room; entry: none in the eye's own
+    std::int64_t entry_steps = 0, exit_steps = 0;
 
-/// Infinity allowed; what is not ahead counts as 0.
-inline std::int64_t depth_steps(double depth) {
-    constexpr double kMostDepth = 0x1p40;  // [m]; farther than anything, and its steps fit
-    return static_cast<std::int64_t>(std::clamp(depth, 0.0, kMostDepth) / kDepthStep + 0.5);
-}
-
-/// Whether something at `depth` is in a room that is entered at depth `entry` and left at depth `exit`: at the entry it
-/// is, at the exit it is not, being in the room behind.
-inline bool is_between(double depth, double entry, double exit) {
-    return depth_steps(depth) >= depth_steps(entry) && depth_steps(depth) < depth_steps(exit);
-}
-
-/// Whether it is met there, too: a picture that is `depth` ahead of the eye.
-inline bool is_met_between(double depth, double entry, double exit) {
-    return depth >= kNearestSprite && is_between(depth, entry, exit);
-}
+    /// Whether something at that depth is in the room: at the entry it is, at the exit it is not, being in the room
+    /// behind.
+    bool holds(std::int64_t steps) const { return entry_steps <= steps && steps < exit_steps; }
+};
 
 /// The middle of a thing's picture, in a space in which an eye looks.
 struct Middle {
@@ -70,12 +58,6 @@ constexpr ThingEdges thing_edges(const RenderRecord& render, bool is_tilted) {
 /// hides it also from where its line runs past the thing. Exact but for depth_steps().
 bool is_behind(const Middle& middle, Vec2 a, Vec2 b);
 
-/// A ray's way through a room.
-struct RoomCrossing {
-    WallId entry, exit;                      ///< walls of the room; entry: none in the eye's own
-    double entry_depth = 0, exit_depth = 0;  ///< where the ray meets them [m]
-};
-
 /// Whether a ray sees a thing of this middle in a room. Exact but for depth_steps().
 bool is_seen_in(const Map& map, const Snapshot& snapshot, const Middle& middle, const RoomCrossing& room);
 
@@ -88,6 +70,27 @@ struct SpritePicture {
     Lighting lighting;
     bool is_mirrored = false;  ///< its left is to the right; `origin_m` is that of the picture as it was painted
 };
+
+/// A thing's picture from left to right, in view space.
+struct SpriteSpan {
+    double left_v = 0;      ///< its left edge [m]
+    double width = 0;       ///< [m]
+    bool mirrored = false;  ///< its left edge is the picture's right one
+
+    double right_v() const { return left_v + width; }
+
+    /// Whether a ray that meets the picture's plane at x_v meets the picture.
+    bool covers(double x_v) const { return left_v <= x_v && x_v < right_v(); }
+
+    /// From the picture's own left edge to its right one: 0..1 on it, but for rounding.
+    double along(double x_v) const {
+        const double from_left = (x_v - left_v) / width;
+        return mirrored ? 1 - from_left : from_left;
+    }
+};
+
+/// place_x_v: of the thing, to the right of the eye [m]. flip: of the look (Pose::flip).
+SpriteSpan span_of(const SpritePicture& picture, double place_x_v, double flip);
 
 /// eye: in the space of the presence's sector, on the point grid.
 SpritePicture picture_of(const Map& map, const TextureSet& textures, const Snapshot& snapshot, const Presence& presence,

@@ -52,6 +52,18 @@ struct Ray {
     double up = 0;
 };
 
+/// The tie rule for rows: which heights a ray passes is asked of one that climbs this much more per metre. Round
+/// coordinates put the very edge of a surface on the middle of a row, where what rounding makes of a slope would fray
+/// the edge; nobody sees a millionth of a millimetre in a kilometre.
+inline constexpr double kTieClimb = 0x1p-40;
+
+/// How a ray climbs: `rise` in `run` along the line of sight. Of a row of a picture both are in [px], and the quotient
+/// is never formed.
+struct RowClimb {
+    double rise = 0;
+    double run = 1;  ///< > 0
+};
+
 /// Pixels to rays. A ray that is not tilted goes from the eye along forward + slope(x) * right in the plane and climbs
 /// climb(y) metres per metre of depth; depth is the distance along `forward`.
 ///
@@ -78,12 +90,16 @@ public:
     /// How far the rays of row y pass above the horizon [px].
     double row_from_horizon(int y) const { return horizon_ - (y + 0.5); }
 
+    /// How they climb by the tie rule for rows.
+    RowClimb row_climb(int y) const { return {row_from_horizon(y) + kTieClimb * focal_y_, focal_y_}; }
+
     /// The ray of pixel (x, y), tilted where the view is; else {1, slope(x), climb(y)}. With a tilt of 0, 0 the same
     /// bits.
     Ray ray(int x, int y) const { return tilted({1, slope(x), climb(y)}); }
 
     /// From how it lies in the picture to how it lies in the world. Linear.
     Ray tilted(const Ray& in_picture) const;
+    bool is_tilted() const { return tilt_.has_value(); }
 
     double half_fov_tangent() const { return half_fov_tangent_; }
     double focal_y() const { return focal_y_; }  ///< [px]
@@ -99,12 +115,6 @@ private:
     std::optional<Tilt> tilt_;
 };
 
-/// The tie rule for rows: which heights a ray passes is asked of one that climbs this much more per metre. Round
-/// coordinates put the very edge of a surface on the middle of a row, where renderers that compute the same height in
-/// different ways would fall to either side of it; all round off by far less, and nobody sees a millionth of a
-/// millimetre in a kilometre.
-inline constexpr double kTieClimb = 0x1p-40;
-
 /// Largest width and height of a picture [px].
 inline constexpr int kMaxPictureSide = 16384;
 
@@ -119,6 +129,9 @@ struct Pose {
     Vec2 right;        ///< screen right; to the left of `forward` when seen through an odd number of mirrors
     double flip = 1;
     int links = 0;  ///< links and mirrors passed so far
+
+    /// Direction in the plane of the ray with this slope; its length along `forward` is 1.
+    Vec2 direction(double slope) const { return forward + right * slope; }
 };
 
 inline Pose pose_of(const View& view) {

@@ -76,12 +76,10 @@ protected:
     std::vector<ViewportShape> viewports_;
 };
 
-/// Pixels of which a colour differs by more than 2/255, as much as lamps may in different renderers; where the
-/// reference is not sure of what it shows, none.
+/// Pixels of which a colour differs by more than 2/255, as much as lamps may in different renderers.
 std::size_t pixels_apart(const Frame& a, const Frame& b, const FrameFacts& facts) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        if (facts.ambiguous[i]) continue;
         int most = 0;
         for (const int shift : {0, 8, 16})
             most = std::max(most, std::abs(static_cast<int>(a.pixels[i] >> shift & 0xFF) -

@@ -114,11 +114,9 @@ struct BothPictures {
 void note_pixel(const Subject& subject, const BothPictures& both, std::size_t i, Comparison& result) {
     const PixelSurface shown = both.column_facts.ids[i], truth = both.reference_facts.ids[i];
     const int writes = both.column_facts.writes[i];
-    const bool is_sure = both.reference_facts.ambiguous[i] == 0;
     result.unwritten += writes == 0;
     result.written_twice += writes > 1;
-    result.ambiguous += !is_sure;
-    result.wrong += shown != truth && is_sure;
+    result.wrong += shown != truth;
     if (shown == truth && shown != kRecursionEnd && both.column.pixels[i] != both.reference.pixels[i]) {
         const TexelPosition texel = both.reference_facts.texels[i];
         const Texture& texture = texture_of(subject, truth);
@@ -126,7 +124,7 @@ void note_pixel(const Subject& subject, const BothPictures& both, std::size_t i,
                              is_on_light_step(subject.map, both.reference_facts.depths[i]) ||
                              is_what_shines_through(texel, texture, both.column.pixels[i], both.reference.pixels[i]) ||
                              is_on_step_of_lamps(subject.map, both.column.pixels[i], both.reference.pixels[i]);
-        ++(on_edge || !is_sure ? result.other_texel : result.wrong_color);
+        ++(on_edge ? result.other_texel : result.wrong_color);
     }
     if (result.is_faultless() || !result.first_fault.empty()) return;
     const std::size_t width = static_cast<std::size_t>(both.column.width);
@@ -160,7 +158,6 @@ Comparison& Comparison::operator+=(const Comparison& other) {
     unwritten += other.unwritten;
     written_twice += other.written_twice;
     wrong += other.wrong;
-    ambiguous += other.ambiguous;
     other_texel += other.other_texel;
     wrong_color += other.wrong_color;
     if (first_fault.empty()) first_fault = other.first_fault;
@@ -173,8 +170,8 @@ std::string describe(const Comparison& c) {
     };
     std::ostringstream text;
     text << "of " << c.pixels << " pixels " << c.unwritten << " unwritten, " << c.written_twice << " written twice, "
-         << c.wrong << " wrong, " << c.wrong_color << " of a wrong colour; " << per_million(c.ambiguous)
-         << " per million ambiguous, " << per_million(c.other_texel) << " of a neighbouring texel";
+         << c.wrong << " wrong, " << c.wrong_color << " of a wrong colour; " << per_million(c.other_texel)
+         << " per million of a neighbouring texel";
     if (!c.first_fault.empty()) text << "\n  " << c.first_fault;
     return text.str();
 }

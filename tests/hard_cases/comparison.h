@@ -14,8 +14,7 @@ struct Comparison {
     std::uint64_t pixels = 0;
     std::uint64_t unwritten = 0;      ///< by the column renderer
     std::uint64_t written_twice = 0;  ///< or more often
-    std::uint64_t wrong = 0;          ///< shows another surface than the reference, which is sure of its own
-    std::uint64_t ambiguous = 0;      ///< the reference is not sure
+    std::uint64_t wrong = 0;          ///< shows another surface than the reference
     std::uint64_t other_texel =
         0;  ///< same surface, another colour, but on a texel's edge or a step of light: rounding decides
     std::uint64_t wrong_color = 0;  ///< same surface, another colour, and no such excuse

@@ -144,7 +144,7 @@ void add_facts(const OpenMap& map, const Truth& truth, const FrameFacts& facts, 
     for (std::size_t i = 0; i < facts.ids.size(); ++i) {
         errors.unwritten += facts.writes[i] == 0;
         errors.written_more += facts.writes[i] > 1;
-        errors.wrong_ids += !truth.seen.ambiguous[i] && facts.ids[i] != truth.seen.ids[i];
+        errors.wrong_ids += facts.ids[i] != truth.seen.ids[i];
         const std::optional<double> error = error_at(map, truth.texels[i], facts, i);
         if (!error) continue;
         tally.texel_errors.push_back(static_cast<float>(*error));

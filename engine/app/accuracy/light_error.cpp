@@ -61,7 +61,7 @@ void add(const LitPicture& truth, const LitPicture& drawn, LightErrors& errors) 
     for (std::size_t i = 0; i < truth.frame.pixels.size(); ++i) {
         const PixelSurface id = truth.facts.ids[i];
         const bool is_sky = !std::isfinite(truth.facts.depths[i]);
-        if (truth.facts.ambiguous[i] || drawn.facts.ids[i] != id || is_sky || id == kRecursionEnd) continue;
+        if (drawn.facts.ids[i] != id || is_sky || id == kRecursionEnd) continue;
         const std::uint32_t light = truth.frame.pixels[i];
         const int off = apart(light, drawn.frame.pixels[i]);
         ++errors.pixels;

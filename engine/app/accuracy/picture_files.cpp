@@ -118,8 +118,6 @@ public:
         FrameFacts facts;
         reset(facts, plan_.width, plan_.height);
         render_reference(unused, &facts, map_.map, map_.textures, snapshot_, view, {});
-        for (std::size_t i = 0; i < facts.ids.size(); ++i)
-            if (facts.ambiguous[i]) facts.ids[i] = kNothing;
         return {std::move(colors), ids_image(facts, plan_.width, plan_.height)};
     }
 

@@ -103,7 +103,6 @@ public:
         for (int y = 0; y < truth_.frame.height; ++y)
             for (int x = 0; x < truth_.frame.width; ++x) {
                 const std::size_t i = index_of(x, y);
-                if (truth_.facts.ambiguous[i]) continue;
                 ++errors.pixels;
                 const PixelSurface id = drawn.facts.ids[i];
                 if (id == truth_.facts.ids[i]) continue;

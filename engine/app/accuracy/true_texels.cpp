@@ -68,7 +68,7 @@ TrueColumn::Met TrueColumn::met(std::size_t i) {
     const QuadVec ray{forward.x + slope_ * right.x, forward.y + slope_ * right.y};
     const QuadVec to_a = way_from(hit.space.eye, wall.a), along = way_from(wall.a, wall.b);
     const Quad turn = cross(ray, along);
-    if (turn == 0) return {&hit, Quad(hit.depth), Quad(hit.along)};  // the eye is on its line
+    if (turn == 0) return {&hit, Quad(hit.depth.value), Quad(hit.along)};  // the eye is on its line
     return {&hit, cross(to_a, along) / turn, cross(to_a, ray) / turn};
 }
 

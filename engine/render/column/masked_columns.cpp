@@ -145,20 +145,19 @@ void PanelColumns::show(const RoomView& view, int index, const WallColumns& shar
     if (shown_count_ == shown_.size()) shown_.emplace_back();
     PanelLooks& shown = shown_[shown_count_++];
     shown.panel = index;
-    look_at(boards_[static_cast<std::size_t>(index)].place, view.scene.screen, shared.begin, shared.end - shared.begin,
+    const PanelBoard& board = boards_[static_cast<std::size_t>(index)];
+    look_at(board.place, board.facing, view.pose, view.scene.screen, shared.begin, shared.end - shared.begin,
             shown.looks);
-    if (shown_count_ == 1) return;
-    const WallLooks& nearer = shown_[shown_count_ - 2].looks;  // in order whatever rounding did
-    for (int i = 0; i < nearer.count; ++i) shown.looks.depth[i] = std::max(nearer.depth[i], shown.looks.depth[i]);
 }
 
 void PanelColumns::note(const RoomView& view, const PanelLooks& shown, int x, MaskedColumns& masked) {
     if (masked.is_full(x)) return;
     PanelBoard& board = boards_[static_cast<std::size_t>(shown.panel)];
     if (board.painter == MaskedColumns::kNotAdded) board.painter = painter_of(view, board, masked);
-    const WallHit hit = shown.looks.at(x - shown.looks.begin);
-    const RowSplit rows = split_rows(view.scene.screen, view.viewport.rows_at(x), hit.depth, board.rows, nullptr);
-    masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, hit);
+    const int i = x - shown.looks.begin;
+    const RowSplit rows =
+        split_rows(RowsAt(view.scene.screen, shown.looks, i), view.viewport.rows_at(x), board.rows, nullptr);
+    masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, shown.looks.at(i));
 }
 
 bool ThingColumns::is_nearer(const ThingBoard& a, const ThingBoard& b) {
@@ -191,13 +190,10 @@ void ThingColumns::add(const RoomView& view, const Presence& presence) {
     if (board.depth < kNearestSprite || is_aside(view, presence, board.depth, dot(view.pose.right, to_it))) return;
     const SpritePicture picture = picture_of(scene.map, scene.textures, scene.snapshot, presence, view.pose.eye);
     if (!picture.texture) return;
-    board.width = picture.size_m.x;
-    board.mirrored = (view.pose.flip < 0) != picture.is_mirrored;
-    const double left_of_it = board.mirrored ? board.width - picture.origin_m.x : picture.origin_m.x;
-    board.left_v = dot(view.pose.right, to_it) - left_of_it;
+    board.span = span_of(picture, dot(view.pose.right, to_it), view.pose.flip);
     const ColumnRays rays{scene.screen.slopes, scene.screen.column_scale};
-    board.begin = std::max(view.viewport.begin, first_column_from(board.left_v, board.depth, rays));
-    board.end = std::min(view.viewport.end, first_column_from(board.left_v + board.width, board.depth, rays));
+    board.begin = std::max(view.viewport.begin, first_column_from(board.span.left_v, board.depth, rays));
+    board.end = std::min(view.viewport.end, first_column_from(board.span.right_v(), board.depth, rays));
     if (board.begin >= board.end) return;
     board.top = picture.foot_z - view.pose.eye_z + picture.origin_m.y;
     board.rows = {board.top - picture.size_m.y, board.top};
@@ -220,14 +216,35 @@ int ThingColumns::painter_of(const RoomView& view, const ThingBoard& board, Mask
     return masked.add(painter);
 }
 
+RayDepth ThingColumns::depth_of_entry(const RoomView& view, int x) {
+    const Doorway& doorway = view.viewport.doorway;
+    if (doorway.missed_depth) return {*doorway.missed_depth};
+    const Pose& pose = view.poses[static_cast<std::size_t>(doorway.pose)];
+    return exact_depth(view.scene.map[doorway.wall], pose, view.scene.screen, x);
+}
+
+std::int64_t ThingColumns::entry_steps(const RoomView& view, int x) {
+    if (view.viewport.entry.is_none()) return 0;
+    const auto sure = sure_depth_steps(1 / view.viewport.boundary_at(x));
+    return sure ? *sure : depth_steps(depth_of_entry(view, x));
+}
+
+std::int64_t ThingColumns::exit_steps(const RoomView& view, int x) {
+    const RayTables& screen = view.scene.screen;
+    const ProjectedWall& wall = view.nearest.wall(view.nearest.at(x));
+    if (wall.stands_in) return depth_steps(wall.nearest);
+    const double slope = screen.slopes[static_cast<std::size_t>(x)];
+    const bool is_in_doubt = edge_span(wall, slope) < wall.sure_span;
+    const auto sure = is_in_doubt ? std::nullopt : sure_depth_steps(1 / inverse_depth(wall, slope));
+    return sure ? *sure : depth_steps(exact_depth(view.scene.map[wall.wall], view.pose, screen, x));
+}
+
 bool ThingColumns::is_met(const RoomView& view, const ThingBoard& board, int x) {
     const ColumnScene& scene = view.scene;
-    const double entry = 1 / view.viewport.boundary_at(x),
-                 exit = 1 / view.nearest.inverse_depth_at(view.scene.screen, x);
-    if (thing_edges(scene.map.render, false) == ThingEdges::cut) return is_met_between(board.depth, entry, exit);
-    const WallId wall = view.nearest.wall(view.nearest.at(x)).wall;
-    return is_seen_in(scene.map, scene.snapshot, {view.pose.eye, view.pose.forward, board.place, board.depth},
-                      {view.viewport.entry, wall, entry, exit});
+    const WallId exit = view.nearest.wall(view.nearest.at(x)).wall;
+    const RoomCrossing room{view.viewport.entry, exit, entry_steps(view, x), exit_steps(view, x)};
+    if (thing_edges(scene.map.render, false) == ThingEdges::cut) return room.holds(depth_steps(board.depth));
+    return is_seen_in(scene.map, scene.snapshot, {view.pose.eye, view.pose.forward, board.place, board.depth}, room);
 }
 
 void ThingColumns::note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked) {
@@ -235,10 +252,10 @@ void ThingColumns::note(const RoomView& view, std::size_t i, int x, MaskedColumn
     const OpenRows open = view.viewport.rows_at(x);
     if (x < board.begin || x >= board.end || open.is_closed() || masked.is_full(x)) return;
     if (!is_met(view, board, x)) return;
-    const double from_left = (view.scene.screen.slopes[x] * board.depth - board.left_v) / board.width;
+    const double met_x_v = view.scene.screen.slopes[static_cast<std::size_t>(x)] * board.depth;
     if (board.painter == MaskedColumns::kNotAdded) board.painter = painter_of(view, board, masked);
-    const WallHit hit{board.depth, std::clamp(board.mirrored ? 1 - from_left : from_left, 0.0, kLastPlace)};
-    const RowSplit rows = split_rows(view.scene.screen, open, board.depth, board.rows, nullptr);
+    const WallHit hit{board.depth, std::clamp(board.span.along(met_x_v), 0.0, kLastPlace)};
+    const RowSplit rows = split_rows(RowsAt(view.scene.screen, board.depth), open, board.rows, nullptr);
     masked.note(board.painter, x, {rows.wall_top, rows.wall_bottom}, hit);
 }
 
@@ -274,9 +291,10 @@ void RoomColumns::note_column(const RoomView& view, int x, MaskedColumns& masked
     std::size_t thing = 0;
     for (const PanelColumns::PanelLooks& panel : panels_.shown()) {
         if (masked.is_full(x)) return;
-        const double depth = panel.looks.depth[x - panel.looks.begin];
-        for (; thing < things_.count() && depth_steps(things_.depth(thing)) <= depth_steps(depth); ++thing)
-            things_.note(view, thing, x, masked);
+        const int i = x - panel.looks.begin;
+        const auto sure = sure_depth_steps(panel.looks.depth[i]);
+        const std::int64_t steps = sure ? *sure : depth_steps(panel.looks.exact_depth(i));
+        for (; thing < things_.count() && things_.steps(thing) <= steps; ++thing) things_.note(view, thing, x, masked);
         panels_.note(view, panel, x, masked);
     }
     for (; thing < things_.count(); ++thing) things_.note(view, thing, x, masked);

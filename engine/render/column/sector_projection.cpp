@@ -21,38 +21,31 @@ void RayTables::set(const Projection& projection) {
     for (int x = 0; x < width; ++x) slopes[x] = projection.slope(x);
     for (int y = 0; y < height; ++y) {
         row_rises[y] = projection.row_from_horizon(y);
-        tied_rises[y] = row_rises[y] + kTieClimb * focal_y;
+        tied_rises[y] = projection.row_climb(y).rise;
         row_depths[y] = focal_y / row_rises[y];
     }
     column_scale = width / (2 * projection.half_fov_tangent());
+    row_at_eye = horizon + 0.5 + kTieClimb * focal_y;
+    row_doubt = 2 * kDepthDoubt * (std::fabs(horizon) + height + 1);  // twice: for all other roundings together
 }
 
 namespace {
 
-void set_columns(ProjectedWall& w, const Pose& pose, const RayTables& screen) {
-    const CoveredColumns covered = covered_columns(w.left_v, w.right_v, pose, {screen.slopes, screen.column_scale});
-    w.begin = covered.begin;
-    w.end = covered.end;
-}
-
-ProjectedWall ends_of(const Segment& wall, const Pose& pose) {
-    ProjectedWall w;
-    w.swapped = built_in::kMirrors && pose.flip < 0;
-    w.left_v = to_view(w.swapped ? wall.b : wall.a, pose);
-    w.right_v = to_view(w.swapped ? wall.a : wall.b, pose);
-    return w;
-}
-
-void set_depths(ProjectedWall& w, const Segment& wall, const Pose& pose) {
+void set_depths(ProjectedWall& w, const Segment& wall, const Pose& pose, const RayTables& screen) {
     w.cross = std::max(exact_cross(wall.a, wall.b, pose.eye), 0.0);
     w.inverse_cross = 1 / w.cross;
-    w.nearest = std::max(std::min(w.left_v.y, w.right_v.y), 0.0);
-    w.farthest = std::max({w.left_v.y, w.right_v.y, 0.0});
+    const double steepest = std::max(std::fabs(screen.slopes[static_cast<std::size_t>(w.begin)]),
+                                     std::fabs(screen.slopes[static_cast<std::size_t>(w.end - 1)]));
+    w.sure_span = span_doubt(w.left_v, w.right_v, steepest) / kDepthDoubt;
+    const double rounding = span_doubt(w.left_v, w.right_v, 0);
+    w.nearest = std::max(std::min(w.left_v.y, w.right_v.y) - rounding, 0.0);
+    w.farthest = std::max({w.left_v.y, w.right_v.y, 0.0}) + rounding;
 }
 
 }  // namespace
 
 WallHit hit(const ProjectedWall& w, double slope) {
+    if (w.stands_in) return {w.nearest, w.missed_along};
     const double span = edge_span(w, slope);
     if (!(span > 0)) return {w.farthest, w.swapped ? 1.0 : 0.0};  // only where the wall does not cover the column
     const double along = std::clamp(edge(w.left_v, slope) / span, 0.0, 1.0);
@@ -73,23 +66,34 @@ void project(const Map& map, SectorId sector, const Pose& pose, const RayTables&
     }
 }
 
+RayDepth exact_depth(const Segment& segment, const Pose& pose, const RayTables& screen, int x) {
+    return depth_on_wall(segment.a, segment.b, pose, ray_normal(pose, screen.slopes[static_cast<std::size_t>(x)]));
+}
+
 ProjectedWall project(const Segment& facing, const Pose& pose, const RayTables& screen) {
-    ProjectedWall w = ends_of(facing, pose);
-    set_columns(w, pose, screen);
-    if (w.begin < w.end) set_depths(w, facing, pose);
+    const FacingWall ends = facing_wall(facing, pose);
+    const CoveredColumns covered = covered_columns(ends, pose, {screen.slopes, screen.column_scale});
+    ProjectedWall w;
+    w.left_v = ends.left_v;
+    w.right_v = ends.right_v;
+    w.swapped = ends.swapped;
+    w.begin = covered.begin;
+    w.end = covered.end;
+    if (w.begin < w.end) set_depths(w, facing, pose, screen);
     return w;
 }
 
 ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const RayTables& screen, int column,
                            WallId entry) {
-    const WallId wall = enfilade::least_missed(map, sector, pose, screen.slopes[column], entry);
-    ProjectedWall best = ends_of(map[wall], pose);
-    best.wall = wall;
-    best.stands_in = true;
-    set_depths(best, map[best.wall], pose);
-    best.begin = column;
-    best.end = column + 1;
-    return best;
+    const StandIn missed = stand_in(map, sector, pose, screen.slopes[static_cast<std::size_t>(column)], entry);
+    ProjectedWall wall = project(map[missed.wall], pose, screen);
+    wall.wall = missed.wall;
+    wall.begin = column;
+    wall.end = column + 1;
+    wall.stands_in = true;
+    wall.nearest = wall.farthest = missed.depth;
+    wall.missed_along = missed.along;
+    return wall;
 }
 
 namespace {

@@ -18,6 +18,8 @@ struct RayTables {
     int height = 0;
     double focal_y = 1;              ///< [px]
     double horizon = 0;              ///< [px]
+    double row_at_eye = 0;           ///< where rays by the tie rule for rows are level, from the top [px]
+    double row_doubt = 0;            ///< how far kDepthDoubt may take the row in which a height is met [px]
     double column_scale = 1;         ///< columns per unit of slope
     std::vector<double> slopes;      ///< [width] tangent right of the middle
     std::vector<double> row_rises;   ///< [height] rows above the horizon [px]
@@ -36,8 +38,10 @@ struct ProjectedWall {
     double cross = 0;        ///< cross(L, R) = 2 x area of eye, L, R [m^2]; 0 where the eye is on the wall's line
     double inverse_cross = 0;
     double nearest = 0, farthest = 0;  ///< bounds of the depth anywhere on the wall [m]
-    bool swapped = false;              ///< L is the wall's b: it is seen in a mirror
-    bool stands_in = false;            ///< for a wall that covers its one column: this one does not
+    double sure_span = 0;     ///< where e_L - e_R is less, rounding takes the depth farther than kDepthDoubt [m]
+    bool swapped = false;     ///< L is the wall's b: it is seen in a mirror
+    bool stands_in = false;   ///< for a wall that covers its one column: this one does not, and is met at `nearest`
+    double missed_along = 0;  ///< where, from its a to its b, if it stands in, 0..1
 };
 
 /// What a column sees of a wall.
@@ -57,7 +61,7 @@ inline double inverse_depth_doubt(const ProjectedWall& w, double slope) {
     return inverse_depth_doubt(w.left_v, w.right_v, w.cross, slope);
 }
 
-/// Exact up to rounding, and never outside the wall however grazing the look.
+/// Up to rounding, and never outside the wall however grazing the look.
 WallHit hit(const ProjectedWall& wall, double slope);
 
 /// inverse_depth(); where the wall stands in for one, that of its hit().
@@ -74,6 +78,9 @@ void project(const Map& map, SectorId sector, const Pose& pose, const RayTables&
 /// that column alone.
 ProjectedWall least_missed(const Map& map, SectorId sector, const Pose& pose, const RayTables& screen, int column,
                            WallId entry);
+
+/// How deep the ray of column x is at the wall, which is `segment` turned to the eye and covers the column. Exact.
+RayDepth exact_depth(const Segment& segment, const Pose& pose, const RayTables& screen, int x);
 
 /// A single edge, which faces the eye: without its number. Covers no column (begin >= end) where it is not seen.
 ProjectedWall project(const Segment& facing, const Pose& pose, const RayTables& screen);

@@ -1,6 +1,7 @@
 #include "render/column/viewport.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/built_in.h"
 
@@ -39,6 +40,7 @@ Viewport& ViewportPool::take(int begin, int end) {
     viewport.begin = begin;
     viewport.end = end;
     viewport.straying = {};
+    viewport.doorway = {};
     const auto count = static_cast<std::size_t>(end - begin);
     viewport.rows.assign(count, {});
     viewport.boundary.assign(count, 0);
@@ -137,25 +139,51 @@ int NearestWalls::at(int x) const {
     return found != stretches_.end() && found->begin <= x ? found->wall : kNoWall;
 }
 
-double NearestWalls::inverse_depth_at(const RayTables& screen, int x) const {
-    return inverse_depth_seen(wall(at(x)), screen.slopes[static_cast<std::size_t>(x)]);
+RayDepth WallLooks::exact_depth(int i) const {
+    if (wall->stands_in) return {depth[i]};
+    return column::exact_depth(Segment(a, b), *pose, *screen, begin + i);
 }
 
-void look_at(const ProjectedWall& wall, const RayTables& screen, int begin, int count, WallLooks& looks) {
+namespace {
+
+/// Columns in which a wall is so narrow, or seen so much on edge, that rounded numbers are in doubt.
+void look_exactly(const ProjectedWall& wall, WallLooks& looks) {
+    for (int i = 0; i < looks.count; ++i) {
+        const double slope = looks.screen->slopes[static_cast<std::size_t>(looks.begin + i)];
+        if (edge_span(wall, slope) >= wall.sure_span) continue;
+        const RayNormal ray = ray_normal(*looks.pose, slope);
+        const RayDepth exact = depth_on_wall(looks.a, looks.b, *looks.pose, ray);
+        const double from_a = static_cast<double>(offset_left(ray, looks.a, looks.pose->eye));
+        const double along = between(std::fabs(from_a) / static_cast<double>(exact.across), 0, 1);
+        const bool is_turned_panel = wall.swapped != (looks.pose->flip < 0);
+        looks.depth[i] = between(exact.value, wall.nearest, wall.farthest);
+        looks.along[i] = is_turned_panel ? 1 - along : along;
+        looks.inverse_depth[i] = 1 / exact.value;
+    }
+}
+
+}  // namespace
+
+void look_at(const ProjectedWall& wall, const Segment& segment, const Pose& pose, const RayTables& screen, int begin,
+             int count, WallLooks& looks) {
     looks.wall = &wall;
+    looks.pose = &pose;
+    looks.screen = &screen;
+    looks.a = segment.a;
+    looks.b = segment.b;
     looks.begin = begin;
     looks.count = count;
     looks.farthest = wall.farthest;
     const double* const slopes = &screen.slopes[static_cast<std::size_t>(begin)];
     if (wall.stands_in) {
-        const WallHit missed = hit(wall, slopes[0]);
-        looks.depth[0] = missed.depth;
-        looks.along[0] = missed.along;
-        looks.inverse_depth[0] = 1 / missed.depth;
+        looks.depth[0] = wall.nearest;
+        looks.along[0] = wall.missed_along;
+        looks.inverse_depth[0] = 1 / wall.nearest;
         return;
     }
     const ProjectedWall w = wall;
     const bool is_swapped = (built_in::kMirrors || built_in::kPanels) && w.swapped;
+    std::int64_t in_doubt = 0;
     for (int i = 0; i < count; ++i) {
         const double left = edge(w.left_v, slopes[i]);
         const double span = left - edge(w.right_v, slopes[i]);
@@ -163,14 +191,28 @@ void look_at(const ProjectedWall& wall, const RayTables& screen, int begin, int 
         looks.depth[i] = between(w.cross / span, w.nearest, w.farthest);
         looks.along[i] = is_swapped ? 1 - along : along;
         looks.inverse_depth[i] = span * w.inverse_cross;
+        in_doubt += span < w.sure_span;
     }
+    if (in_doubt != 0) look_exactly(wall, looks);
+}
+
+/// By the definition, from a row that is at most a few off.
+int RowsAt::settle(double height, int y, int top, int bottom) const {
+    const RayDepth depth = looks_ ? looks_->exact_depth(i_) : RayDepth{depth_};
+    const auto is_below = [&](int row) {
+        return !reaches({screen_.tied_rises[static_cast<std::size_t>(row)], focal_y_}, depth, height);
+    };
+    y = std::min(y, bottom);
+    while (y > top && is_below(y - 1)) --y;
+    while (y < bottom && !is_below(y)) ++y;
+    return y;
 }
 
 void split_rows(const RayTables& screen, const WallLooks& looks, const OpenRows* open, const RelativeHeights& here,
                 const RelativeHeights* behind, RowSplits& rows) {
     rows.has_ceiling = rows.has_upper = rows.has_lower = rows.has_floor = false;
     for (int i = 0; i < looks.count; ++i) {
-        const RowSplit split = split_rows(screen, open[i], looks.depth[i], here, behind);
+        const RowSplit split = split_rows(RowsAt(screen, looks, i), open[i], here, behind);
         rows.top[i] = open[i].top;
         rows.wall_top[i] = split.wall_top;
         rows.opening_top[i] = split.opening_top;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,13 @@
 
 namespace enfilade::column {
 
+/// The portal that a viewport is seen through, in the room before it.
+struct Doorway {
+    WallId wall;
+    int pose = 0;                        ///< index of the eye in the frame's list of poses
+    std::optional<double> missed_depth;  ///< where it stands in for a wall [m]
+};
+
 /// A sector seen through one chain of portals: which columns, which rows of them, and from how deep on.
 struct Viewport {
     SectorId sector;
@@ -20,6 +28,7 @@ struct Viewport {
     int depth = 0;                 ///< portals looked through so far
     std::uint32_t spent = 0;       ///< on the looks into this sector and those before it (render/openings.h)
     StrayingLook straying;         ///< of its one column, where it strays
+    Doorway doorway;               ///< the portal looked through; nothing of the eye's own sector
     int begin = 0, end = 0;        ///< columns
     std::vector<OpenRows> rows;    ///< occlusion bounds [end - begin]
     std::vector<double> boundary;  ///< 1 / depth of the portal looked through [end - begin]; what is drawn lies beyond.
@@ -64,42 +73,77 @@ struct RowSplit {
     int wall_top = 0, opening_top = 0, opening_bottom = 0, wall_bottom = 0;
 };
 
-/// A wall that passes through the eye is met an instant after the start: nearer than any height matters, but not so
-/// near that an eye at the very height of a ceiling would find all rows above it [m].
-inline constexpr double kAnInstant = 0x1p-1000;
+// What neighbouring columns see of one wall: where it stands, and which rows show what. Worked out for many columns at
+// once, so that compilers do it for two or four of them at a time.
+
+/// Columns [begin, begin + count).
+struct WallLooks {
+    static constexpr int kMost = 64;  ///< as many as fit well into the first-level cache
+
+    // All three stay where they are while the looks are used.
+    const ProjectedWall* wall = nullptr;
+    const Pose* pose = nullptr;
+    const RayTables* screen = nullptr;
+    Vec2 a, b;  ///< of the wall, turned to the eye
+    int begin = 0, count = 0;
+    double farthest = 0;          ///< no depth is larger [m]
+    double depth[kMost];          ///< [m], >= 0, finite; differs from the exact one by kDepthDoubt at most
+    double along[kMost];          ///< position on the wall from a to b, 0..1
+    double inverse_depth[kMost];  ///< [1/m]; infinite where the eye is on the wall's line
+
+    WallHit at(int i) const { return {depth[i], along[i]}; }
+    RayDepth exact_depth(int i) const;
+};
+
+/// The wall is `segment`, turned to the eye. count: 1..WallLooks::kMost.
+void look_at(const ProjectedWall& wall, const Segment& segment, const Pose& pose, const RayTables& screen, int begin,
+             int count, WallLooks& looks);
+
+// Which rows of a column show what.
 
 /// The rows of one column at a depth.
 class RowsAt {
 public:
-    RowsAt(const RayTables& screen, double depth)
-        : rises_(screen.tied_rises.data()),
-          focal_y_(screen.focal_y),
-          guess_at_eye_(screen.horizon + 0.5),
-          met_(depth > kAnInstant ? depth : kAnInstant),
-          nearness_(1 / met_) {}
+    /// Of a depth that is exact [m].
+    RowsAt(const RayTables& screen, double depth) : RowsAt(screen, depth, nullptr, 0) {}
 
-    /// The first of the rows [top, bottom) in which a surface is lower than `height` above the eye; bottom if none is.
-    /// Row y is not lower where tied_rises[y] * depth >= height * focal_y: a product; the reciprocal only guesses.
-    /// Depth 0 (the eye in the wall's plane) is an instant more than nothing, so that an eye exactly at `height` has
-    /// the rows under its horizon below it.
+    /// Of the i-th column that is looked at.
+    RowsAt(const RayTables& screen, const WallLooks& looks, int i) : RowsAt(screen, looks.depth[i], &looks, i) {}
+
+    /// The first of the rows [top, bottom) in which a surface is lower than `height` above the eye; bottom if none is:
+    /// the first that does not reach the height (render/exact_ray.h). The division tells, unless it ends within
+    /// rounding of the border between two rows.
     int first_below(double height, int top, int bottom) const {
-        const double height_px = height * focal_y_;
-        const double guess = guess_at_eye_ - height_px * nearness_;
-        int y = !(guess > top) ? top : guess >= bottom ? bottom : static_cast<int>(guess);
-        while (y > top && rises_[y - 1] * met_ < height_px) --y;
-        while (y < bottom && !(rises_[y] * met_ < height_px)) ++y;
-        return y;
+        const double row = at_eye_ - height * focal_y_ * nearness_;
+        if (!(row > top)) return top;
+        if (row > bottom + doubt_) return bottom;
+        const int y = static_cast<int>(row);
+        const double part = row - y;
+        return part > doubt_ && part < 1 - doubt_ ? y : settle(height, y, top, bottom);
     }
 
 private:
-    const double* rises_;
-    double focal_y_, guess_at_eye_, met_, nearness_;
+    RowsAt(const RayTables& screen, double depth, const WallLooks* looks, int i)
+        : screen_(screen),
+          looks_(looks),
+          i_(i),
+          focal_y_(screen.focal_y),
+          at_eye_(screen.row_at_eye),
+          doubt_(screen.row_doubt),
+          depth_(depth),
+          nearness_(1 / (depth > kAnInstant ? depth : kAnInstant)) {}
+
+    int settle(double height, int y, int top, int bottom) const;
+
+    const RayTables& screen_;
+    const WallLooks* looks_;  ///< null: the depth is exact
+    int i_;
+    double focal_y_, at_eye_, doubt_, depth_, nearness_;
 };
 
-/// Splits the open rows at a wall `depth` away. behind: null for a solid wall.
-inline RowSplit split_rows(const RayTables& screen, OpenRows open, double depth, const RelativeHeights& here,
+/// Splits the open rows at a wall. behind: null for a solid wall.
+inline RowSplit split_rows(const RowsAt& rows_at, OpenRows open, const RelativeHeights& here,
                            const RelativeHeights* behind) {
-    const RowsAt rows_at(screen, depth);
     RowSplit rows;
     rows.wall_top = rows_at.first_below(here.ceiling, open.top, open.bottom);
     rows.wall_bottom = rows_at.first_below(here.floor, rows.wall_top, open.bottom);
@@ -139,7 +183,6 @@ public:
 
     /// Of an open column. Cost: the logarithm of the number of stretches.
     int at(int x) const;
-    double inverse_depth_at(const RayTables& screen, int x) const;
 
     /// Numbers given out are below this.
     std::size_t count() const { return walls_.size() + lost_.size(); }
@@ -164,26 +207,6 @@ private:
     std::vector<WallColumns> merged_;  ///< scratch
     std::vector<ProjectedWall> lost_;  ///< one for each column that no projected wall covers; numbered after those
 };
-
-// What neighbouring columns see of one wall: where it stands, and which rows show what. Worked out for many columns at
-// once, so that compilers do it for two or four of them at a time.
-
-/// Columns [begin, begin + count).
-struct WallLooks {
-    static constexpr int kMost = 64;  ///< as many as fit well into the first-level cache
-
-    const ProjectedWall* wall = nullptr;  ///< stays where it is while they are used
-    int begin = 0, count = 0;
-    double farthest = 0;          ///< no depth is larger [m]
-    double depth[kMost];          ///< [m], >= 0, finite
-    double along[kMost];          ///< position on the wall from a to b, 0..1
-    double inverse_depth[kMost];  ///< [1/m]; infinite where the eye is on the wall's line
-
-    WallHit at(int i) const { return {depth[i], along[i]}; }
-};
-
-/// count: 1..WallLooks::kMost. Every column gets what hit() and inverse_depth_seen() say.
-void look_at(const ProjectedWall& wall, const RayTables& screen, int begin, int count, WallLooks& looks);
 
 /// RowSplit by column, and the open rows that were split: top to bottom as there.
 struct RowSplits {

@@ -41,7 +41,7 @@ void ViewportDrawer::start_viewport(const ColumnScene& scene, FrameState& state,
                     state.projections.get(scene.map, viewport.sector, viewport.pose, pose_, scene.screen));
     here_ = heights_above(scene, viewport.sector, pose_.eye_z);
     is_floor_started_ = is_ceiling_started_ = false;
-    room_columns_.note({scene, viewport, pose_, here_, nearest_}, state.masked);
+    room_columns_.note({scene, viewport, state.poses, pose_, here_, nearest_}, state.masked);
     openings_.assign(nearest_.count(), {});
     wall_index_ = NearestWalls::kNoWall;
 }
@@ -56,7 +56,7 @@ void ViewportDrawer::draw_stretch(const ColumnScene& scene, FrameState& state, W
 }
 
 void ViewportDrawer::draw_columns(const ColumnScene& scene, FrameState& state, int begin, int end) {
-    look_at(nearest_.wall(wall_index_), scene.screen, begin, end - begin, looks_);
+    look_at(nearest_.wall(wall_index_), scene.map[wall_], pose_, scene.screen, begin, end - begin, looks_);
     split_rows(scene.screen, looks_, &viewport_->rows_at(begin), here_, is_portal_ ? &behind_ : nullptr, rows_);
     if (rows_.has_ceiling) ceiling(scene).paint(scene, looks_, rows_.top, rows_.wall_top);
     if (rows_.has_floor) floor(scene).paint(scene, looks_, rows_.wall_bottom, rows_.bottom);
@@ -167,7 +167,7 @@ void ViewportDrawer::open_behind(const ColumnScene& scene, FrameState& state) {
 }
 
 void ViewportDrawer::note_masked(const ColumnScene& scene, FrameState& state, int i, OpenRows open) {
-    const RowSplit picture = split_rows(scene.screen, open, looks_.depth[i], picture_, nullptr);
+    const RowSplit picture = split_rows(RowsAt(scene.screen, looks_, i), open, picture_, nullptr);
     state.masked.note(masked_, looks_.begin + i, {picture.wall_top, picture.wall_bottom}, looks_.at(i));
 }
 
@@ -209,6 +209,8 @@ Viewport* ViewportDrawer::child_of(const ColumnScene& scene, FrameState& state, 
     child.spent =
         viewport_->spent + cost_of_look_into(scene.map[wall.behind], scene.snapshot.things.in(wall.behind).size());
     child.pose = viewport_->pose;
+    child.doorway = {projected.wall, viewport_->pose, {}};
+    if (projected.stands_in) child.doorway.missed_depth = projected.nearest;
     if (!is_link) child.straying = straying;
     if (is_link) {
         child.pose = static_cast<int>(state.poses.size());

@@ -22,6 +22,7 @@ namespace enfilade::column {
 struct RoomView {
     const ColumnScene& scene;
     const Viewport& viewport;
+    const std::vector<Pose>& poses;  ///< by Viewport::pose
     const Pose& pose;
     const RelativeHeights& here;
     const NearestWalls& nearest;
@@ -134,8 +135,8 @@ public:
 
     std::size_t count() const { return boards_.size(); }
 
-    /// Of the i-th of them. All of a picture has one depth, so the order is the same in all columns [m].
-    double depth(std::size_t i) const { return boards_[i].depth; }
+    /// Of the i-th of them. All of a picture has one depth, so the order is the same in all columns.
+    std::int64_t steps(std::size_t i) const { return depth_steps(boards_[i].depth); }
 
     /// Notes what column x shows of the i-th of them, if it does.
     void note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked);
@@ -148,9 +149,7 @@ private:
     struct ThingBoard {
         int begin, end;  ///< columns, within the viewport
         double depth;    ///< [m]
-        double left_v;   ///< its left edge in view space [m]
-        double width;    ///< [m]
-        bool mirrored;   ///< its left edge is the picture's right one
+        SpriteSpan span;
         RelativeHeights rows;
         double top;  ///< of the picture, above the eye [m]
         SpritePicture picture;
@@ -161,6 +160,9 @@ private:
     };
 
     static bool is_nearer(const ThingBoard& a, const ThingBoard& b);
+    static RayDepth depth_of_entry(const RoomView& view, int x);
+    static std::int64_t entry_steps(const RoomView& view, int x);
+    static std::int64_t exit_steps(const RoomView& view, int x);
     static bool is_aside(const RoomView& view, const Presence& presence, double depth, double aside);
     void add(const RoomView& view, const Presence& presence);
     static int painter_of(const RoomView& view, const ThingBoard& board, MaskedColumns& masked);
@@ -175,8 +177,8 @@ private:
 class RoomColumns {
 public:
     /// Notes every column of every picture, of each column the nearest first; of a thing and a panel at one depth, in
-    /// steps (render/sprite.h), the thing. To be called before the viewport's masked walls are noted: they stand at the
-    /// end of the room, behind all that is in it.
+    /// steps (render/exact_ray.h), the thing. To be called before the viewport's masked walls are noted: they stand at
+    /// the end of the room, behind all that is in it.
     void note(const RoomView& view, MaskedColumns& masked);
 
 private:

@@ -37,18 +37,8 @@ HeightsFromEye opening_of(const ReferenceScene& scene, SectorId sector, double e
     return {heights.floor_z - eye_z, heights.ceiling_z - eye_z};
 }
 
-/// Is the ray at `height` above the eye, or higher, where it meets the wall? A wall that passes through the eye is met
-/// an instant after the start, so that an eye at the very height of a ceiling still sees only its upper half covered.
-bool reaches(const Arrival& at, double height) {
-    if (at.hit.depth == 0 && height == 0) return at.course.climb >= 0;
-    return (at.course.climb + kTieClimb) * at.hit.depth >= height;
-}
-
-/// A level ray, or a wall through the eye, is compared with a height without any rounding.
-bool is_close_to(const Arrival& at, double height) {
-    if (at.course.climb == 0 || at.hit.depth == 0) return false;
-    return std::fabs(at.course.climb * at.hit.depth - height) < kAmbiguous;
-}
+/// Is the ray at `height` above the eye, or higher, where it meets the wall?
+bool reaches(const Arrival& at, double height) { return reaches(at.course.tied_climb, at.hit.depth, height); }
 
 constexpr std::uint32_t kAlpha = 0xFF000000u;
 
@@ -67,7 +57,7 @@ double texels_per_pixel(Vec2 moves_m, const Surface& surface, const Texture& pic
 Seen painted(const Arrival& at, const Surface& surface, PixelSurface id, double u, double v, double contrast,
              double ahead, LightCell lamplight, Repeat shown, const Movement& moves) {
     const double depth = ahead * at.course.depth_scale;
-    Seen seen{id, depth, {}, 0, false};
+    Seen seen{id, depth, {}, 0};
     u -= surface.offset_tiles.x;
     v -= surface.offset_tiles.y;
     const double tile_u = fraction(u), tile_v = shown == Repeat::once ? std::clamp(v, 0.0, 1.0) : fraction(v);
@@ -103,7 +93,7 @@ std::uint32_t sky_color(const Arrival& at, const Surface& surface, const SkyTexe
 
 Seen sky(const Arrival& at, const FlatNow& flat, PixelSurface id) {
     const SkyTexel base = sky_texel_of(at, flat.surface);
-    Seen seen{id, std::numeric_limits<double>::infinity(), {}, 0, false};
+    Seen seen{id, std::numeric_limits<double>::infinity(), {}, 0};
     seen.texel = {base.u, base.v};
     seen.color = sky_color(at, flat.surface, base) | kAlpha;
     for (std::uint32_t i = 0; i < flat.layer_count; ++i) {
@@ -145,7 +135,7 @@ Movement flat_moves(const Arrival& at, PixelSurface id, double height, double ah
 Movement wall_moves(const Arrival& at) {
     const TexelSampling* const sampling = at.scene.sampling;
     if (!sampling) return {};
-    const double depth = at.hit.depth * at.course.depth_scale;
+    const double depth = at.hit.depth.value * at.course.depth_scale;
     const double from_line =
         std::fabs(dot(right_of(at.wall.b - at.wall.a), at.hit.space.eye - at.wall.a)) / at.wall.length;
     const double along_m = from_line > 0 ? depth * depth / from_line * sampling->slope_per_column : 0;
@@ -157,7 +147,8 @@ Movement wall_moves(const Arrival& at) {
 Seen flat(const Arrival& at, const FlatNow& flat, double height,
           LightCell (Lamplight::*lamplight_on)(SectorId, Vec2) const, PixelSurface id) {
     if (flat.sky) return sky(at, flat, id);
-    const double depth = at.course.climb == 0 ? at.hit.depth : std::clamp(height / at.course.climb, 0.0, at.hit.depth);
+    const double depth =
+        at.course.climb == 0 ? at.hit.depth.value : std::clamp(height / at.course.climb, 0.0, at.hit.depth.value);
     const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth;
     const FlatPlace place{spot - flat.origin, depth, (at.scene.lamplight.*lamplight_on)(at.hit.sector, spot)};
     Seen seen = painted(at, flat.surface, id, place, flat_moves(at, id, height, depth));
@@ -184,12 +175,12 @@ double peg_height(const Arrival& at, Peg peg) {
 Seen wall(const Arrival& at, SurfaceId at_rest, double peg, WallPart part, Repeat shown = Repeat::over_and_over) {
     const Surface surface = picture_now(at.scene.map, at.scene.snapshot, at.hit.wall, at_rest);
     const double u = at.hit.along * at.wall.length / surface.tile_m.x;
-    const double v = (peg - at.course.climb * at.hit.depth) / surface.tile_m.y;
-    const double z = at.hit.space.eye_z + at.course.climb * at.hit.depth;
+    const double v = (peg - at.course.climb * at.hit.depth.value) / surface.tile_m.y;
+    const double z = at.hit.space.eye_z + at.course.climb * at.hit.depth.value;
     const LightCell lamplight = at.scene.lamplight.on_wall(at.hit.wall, at.hit.along * at.wall.length, z);
     const bool is_pane = part == WallPart::middle && at.kind == WallKind::portal;
-    Seen seen = painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast, at.hit.depth,
-                        lamplight, shown, is_pane ? Movement() : wall_moves(at));
+    Seen seen = painted(at, surface, wall_id(at.scene.map, at.hit.wall, part), u, v, at.wall.contrast,
+                        at.hit.depth.value, lamplight, shown, is_pane ? Movement() : wall_moves(at));
     seen.color = in_fog(at.scene, seen.color, seen.depth);
     return seen;
 }
@@ -205,12 +196,11 @@ Pane pane(const Arrival& at) {
     const double top = peg_height(at, surface.peg) + (stands ? surface.tile_m.y : 0);
     const double picture_top = top - at.scene.map[at.wall.middle].offset_tiles.y * surface.tile_m.y;
     const double picture_bottom = picture_top - surface.tile_m.y;
-    Pane pane{{}, 0, is_close_to(at, picture_top) || is_close_to(at, picture_bottom)};
+    Pane pane;
     if (reaches(at, picture_top) || !reaches(at, picture_bottom)) return pane;
     const Repeat shown = surface.scroll.y == 0 ? Repeat::once : Repeat::over_and_over;
     pane.seen = wall(at, at.wall.middle, top, WallPart::middle, shown);
     pane.alpha = pane.seen.color >> 24;
-    pane.ambiguous |= is_at_rim_of_hole(at.scene.textures[surface.texture], pane.seen.texel, surface.tile_m);
     return pane;
 }
 
@@ -229,9 +219,11 @@ Seen through_panes(const std::vector<Pane>& panes, Seen seen) {
 bool is_spent(const Arrival& at) { return at.hit.spent >= kLookBudget; }
 
 Seen end_of_chain(const Arrival& at) {
-    return {
-        kRecursionEnd, at.hit.depth * at.course.depth_scale, {}, pixel_of(at.scene.map.render.recursion_color), false,
-        is_spent(at)};
+    return {kRecursionEnd,
+            at.hit.depth.value * at.course.depth_scale,
+            {},
+            pixel_of(at.scene.map.render.recursion_color),
+            is_spent(at)};
 }
 
 /// Where the ray ends if it ends at this wall: on the flats before it, on the wall, on a step, or because it has
@@ -265,35 +257,25 @@ Arrival arrive(const ReferenceScene& scene, const RayHit& hit, const RayCourse& 
     return at;
 }
 
-bool is_ambiguous(const Arrival& at) {
-    return at.hit.ambiguous || is_close_to(at, at.own.ceiling) || is_close_to(at, at.own.floor) ||
-           is_close_to(at, at.behind.ceiling) || is_close_to(at, at.behind.floor);
-}
-
 }  // namespace
 
 Seen cast_ray(const ReferenceScene& scene, RayPath& path, const RayCourse& course) {
-    bool ambiguous = false;
     PanesMet met;
-    double entry_depth = 0;
+    std::int64_t entry_steps = 0;
     WallId entry;
     for (std::size_t i = 0;; ++i) {
         const Arrival at = arrive(scene, path[i], course);
-        ambiguous |= is_ambiguous(at);
         if (!scene.snapshot.things.in(at.hit.sector).empty() || !at.hit.panels.empty())
-            add_room_panes(scene, {at.hit, course, entry_depth, entry}, met);
-        entry_depth = at.hit.depth;
+            add_room_panes(scene, {at.hit, course, entry_steps, entry}, met);
+        entry_steps = depth_steps(at.hit.depth);
         entry = at.wall.kind == WallKind::mirror ? at.hit.wall : at.wall.exit;
         if (const std::optional<Seen> end = end_of_ray(at)) {
-            Seen seen = through_panes(met.panes, *end);
-            seen.ambiguous = ambiguous || met.ambiguous;
-            return seen;
+            return through_panes(met.panes, *end);
         }
         if (at.kind != WallKind::portal || !scene.map[at.wall.middle].texture) continue;
         if (met.is_full(scene)) continue;
         ++met.passed;
         met.panes.push_back(pane(at));
-        met.ambiguous |= met.panes.back().ambiguous;
     }
 }
 

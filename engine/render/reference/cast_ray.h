@@ -59,7 +59,7 @@ struct LitPlace {
 /// rooms are under the sky, nothing is above. The lamp must be in its room.
 ///
 /// Which walls the way crosses is decided in whole numbers, with the place rounded to the point grid, and once more
-/// behind each link. What is within kAmbiguous of the way's end does not stand before it.
+/// behind each link. What is within a ten-millionth of a metre of the way's end does not stand before it.
 /// Cost: the walls of the sectors passed.
 bool is_lit(const Map& map, const Snapshot& snapshot, const SeenLamp& lamp, const LitPlace& at);
 
@@ -140,7 +140,6 @@ struct Seen {
     double depth = 0;         ///< along the line of sight [m]; sky: infinity
     TexelPosition texel;      ///< 0, 0 at the end of a chain of links
     std::uint32_t color = 0;  ///< 0xAABBGGRR, shaded
-    bool ambiguous = false;   ///< a decision on the way was closer than kAmbiguous
     bool cut_short = false;   ///< it ended because its budget was spent (render/openings.h)
 };
 
@@ -155,22 +154,21 @@ Seen cast_ray(const ReferenceScene& scene, RayPath& path, const RayCourse& cours
 struct Pane {
     Seen seen;
     std::uint32_t alpha = 0;  ///< 0: the ray goes through a hole, or past the picture
-    bool ambiguous = false;
 };
 
-/// What stands in the plane on the way of a ray, at some depth [m].
+/// What stands in the plane on the way of a ray.
 struct MetPane {
-    double depth = 0;
-    bool is_hit = false;  ///< else the ray passes above or below it
-    Pane pane;            ///< where it is hit
+    std::int64_t steps = 0;  ///< of its depth (render/exact_ray.h)
+    bool is_hit = false;     ///< else the ray passes above or below it
+    Pane pane;               ///< where it is hit
 };
 
 /// The stretch of a ray in one room: from where it comes in to the wall it meets.
 struct RoomRay {
     const RayHit& hit;
     const RayCourse& course;
-    double entry_depth;  ///< 0 in the eye's own room [m]
-    WallId entry;        ///< of the room; none in the eye's own
+    std::int64_t entry_steps;  ///< of the depth; 0 in the eye's own room
+    WallId entry;              ///< of the room; none in the eye's own
 };
 
 /// A texel as it is painted, and what its picture's color table, if it goes by one, calls it.
@@ -213,38 +211,27 @@ inline std::uint32_t in_fog(const ReferenceScene& scene, std::uint32_t color, do
     return fogged(color, pixel_of(render.fog_color), fog_part_at(render.fog_reach, depth, render.fog_step));
 }
 
-/// Would a shift of kAmbiguous show a hole instead of the picture, or the other way round, or more or less of what is
-/// behind? size_m: of the picture.
-bool is_at_rim_of_hole(const Texture& texture, TexelPosition at, Vec2 size_m);
-
 /// What a ray goes through on its way, the nearest first.
 struct PanesMet {
     std::vector<Pane> panes;
     std::size_t passed = 0;  ///< pictures, at any height; of more than kMostPictures the farthest are left out
-    bool ambiguous = false;  ///< a shift of kAmbiguous would have met something else, or in another order
 
     /// Whether what is behind is left out.
     bool is_full(const ReferenceScene& scene) const { return !scene.is_tilted && passed >= kMostPictures; }
 };
 
 /// Adds the things and panels that the ray goes through; of a thing and a panel at one depth, in steps
-/// (render/sprite.h), the thing is the nearer.
+/// (render/exact_ray.h), the thing is the nearer.
 void add_room_panes(const ReferenceScene& scene, const RoomRay& ray, PanesMet& met);
 
 // The panels that a ray goes through on its way through one room.
 
-/// Adds the panels that the ray passes, the nearest first. True where a shift of kAmbiguous would have met another one,
-/// or missed one.
-bool find_panels_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met);
+/// Adds the panels that the ray passes, the nearest first.
+void find_panels_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met);
 
 // The pictures of things that a ray meets on its way through one room.
 
-/// Whether a shift of kAmbiguous would have met another picture: whatever its height, or gone through another one.
-struct ThingsCloseBy {
-    bool passed = false, hit = false;
-};
-
 /// Adds the pictures that the ray passes, the nearest first, by the rules of render/sprite.h.
-ThingsCloseBy find_things_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met);
+void find_things_met(const ReferenceScene& scene, const RoomRay& ray, std::vector<MetPane>& met);
 
 }  // namespace enfilade

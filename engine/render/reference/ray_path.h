@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "map/map.h"
-#include "math/predicates.h"
+#include "render/exact_ray.h"
 #include "render/openings.h"
 #include "render/view.h"
 #include "space/reach.h"
@@ -40,56 +40,38 @@ struct RayCourse {
     double slope = 0;        ///< to the right, per metre ahead
     double climb = 0;        ///< up, per metre ahead; finite
     double depth_scale = 1;  ///< depth along the line of sight, per metre ahead
+    RowClimb tied_climb;     ///< how it climbs by the tie rule for rows: of this is asked which heights it passes
 };
 
-/// The course of a ray. A ray straight up or down leans ahead by a hair. Rays that are not tilted keep their bits.
-RayCourse ray_course(const Ray& ray);
+/// The course of the ray of a pixel. A ray straight up or down leans ahead by a hair.
+RayCourse ray_course(const Projection& projection, int x, int y);
 
 /// The view from which the ray is followed.
 View turned(const View& view, int quarters);
-
-/// The eye and its look, carried through every link passed so far into the space where the ray now is.
-struct EyeSpace {
-    Vec2 eye;            ///< on the point grid [m]
-    double eye_z = 0;    ///< [m]
-    Vec2 forward{1, 0};  ///< unit vector
-    double flip = 1;     ///< -1: an odd number of mirrors was passed
-    int links = 0;       ///< linked portals and mirrors passed
-
-    /// Direction in the plane of the ray with this slope; its length along `forward` is 1.
-    Vec2 direction(double slope) const { return forward + right_of(forward) * (flip * slope); }
-};
 
 /// One panel met by a ray, and where.
 struct PanelHit {
     PanelId panel;
     double along = 0;  ///< 0 at the panel's a, 1 at its b [1]
-    double depth = 0;  ///< along `forward`; 0 where the eye is on the panel's line [m]
+    RayDepth depth;    ///< 0 where the eye is on the panel's line
 };
 
 /// One wall met by a ray, and where.
 struct RayHit {
-    EyeSpace space;
+    Pose space;                    ///< the eye and its look, carried through every link passed so far
     SectorId sector;               ///< the one the ray was in
     WallId wall;                   ///< of that sector
     double along = 0;              ///< 0 at the wall's a, 1 at its b [1]
-    double depth = 0;              ///< along `forward`; 0 where the eye is on the wall's line [m]
+    RayDepth depth;                ///< 0 where the eye is on the wall's line
     std::uint32_t spent = 0;       ///< on the looks into this sector and those before it (render/openings.h)
     bool is_missed = false;        ///< no wall of the sector was met; this one was missed least
     bool comes_round = false;      ///< it was met before (render/openings.h): the ray ends here
-    bool ambiguous = false;        ///< a vertex, another wall or a panel was within kAmbiguous of changing the answer
-    std::vector<PanelHit> panels;  ///< with a picture, met on the way through the sector; depths never fall
+    std::vector<PanelHit> panels;  ///< with a picture, met on the way through the sector, in order
 };
-
-/// A decision that a shift of this much would have changed is called ambiguous [m]. Far above the rounding of any
-/// renderer that computes in double (1e-9 at the edge of the world), far below what anyone can see.
-inline constexpr double kAmbiguous = 1e-7;
 
 /// The path of the rays of one pixel column. All pixels of a column meet the same walls in the same order; they only
 /// differ in how far up or down they are when they get there, so the path is found once and as far as somebody asks.
 ///
-/// The ray's normal is rounded once to a grid of 2^-55. From then on which wall it meets is decided in whole numbers,
-/// for an eye at eye + (e, e^2) (math/predicates.h) in every space: no crack, no double cover, no tolerance.
 /// Cost: each step looks at all walls of one sector.
 class RayPath {
 public:
@@ -102,32 +84,24 @@ public:
     const RayHit& operator[](std::size_t i);
 
 private:
-    void start_step(const EyeSpace& space);
+    void start_step(const Pose& space);
     void add(RayHit hit, std::uint32_t spent);
     void add_next();
-    RayHit next_hit(const EyeSpace& space, SectorId sector) const;
-    WallId nearest_covering(const EyeSpace& space, SectorId sector) const;
-    WallId least_missed(const EyeSpace& space, SectorId sector) const;
-    bool is_ambiguous(const RayHit& hit) const;
-    bool ends_near_ray(const DirectedEdge& edge, const RayHit& hit) const;
+    RayHit next_hit(const Pose& space, SectorId sector) const;
+    WallId nearest_covering(const Pose& space, SectorId sector) const;
     bool is_beyond_entry(const DirectedEdge& edge) const;
     void add_panels(RayHit& hit) const;
     void put_in_order(RayHit& hit) const;
-
-    Int128 offset(Vec2 vertex, Vec2 eye) const;
-    int side(Vec2 vertex, Vec2 eye) const;
-    bool covers(const DirectedEdge& edge, const EyeSpace& space) const;
-    double depth_of(const DirectedEdge& edge, const EyeSpace& space) const;
+    bool covers(const DirectedEdge& edge, const Pose& space) const;
+    double along(const DirectedEdge& edge, const Pose& space) const;
 
     const Map& map_;
     const Presences* things_;
     double slope_;
     SectorId first_sector_;
-    EyeSpace first_space_;
-    WallId entry_;                              ///< wall the ray came into the present sector by, or none
-    double entry_depth_ = 0;                    ///< [m]
-    std::int64_t normal_x_ = 0, normal_y_ = 0;  ///< slope * forward - right [2^-55]
-    int side_of_tie_ = 1;                       ///< what side() says of a vertex exactly on the ray
+    Pose first_space_;
+    WallId entry_;      ///< wall the ray came into the present sector by, or none
+    RayNormal normal_;  ///< in the present space
     StrayingLook straying_;
     std::vector<RayHit> hits_;
 };

@@ -128,7 +128,7 @@ public:
     }
 
     Seen cast_ray(int y) {
-        const Seen seen = follow(ray_course(projection_.ray(x_, y)));
+        const Seen seen = follow(ray_course(projection_, x_, y));
         is_cut_short_ |= seen.cut_short;
         return seen;
     }
@@ -165,7 +165,6 @@ bool render_column(Frame& frame, FrameFacts* facts, const ReferenceScene& scene,
         facts->depths[i] = seen.depth;
         facts->texels[i] = seen.texel;
         facts->writes[i] = 1;
-        facts->ambiguous[i] = seen.ambiguous;
     }
     return rays.is_cut_short();
 }

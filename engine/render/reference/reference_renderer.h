@@ -24,11 +24,10 @@ struct ReferenceOptions {
     bool own_light = false;
 };
 
-/// Draws the whole frame, whose size is set. What a pixel shows is decided in whole numbers, but for its height at a
-/// wall, which is one product in double. Shares no drawing code with the other renderers.
+/// Draws the whole frame, whose size is set. What a pixel shows is decided in whole numbers (render/exact_ray.h).
+/// Shares no drawing code with the other renderers.
 ///
-/// facts: filled where not null, always from the ray through the pixel's centre; ambiguous is 1 where a shift of
-///        kAmbiguous (render/reference/ray_path.h) would have changed the answer: there another renderer may differ
+/// facts: filled where not null, always from the ray through the pixel's centre
 /// Cost: about 1 microsecond a pixel and sample, and for each column all walls of the sectors it looks into.
 void render_reference(Frame& frame, FrameFacts* facts, const Map& map, const TextureSet& textures,
                       const Snapshot& snapshot, const View& view, const ReferenceOptions& options = {});

@@ -11,6 +11,10 @@
 namespace enfilade {
 namespace {
 
+/// What is met this near to the way's end does not stand before it [m]: far above rounding at the edge of the world,
+/// far below what anyone can see.
+constexpr double kArrived = 1e-7;
+
 /// Turns of one space that differ by less are one: compositions of a thousand links are off by 1e-13 [1].
 constexpr double kSameTurn = 1e-9;
 
@@ -107,8 +111,8 @@ private:
     bool aim() {
         const Vec2 way = at_.place - lamp_.place;
         way_ = std::sqrt(dot(way, way));
-        if (way_ < kAmbiguous) return false;
-        length_ = at_.wall ? kThroughWall * way_ : way_ + kAmbiguous;
+        if (way_ < kArrived) return false;
+        length_ = at_.wall ? kThroughWall * way_ : way_ + kArrived;
         sector_ = light_.sector;
         from_ = light_.position;
         to_ = snap_to_point_grid(inverse(lamp_.passage).apply(lamp_.place + way * (length_ / way_)));
@@ -146,7 +150,7 @@ private:
         if (out && out == at_.wall) return true;
         const double entered = entrance_ ? entrance_->value() * length_ : 0;
         const double left = out ? metres_to(map_[out]) : length_;
-        return entered <= way_ + kAmbiguous && left >= way_ - kAmbiguous;
+        return entered <= way_ + kArrived && left >= way_ - kArrived;
     }
 
     bool is_open(const Wall& portal) const {

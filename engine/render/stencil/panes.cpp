@@ -10,15 +10,15 @@ namespace enfilade::stencil {
 namespace {
 
 /// A picture behind the eye, seen when one looks down past one's feet, has its left end to the right.
-WallOnScreen place_of(double left_x, double width, double depth, bool mirrored) {
+WallOnScreen place_of(const SpriteSpan& span, double depth) {
     WallOnScreen place;
-    place.left_v = {left_x, depth};
-    place.right_v = {left_x + width, depth};
+    place.left_v = {span.left_v, depth};
+    place.right_v = {span.right_v(), depth};
     if (depth < 0) std::swap(place.left_v, place.right_v);
     place.shown_left_v = place.left_v;
     place.shown_right_v = place.right_v;
-    place.cross = width * std::fabs(depth);
-    place.swapped = mirrored != (depth < 0);
+    place.cross = span.width * std::fabs(depth);
+    place.swapped = span.mirrored != (depth < 0);
     return place;
 }
 
@@ -32,9 +32,7 @@ std::optional<ThingOnScreen> in_view(const Map& map, const TextureSet& textures,
     if (std::fabs(thing.depth) < kNearestSprite) return {};
     const SpritePicture picture = picture_of(map, textures, snapshot, presence, pose.eye);
     if (!picture.texture) return {};
-    const bool mirrored = (pose.flip < 0) != picture.is_mirrored;
-    const double left_of_it = mirrored ? picture.size_m.x - picture.origin_m.x : picture.origin_m.x;
-    thing.place = place_of(dot(pose.right, to_it) - left_of_it, picture.size_m.x, thing.depth, mirrored);
+    thing.place = place_of(span_of(picture, dot(pose.right, to_it), pose.flip), thing.depth);
     thing.thing = presence.thing;
     thing.position = presence.position;
     thing.id = thing_id(map, presence.thing);
@@ -141,11 +139,11 @@ bool RoomPanes::is_met(const Pose& pose, const RoomLook& room, const PaneBoard& 
     const WallId entry = room.visit().entry, exit = room.nearest_at(x);
     const double slope = screen_.slopes[static_cast<std::size_t>(x)];
     const double from = entry ? 1 / room.visit().doorway.inverse_depth(slope) : 0, to = 1 / room.inverse_depth_at(x);
+    const RoomCrossing crossing{entry, exit, depth_steps(from), depth_steps(to)};
     if (exit.is_none() || thing_edges(input_.map.render, false) == ThingEdges::cut)
-        return is_met_between(thing.depth, from, to);
+        return crossing.holds(depth_steps(thing.depth));
     const Vec2 place = std::get<ThingOnScreen>(thing.pane).position;
-    return is_seen_in(input_.map, input_.snapshot, {pose.eye, pose.forward, place, thing.depth},
-                      {entry, exit, from, to});
+    return is_seen_in(input_.map, input_.snapshot, {pose.eye, pose.forward, place, thing.depth}, crossing);
 }
 
 void RoomPanes::meet_panels(const RoomLook& room, int x) {

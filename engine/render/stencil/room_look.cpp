@@ -108,8 +108,9 @@ void RoomLook::find_stand_ins(const Pose& pose) {
 
 void RoomLook::stand_in(const Pose& pose, int x) {
     const double slope = screen_.slopes[static_cast<std::size_t>(x)];
-    WallOnScreen wall = *in_view(map_, least_missed(map_, visit_->sector, pose, slope, visit_->entry), pose);
-    wall.stand_in(slope);
+    const StandIn missed = enfilade::stand_in(map_, visit_->sector, pose, slope, visit_->entry);
+    WallOnScreen wall = *in_view(map_, missed.wall, pose);
+    wall.missed = {missed.depth, missed.along, {0, 1}};
     wall.begin = x;
     wall.end = x + 1;
     WallOnScreen* const before = walls_.size() > first_stand_in_ ? &walls_.back() : nullptr;

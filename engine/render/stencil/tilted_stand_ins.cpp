@@ -162,20 +162,11 @@ private:
             for (; std::fabs(way.x) > way.y; ++quarters) way = {-way.y, way.x};  // turned right, its right is behind
         const Pose face = face_of(layer_.pose, quarters);
         const SectorId room = map_[layer_.entry].sector;
-        const WallId id = least_missed(map_, room, face, way.x / way.y, layer_.entry);
-        WallOnScreen wall = *in_view(map_, id, layer_.pose);
-        wall.missed = met(*in_view(map_, id, face), way.x / way.y);
+        const StandIn missed = enfilade::stand_in(map_, room, face, way.x / way.y, layer_.entry);
+        WallOnScreen wall = *in_view(map_, missed.wall, layer_.pose);
         constexpr Vec2 kAheads[] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}};
-        wall.missed->ahead_v = kAheads[quarters];
+        wall.missed = {missed.depth, missed.along, kAheads[quarters]};
         return wall;
-    }
-
-    /// The end of the wall that is the nearer to the ray; nothing is met behind the eye.
-    static Missed met(const WallOnScreen& wall, double slope) {
-        const double left = edge(wall.left_v, slope), right = edge(wall.right_v, slope);
-        const double along = left != right ? std::clamp(left / (left - right), 0.0, 1.0) : 0;
-        const Vec2 place = wall.left_v + (wall.right_v - wall.left_v) * along;
-        return {std::max(place.y, 0.0), wall.swapped ? 1 - along : along, {}};
     }
 
     const Layer& layer_;

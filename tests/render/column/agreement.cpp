@@ -84,9 +84,7 @@ void Comparer::compare(const View& view, int width, int height, ColumnComparison
     count_trials(a.pixels.size(), "pixels");
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         sum.not_once += facts_a.writes[i] != 1;
-        sum.ambiguous += facts_b.ambiguous[i];
         ++sum.pixels;
-        if (facts_b.ambiguous[i]) continue;
         const bool same_id = facts_a.ids[i] == facts_b.ids[i];
         sum.wrong_ids += !same_id;
         sum.wrong_colors += same_id && !alike(a.pixels[i], b.pixels[i]) && !on_texel_edge(facts_b.texels[i]);
@@ -109,8 +107,7 @@ void expect_agreement(const TexturedMap& world, std::uint64_t seed, int poses) {
         if (testing::Test::HasFailure()) break;
     }
     EXPECT_EQ(sum.wrong_colors, 0u);
-    EXPECT_LE(sum.ambiguous * 100, sum.pixels) << "marks must stay rare";
-    std::printf("%zu pixels, %zu marked, %zu colours differ\n", sum.pixels, sum.ambiguous, sum.wrong_colors);
+    std::printf("%zu pixels, %zu colours differ\n", sum.pixels, sum.wrong_colors);
 }
 
 void expect_strips_equal_the_whole(const TexturedMap& world, std::uint64_t seed, int poses) {

@@ -29,10 +29,9 @@ MapFile palace();
 View random_view(const Map& map, Random& random);
 
 struct ColumnComparison {
-    std::size_t not_once = 0;      ///< pixels not written exactly once
-    std::size_t wrong_ids = 0;     ///< outside the marked pixels
+    std::size_t not_once = 0;  ///< pixels not written exactly once
+    std::size_t wrong_ids = 0;
     std::size_t wrong_colors = 0;  ///< differ by more than 2 of 255 where ids agree, off texel edges
-    std::size_t ambiguous = 0;
     std::size_t pixels = 0;
 };
 

@@ -89,7 +89,7 @@ TEST(SplitRows, CoversTheOpenRowsInOrderForAnyHeights) {
         const RelativeHeights here{floor, floor + random.uniform(0, 5)};
         const RelativeHeights behind{behind_floor, behind_floor + random.uniform(0, 5)};
         const int top = static_cast<int>(random.below(160)), bottom = top + static_cast<int>(random.below(161 - top));
-        const RowSplit rows = split_rows(screen, {top, bottom}, random.uniform(0, 20), here, &behind);
+        const RowSplit rows = split_rows(RowsAt(screen, random.uniform(0, 20)), {top, bottom}, here, &behind);
         ASSERT_LE(top, rows.wall_top);
         ASSERT_LE(rows.wall_top, rows.opening_top);
         ASSERT_LE(rows.opening_top, rows.opening_bottom);
@@ -102,7 +102,7 @@ TEST(SplitRows, CoversTheOpenRowsInOrderForAnyHeights) {
 TEST(SplitRows, GivesAClosedDoorNoOpening) {
     const RayTables screen = pitched_screen(320, 200);
     const RelativeHeights here{-1.5, 1.5}, door{-1.5, -1.5};
-    const RowSplit rows = split_rows(screen, {0, 200}, 3, here, &door);
+    const RowSplit rows = split_rows(RowsAt(screen, 3), {0, 200}, here, &door);
     EXPECT_EQ(rows.opening_top, rows.opening_bottom);
     EXPECT_EQ(rows.wall_top, 20);
     EXPECT_EQ(rows.opening_top, rows.wall_bottom);

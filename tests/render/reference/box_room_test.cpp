@@ -107,10 +107,6 @@ TEST_F(BoxRoom, PaintsTheTexelInTheLightOfItsDepth) {
     }
 }
 
-TEST_F(BoxRoom, IsNowhereAmbiguous) {
-    EXPECT_EQ(std::count(picture_.facts.ambiguous.begin(), picture_.facts.ambiguous.end(), 1), 0);
-}
-
 // hard case I1
 TEST_F(BoxRoom, CountsOneWriteForEachPixel) {
     const auto pixels = static_cast<std::ptrdiff_t>(picture_.facts.writes.size());

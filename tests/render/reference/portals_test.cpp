@@ -221,11 +221,5 @@ TEST_F(InvisibleLine, ChangesNothingSeenFromAVertexWhereFourRoomsMeet) {
     for (int yaw = 0; yaw < 360; yaw += 15) expect_same_picture(kCross, 1.61, yaw, 65);
 }
 
-TEST_F(InvisibleLine, IsNoReasonToBeUnsureForAnEyeThatStandsOnIt) {
-    const Rooms four(cut());
-    const Picture picture = four.look(look_from(four.map, kCross, 1.61, 20), 64, 48);
-    EXPECT_EQ(std::count(picture.facts.ambiguous.begin(), picture.facts.ambiguous.end(), 1), 0);
-}
-
 }  // namespace
 }  // namespace enfilade::test

@@ -74,15 +74,6 @@ TEST(RayThroughVertices, GoesOnWhereTheEyeStandsOnALineAndLooksAlongIt) {
     }
 }
 
-TEST(RayThroughVertices, IsCalledAmbiguous) {
-    const Rooms rooms(two_like_rooms());
-    // The vertex (8, 4) is 4 m ahead and 33/16 m aside: slope 33/64, the centre of column 48 of 64.
-    View view = look_from(rooms.map, {4.0, 4 - 33 / 16.0}, 1, 0);
-    const Picture picture = rooms.look(view, 64, 48);
-    EXPECT_EQ(picture.facts.ambiguous[picture.at(48, 24)], 1);
-    EXPECT_EQ(picture.facts.ambiguous[picture.at(47, 24)], 0);
-}
-
 // hard case R8
 TEST(WallSeenOnEdge, CoversNoColumn) {
     // Rooms in the shape of an L; of the wall from x = 4 to 8 at y = 2, an eye at (2, 2) sees the edge.
