@@ -71,10 +71,14 @@ std::int64_t depth_steps(const RayDepth& depth) {
     const double steps = real_steps(depth.value);
     if (depth.across == 0) return static_cast<std::int64_t>(steps);
     if (const auto sure = sure_steps(steps, kProductDoubt)) return *sure;
-    const double nearest = std::floor(steps + 0.5);
-    const bool is_beyond = compare(ExactProduct(depth.cross).scaled(kDepthPower),
-                                   ExactProduct(depth.across).times((nearest - 0.5) * kDepthStep)) >= 0;
-    return static_cast<std::int64_t>(nearest) - (is_beyond ? 0 : 1);
+    const auto nearest = static_cast<std::int64_t>(std::floor(steps + 0.5));
+    return is_farther(depth, nearest - 1) ? nearest : nearest - 1;
+}
+
+bool is_farther(const RayDepth& depth, std::int64_t steps) {
+    const double border = border_after(steps);
+    if (depth.across == 0) return depth.value >= border;
+    return compare(ExactProduct(depth.cross).scaled(kDepthPower), ExactProduct(depth.across).times(border)) >= 0;
 }
 
 std::optional<std::int64_t> sure_depth_steps(double about) { return sure_steps(real_steps(about), 2 * kDepthDoubt); }

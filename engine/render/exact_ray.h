@@ -66,6 +66,12 @@ std::int64_t depth_steps(double depth);
 /// The same of an exact depth.
 std::int64_t depth_steps(const RayDepth& depth);
 
+/// Whether an exact depth is more steps than that.
+bool is_farther(const RayDepth& depth, std::int64_t steps);
+
+/// The depth from which on it is.
+inline double border_after(std::int64_t steps) { return (static_cast<double>(steps) + 0.5) * kDepthStep; }
+
 /// How far rounding may have taken a depth from the exact one where a renderer relies on it, as a part of it.
 inline constexpr double kDepthDoubt = 0x1p-42;
 

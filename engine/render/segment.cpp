@@ -57,12 +57,18 @@ constexpr Vec2 kVertexAtEye{-0x1p-64, -0x1p-104};
 /// One end of a wall.
 struct End {
     Vec2 vertex, vertex_v;
+    double doubt;  ///< of edge() at any slope of the picture [m]
+
+    End(Vec2 at, Vec2 at_v, const Pose& pose, const ColumnRays& rays) : vertex(at), vertex_v(at_v) {
+        const double steepest = std::max(std::fabs(rays.slopes.front()), std::fabs(rays.slopes.back()));
+        doubt = at == pose.eye ? std::numeric_limits<double>::infinity() : edge_doubt(at_v, steepest);
+    }
 };
 
 /// Rounded numbers decide where they are not in doubt.
 bool is_right_of(const End& end, double slope, const Pose& pose) {
     const double e = edge(end.vertex_v, slope);
-    if (std::fabs(e) > edge_doubt(end.vertex_v, slope) && end.vertex != pose.eye) return e > 0;
+    if (std::fabs(e) > end.doubt) return e > 0;
     return runs_right_of(ray_normal(pose, slope), end.vertex, pose.eye);
 }
 
@@ -94,13 +100,15 @@ Vec2 to_view(Vec2 vertex, const Pose& pose) {
 
 FacingWall facing_wall(const Segment& wall, const Pose& pose) {
     const bool swapped = pose.flip < 0;
-    const Vec2 left = swapped ? wall.b : wall.a, right = swapped ? wall.a : wall.b;
-    return {left, right, to_view(left, pose), to_view(right, pose), swapped};
+    const Vec2 left = swapped ? wall.b : wall.a, right = swapped ? wall.a : wall.b, across = left - right;
+    return {
+        left,   right, to_view(left, pose), to_view(right, pose), {dot(pose.right, across), dot(pose.forward, across)},
+        swapped};
 }
 
 CoveredColumns covered_columns(const FacingWall& wall, const Pose& pose, const ColumnRays& rays) {
     const int width = static_cast<int>(rays.slopes.size());
-    const End left{wall.left, wall.left_v}, right{wall.right, wall.right_v};
+    const End left(wall.left, wall.left_v, pose, rays), right(wall.right, wall.right_v, pose, rays);
     const bool left_ahead = is_ahead(left, pose), right_ahead = is_ahead(right, pose);
     const int from = split_column(left, left_ahead, pose, rays), to = split_column(right, right_ahead, pose, rays);
     return {std::max(left_ahead ? from : 0, right_ahead ? 0 : to),

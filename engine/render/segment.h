@@ -32,16 +32,11 @@ inline double edge_doubt(Vec2 vertex_v, double slope) {
     return kRounding * (1 + std::fabs(slope)) * (std::fabs(vertex_v.x) + std::fabs(vertex_v.y));
 }
 
-/// The same of the difference of a wall's ends.
-inline double span_doubt(Vec2 left_v, Vec2 right_v, double slope) {
-    return edge_doubt(left_v, slope) + edge_doubt(right_v, slope);
-}
-
 /// How far rounding may take the inverse depth of a wall in a column from the true one [1/m]. Of a wall that is seen
 /// almost on edge it is a small difference of large numbers, and good for nothing near its end.
 /// cross: of the wall's ends [m^2], which are in view space; 0 yields infinity.
 inline double inverse_depth_doubt(Vec2 left_v, Vec2 right_v, double cross, double slope) {
-    return span_doubt(left_v, right_v, slope) / cross;
+    return (edge_doubt(left_v, slope) + edge_doubt(right_v, slope)) / cross;
 }
 
 /// Whether two inverse depths in one column differ enough to tell which wall is nearer: by more than both are in doubt,
@@ -75,7 +70,8 @@ Vec2 to_view(Vec2 vertex, const Pose& pose);
 struct FacingWall {
     Vec2 left, right;
     Vec2 left_v, right_v;
-    bool swapped;  ///< `left` is the wall's b: it is seen in a mirror
+    Vec2 across_v;  ///< from the right end to the left one
+    bool swapped;   ///< `left` is the wall's b: it is seen in a mirror
 };
 FacingWall facing_wall(const Segment& wall, const Pose& pose);
 

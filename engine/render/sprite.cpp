@@ -42,13 +42,13 @@ bool is_behind(const Middle& middle, Vec2 a, Vec2 b) {
 }
 
 bool is_seen_in(const Map& map, const Snapshot& snapshot, const Middle& middle, const RoomCrossing& room) {
-    const auto leans_out = [&](WallId doorway, std::int64_t steps) {
-        return steps > depth_steps(middle.depth) && is_open(map, snapshot, map[doorway]);
+    const auto leans_out = [&](WallId doorway, bool is_farther) {
+        return is_farther && is_open(map, snapshot, map[doorway]);
     };
     // A doorway is a wall of both rooms, a -> b of the one before it and b -> a of the one behind.
     if (room.entry && !is_behind(middle, map[room.entry].b, map[room.entry].a)) return false;
-    if (room.entry && leans_out(room.entry, room.entry_steps)) return false;
-    return !is_behind(middle, map[room.exit].a, map[room.exit].b) || leans_out(room.exit, room.exit_steps);
+    if (room.entry && leans_out(room.entry, room.is_entry_farther)) return false;
+    return !is_behind(middle, map[room.exit].a, map[room.exit].b) || leans_out(room.exit, room.is_exit_farther);
 }
 
 SpriteSpan span_of(const SpritePicture& picture, double place_x_v, double flip) {

@@ -31,14 +31,14 @@ namespace enfilade {
 /// A picture nearer than this is not shown: who stands in a thing looks through it [m]. Doom's number, 4 units.
 inline constexpr double kNearestSprite = 0.125;
 
-/// A ray's way through a room, in steps of depth (render/exact_ray.h).
+/// A ray's way through a room, and which of its ends are farther than a thing, in steps (render/exact_ray.h).
 struct RoomCrossing {
     WallId entry, exit;  ///< walls of the room; entry: none in the eye's own
-    std::int64_t entry_steps = 0, exit_steps = 0;
+    bool is_entry_farther = false, is_exit_farther = false;
 
-    /// Whether something at that depth is in the room: at the entry it is, at the exit it is not, being in the room
-    /// behind.
-    bool holds(std::int64_t steps) const { return entry_steps <= steps && steps < exit_steps; }
+    /// Whether the ray is in the room at the thing's depth: at the entry it is, at the exit it is not, being in the
+    /// room behind.
+    bool holds_thing() const { return !is_entry_farther && is_exit_farther; }
 };
 
 /// The middle of a thing's picture, in a space in which an eye looks.

@@ -51,7 +51,8 @@ TEST(ViewOfAThing, BehindALinkTurnsWithTheLink) {
 
 /// Whether a thing at this depth is in the room between two others.
 bool is_between(double depth, double entry, double exit) {
-    return RoomCrossing{{}, {}, depth_steps(entry), depth_steps(exit)}.holds(depth_steps(depth));
+    const std::int64_t steps = depth_steps(depth);
+    return RoomCrossing{{}, {}, depth_steps(entry) > steps, depth_steps(exit) > steps}.holds_thing();
 }
 
 TEST(DepthOfAThing, AtADoorwayIsInTheRoomBehind) {

@@ -161,8 +161,7 @@ void PanelColumns::note(const RoomView& view, const PanelLooks& shown, int x, Ma
 }
 
 bool ThingColumns::is_nearer(const ThingBoard& a, const ThingBoard& b) {
-    const std::int64_t a_steps = depth_steps(a.depth), b_steps = depth_steps(b.depth);
-    return a_steps != b_steps ? a_steps < b_steps : a.number < b.number;
+    return a.steps != b.steps ? a.steps < b.steps : a.number < b.number;
 }
 
 bool ThingColumns::gather(const RoomView& view) {
@@ -196,6 +195,7 @@ void ThingColumns::add(const RoomView& view, const Presence& presence) {
     board.end = std::min(view.viewport.end, first_column_from(board.span.right_v(), board.depth, rays));
     if (board.begin >= board.end) return;
     board.top = picture.foot_z - view.pose.eye_z + picture.origin_m.y;
+    board.steps = depth_steps(board.depth);
     board.rows = {board.top - picture.size_m.y, board.top};
     const bool is_whole = thing_edges(scene.map.render, false) == ThingEdges::whole;
     if (!is_whole) board.rows = within(view.here, board.rows.floor, board.rows.ceiling);
@@ -223,27 +223,28 @@ RayDepth ThingColumns::depth_of_entry(const RoomView& view, int x) {
     return exact_depth(view.scene.map[doorway.wall], pose, view.scene.screen, x);
 }
 
-std::int64_t ThingColumns::entry_steps(const RoomView& view, int x) {
-    if (view.viewport.entry.is_none()) return 0;
-    const auto sure = sure_depth_steps(1 / view.viewport.boundary_at(x));
-    return sure ? *sure : depth_steps(depth_of_entry(view, x));
+bool ThingColumns::is_entry_farther(const RoomView& view, const ThingBoard& board, int x) {
+    if (view.viewport.entry.is_none()) return false;
+    const double nearness = view.viewport.boundary_at(x) * border_after(board.steps);
+    if (std::fabs(nearness - 1) > 2 * kDepthDoubt) return nearness < 1;
+    return is_farther(depth_of_entry(view, x), board.steps);
 }
 
-std::int64_t ThingColumns::exit_steps(const RoomView& view, int x) {
+bool ThingColumns::is_exit_farther(const RoomView& view, const ThingBoard& board, const ProjectedWall& wall, int x) {
     const RayTables& screen = view.scene.screen;
-    const ProjectedWall& wall = view.nearest.wall(view.nearest.at(x));
-    if (wall.stands_in) return depth_steps(wall.nearest);
-    const double slope = screen.slopes[static_cast<std::size_t>(x)];
-    const bool is_in_doubt = edge_span(wall, slope) < wall.sure_span;
-    const auto sure = is_in_doubt ? std::nullopt : sure_depth_steps(1 / inverse_depth(wall, slope));
-    return sure ? *sure : depth_steps(exact_depth(view.scene.map[wall.wall], view.pose, screen, x));
+    if (wall.stands_in) return is_farther(RayDepth{wall.nearest}, board.steps);
+    const double span = edge_span(wall, screen.slopes[static_cast<std::size_t>(x)]);
+    const double beyond = wall.cross - span * border_after(board.steps);
+    if (span >= wall.sure_span && std::fabs(beyond) > 2 * kDepthDoubt * wall.cross) return beyond > 0;
+    return is_farther(exact_depth(view.scene.map[wall.wall], view.pose, screen, x), board.steps);
 }
 
 bool ThingColumns::is_met(const RoomView& view, const ThingBoard& board, int x) {
     const ColumnScene& scene = view.scene;
-    const WallId exit = view.nearest.wall(view.nearest.at(x)).wall;
-    const RoomCrossing room{view.viewport.entry, exit, entry_steps(view, x), exit_steps(view, x)};
-    if (thing_edges(scene.map.render, false) == ThingEdges::cut) return room.holds(depth_steps(board.depth));
+    const ProjectedWall& exit = view.nearest.wall(view.nearest.at(x));
+    const RoomCrossing room{view.viewport.entry, exit.wall, is_entry_farther(view, board, x),
+                            is_exit_farther(view, board, exit, x)};
+    if (thing_edges(scene.map.render, false) == ThingEdges::cut) return room.holds_thing();
     return is_seen_in(scene.map, scene.snapshot, {view.pose.eye, view.pose.forward, board.place, board.depth}, room);
 }
 

@@ -36,8 +36,8 @@ void set_depths(ProjectedWall& w, const Segment& wall, const Pose& pose, const R
     w.inverse_cross = 1 / w.cross;
     const double steepest = std::max(std::fabs(screen.slopes[static_cast<std::size_t>(w.begin)]),
                                      std::fabs(screen.slopes[static_cast<std::size_t>(w.end - 1)]));
-    w.sure_span = span_doubt(w.left_v, w.right_v, steepest) / kDepthDoubt;
-    const double rounding = span_doubt(w.left_v, w.right_v, 0);
+    w.sure_span = edge_doubt(w.across_v, steepest) / kDepthDoubt;
+    const double rounding = edge_doubt(w.left_v, 0) + edge_doubt(w.right_v, 0);
     w.nearest = std::max(std::min(w.left_v.y, w.right_v.y) - rounding, 0.0);
     w.farthest = std::max({w.left_v.y, w.right_v.y, 0.0}) + rounding;
 }
@@ -76,6 +76,7 @@ ProjectedWall project(const Segment& facing, const Pose& pose, const RayTables& 
     ProjectedWall w;
     w.left_v = ends.left_v;
     w.right_v = ends.right_v;
+    w.across_v = ends.across_v;
     w.swapped = ends.swapped;
     w.begin = covered.begin;
     w.end = covered.end;

@@ -35,6 +35,7 @@ struct ProjectedWall {
     WallId wall;             ///< none: a panel
     int begin = 0, end = 0;  ///< columns covered, within the screen
     Vec2 left_v, right_v;    ///< L and R in view space: x right, y stands for depth
+    Vec2 across_v;           ///< L - R, with the rounding of so short a way only
     double cross = 0;        ///< cross(L, R) = 2 x area of eye, L, R [m^2]; 0 where the eye is on the wall's line
     double inverse_cross = 0;
     double nearest = 0, farthest = 0;  ///< bounds of the depth anywhere on the wall [m]
@@ -51,14 +52,14 @@ struct WallHit {
 };
 
 /// e_L - e_R: positive wherever the wall covers the column, because e_L and e_R are not both 0 there.
-inline double edge_span(const ProjectedWall& w, double slope) { return edge(w.left_v, slope) - edge(w.right_v, slope); }
+inline double edge_span(const ProjectedWall& w, double slope) { return edge(w.across_v, slope); }
 
 /// 1 / depth at slope s: linear in s, infinite where the eye is on the wall's line.
 inline double inverse_depth(const ProjectedWall& w, double slope) { return edge_span(w, slope) * w.inverse_cross; }
 
-/// How far rounding may take it from the true one [1/m].
+/// How far rounding may take it from the true one [1/m]. Infinite where the eye is on the wall's line.
 inline double inverse_depth_doubt(const ProjectedWall& w, double slope) {
-    return inverse_depth_doubt(w.left_v, w.right_v, w.cross, slope);
+    return edge_doubt(w.across_v, slope) * w.inverse_cross;
 }
 
 /// Up to rounding, and never outside the wall however grazing the look.

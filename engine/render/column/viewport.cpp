@@ -183,17 +183,17 @@ void look_at(const ProjectedWall& wall, const Segment& segment, const Pose& pose
     }
     const ProjectedWall w = wall;
     const bool is_swapped = (built_in::kMirrors || built_in::kPanels) && w.swapped;
-    std::int64_t in_doubt = 0;
     for (int i = 0; i < count; ++i) {
         const double left = edge(w.left_v, slopes[i]);
-        const double span = left - edge(w.right_v, slopes[i]);
+        const double span = edge(w.across_v, slopes[i]);
         const double along = between(left / span, 0, 1);
         looks.depth[i] = between(w.cross / span, w.nearest, w.farthest);
         looks.along[i] = is_swapped ? 1 - along : along;
         looks.inverse_depth[i] = span * w.inverse_cross;
-        in_doubt += span < w.sure_span;
     }
-    if (in_doubt != 0) look_exactly(wall, looks);
+    // The span is linear in the slope, so it is smallest at an end.
+    const double least = std::min(edge_span(w, slopes[0]), edge_span(w, slopes[count - 1]));
+    if (least < 2 * w.sure_span) look_exactly(wall, looks);
 }
 
 /// By the definition, from a row that is at most a few off.

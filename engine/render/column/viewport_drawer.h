@@ -136,7 +136,7 @@ public:
     std::size_t count() const { return boards_.size(); }
 
     /// Of the i-th of them. All of a picture has one depth, so the order is the same in all columns.
-    std::int64_t steps(std::size_t i) const { return depth_steps(boards_[i].depth); }
+    std::int64_t steps(std::size_t i) const { return boards_[i].steps; }
 
     /// Notes what column x shows of the i-th of them, if it does.
     void note(const RoomView& view, std::size_t i, int x, MaskedColumns& masked);
@@ -147,8 +147,9 @@ public:
 private:
     /// A picture that is somewhere on the screen.
     struct ThingBoard {
-        int begin, end;  ///< columns, within the viewport
-        double depth;    ///< [m]
+        int begin, end;      ///< columns, within the viewport
+        double depth;        ///< [m]
+        std::int64_t steps;  ///< of the depth
         SpriteSpan span;
         RelativeHeights rows;
         double top;  ///< of the picture, above the eye [m]
@@ -161,8 +162,8 @@ private:
 
     static bool is_nearer(const ThingBoard& a, const ThingBoard& b);
     static RayDepth depth_of_entry(const RoomView& view, int x);
-    static std::int64_t entry_steps(const RoomView& view, int x);
-    static std::int64_t exit_steps(const RoomView& view, int x);
+    static bool is_entry_farther(const RoomView& view, const ThingBoard& board, int x);
+    static bool is_exit_farther(const RoomView& view, const ThingBoard& board, const ProjectedWall& wall, int x);
     static bool is_aside(const RoomView& view, const Presence& presence, double depth, double aside);
     void add(const RoomView& view, const Presence& presence);
     static int painter_of(const RoomView& view, const ThingBoard& board, MaskedColumns& masked);

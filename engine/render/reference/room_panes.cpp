@@ -94,8 +94,9 @@ double right_per_course(const RayCourse& course) {
 
 /// Whether a picture `away` along the sight and `depth` along the course is seen in the room.
 bool is_in_room(const ReferenceScene& scene, const RoomRay& ray, Vec2 place, double away, double depth) {
-    const RoomCrossing room{ray.entry, ray.hit.wall, ray.entry_steps, depth_steps(ray.hit.depth)};
-    if (!is_whole(scene)) return std::fabs(away) >= kNearestSprite && depth > 0 && room.holds(depth_steps(depth));
+    const std::int64_t steps = depth_steps(depth);
+    const RoomCrossing room{ray.entry, ray.hit.wall, ray.entry_steps > steps, depth_steps(ray.hit.depth) > steps};
+    if (!is_whole(scene)) return std::fabs(away) >= kNearestSprite && depth > 0 && room.holds_thing();
     const Middle middle{ray.hit.space.eye, ray.hit.space.forward, place, away};
     return away >= kNearestSprite && is_seen_in(scene.map, scene.snapshot, middle, room);
 }

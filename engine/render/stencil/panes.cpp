@@ -139,9 +139,9 @@ bool RoomPanes::is_met(const Pose& pose, const RoomLook& room, const PaneBoard& 
     const WallId entry = room.visit().entry, exit = room.nearest_at(x);
     const double slope = screen_.slopes[static_cast<std::size_t>(x)];
     const double from = entry ? 1 / room.visit().doorway.inverse_depth(slope) : 0, to = 1 / room.inverse_depth_at(x);
-    const RoomCrossing crossing{entry, exit, depth_steps(from), depth_steps(to)};
-    if (exit.is_none() || thing_edges(input_.map.render, false) == ThingEdges::cut)
-        return crossing.holds(depth_steps(thing.depth));
+    const std::int64_t steps = depth_steps(thing.depth);
+    const RoomCrossing crossing{entry, exit, depth_steps(from) > steps, depth_steps(to) > steps};
+    if (exit.is_none() || thing_edges(input_.map.render, false) == ThingEdges::cut) return crossing.holds_thing();
     const Vec2 place = std::get<ThingOnScreen>(thing.pane).position;
     return is_seen_in(input_.map, input_.snapshot, {pose.eye, pose.forward, place, thing.depth}, crossing);
 }

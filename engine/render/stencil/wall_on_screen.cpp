@@ -70,8 +70,7 @@ WallOnScreen in_view(const Segment& facing, const Pose& pose) {
     WallOnScreen w;
     const FacingWall ends = facing_wall(facing, pose);
     w.swapped = ends.swapped;
-    w.left = ends.left;
-    w.right = ends.right;
+    w.ends = ends;
     w.left_v = w.shown_left_v = ends.left_v;
     w.right_v = w.shown_right_v = ends.right_v;
     w.cross = std::max(exact_cross(facing.a, facing.b, pose.eye), 0.0);
@@ -92,8 +91,7 @@ bool put_on_screen(WallOnScreen& w, const Pose& pose, const Screen& screen) {
         w.begin = std::max(static_cast<int>(std::floor(w.begin_px - kRangeSlack)), 0);
         w.end = std::min(static_cast<int>(std::ceil(w.end_px + kRangeSlack)), screen.width);
     } else {
-        const FacingWall ends{w.left, w.right, w.left_v, w.right_v, w.swapped};
-        const CoveredColumns exact = covered_columns(ends, pose, {screen.slopes, screen.per_slope()});
+        const CoveredColumns exact = covered_columns(w.ends, pose, {screen.slopes, screen.per_slope()});
         w.begin = exact.begin;
         w.end = exact.end;
     }

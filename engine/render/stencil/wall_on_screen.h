@@ -57,7 +57,7 @@ struct WallOnScreen {
     WallId wall;                       ///< none: a panel or a thing
     Vec2 left_v, right_v;              ///< L and R, its ends in view space
     Vec2 shown_left_v, shown_right_v;  ///< tilted pictures show only what is between these, on the same line
-    Vec2 left, right;                  ///< L and R in the plane, of a wall or a panel
+    FacingWall ends;                   ///< of a wall or a panel, as columns are decided by
     double cross = 0;                  ///< of R and L, >= 0: exactly 0 where the eye is on the wall's line [m^2]
     bool swapped = false;              ///< L is the wall's b: it is seen in a mirror, or a panel from behind
     bool is_open_left = false, is_open_right = false;  ///< tilted pictures show up to a pixel more there
