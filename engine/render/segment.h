@@ -70,8 +70,8 @@ Vec2 to_view(Vec2 vertex, const Pose& pose);
 struct FacingWall {
     Vec2 left, right;
     Vec2 left_v, right_v;
-    Vec2 across_v;  ///< from the right end to the left one
-    bool swapped;   ///< `left` is the wall's b: it is seen in a mirror
+    Vec2 across_v;         ///< from the right end to the left one
+    bool swapped = false;  ///< `left` is the wall's b: it is seen in a mirror
 };
 FacingWall facing_wall(const Segment& wall, const Pose& pose);
 
