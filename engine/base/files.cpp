@@ -8,19 +8,22 @@
 #include <cerrno>
 #include <cstdint>
 #include <filesystem>
+#include <utility>
 
 namespace enfilade {
 
 namespace {
 
-/// Closes with the scope.
-struct Descriptor {
-    explicit Descriptor(int opened) : number(opened) {}
-    Descriptor(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number >= 0) ::close(number);
+/// A file that is open to be read. Closes it with the scope.
+struct OpenedFile {
+    explicit OpenedFile(int opened) : descriptor(opened) {}
+    OpenedFile(OpenedFile&& other) noexcept : descriptor(std::exchange(other.descriptor, -1)), size(other.size) {}
+    OpenedFile& operator=(OpenedFile&&) = delete;
+    ~OpenedFile() {
+        if (descriptor >= 0) ::close(descriptor);
     }
-    const int number;
+    int descriptor;
+    std::size_t size = 0;  ///< when it was opened [bytes]; of files that the system makes up, 0
 };
 
 Result<void> check_is_file(const std::string& path, const struct stat& found) {
@@ -37,19 +40,34 @@ Result<void> look_at(const std::string& path) {
     return system_error(path, "look at the file");
 }
 
-/// The bytes of the open file, as many as it had when it was opened.
-Result<Bytes> read_bytes(const std::string& path, int file, std::size_t size) {
+/// Whoever writes may put another file in the path's place at any time, so all but the first look is at what was
+/// opened.
+Result<OpenedFile> open_file(const std::string& path) {
+    if (const Result<void> valid = look_at(path); !valid.ok()) return valid.error();
+    OpenedFile file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+    if (file.descriptor < 0) return system_error(path, "open the file");
+    struct stat found;
+    if (::fstat(file.descriptor, &found) != 0) return system_error(path, "tell the file's size");
+    if (const Result<void> valid = check_is_file(path, found); !valid.ok()) return valid.error();
+    file.size = static_cast<std::size_t>(found.st_size);
+    return file;
+}
+
+/// The next `most` bytes of the file; fewer where it ends before.
+Result<Bytes> read_bytes(const std::string& path, const OpenedFile& file, std::size_t most) {
     Bytes bytes;
-    bytes.reserve(size);
-    prefer_large_pages(bytes.data(), size);
-    bytes.resize(size);
-    for (std::size_t done = 0; done < size;) {
-        const ssize_t more = ::read(file, bytes.data() + done, size - done);
+    bytes.reserve(most);
+    prefer_large_pages(bytes.data(), most);
+    bytes.resize(most);
+    std::size_t done = 0;
+    while (done < most) {
+        const ssize_t more = ::read(file.descriptor, bytes.data() + done, most - done);
         if (more < 0 && errno == EINTR) continue;
         if (more < 0) return system_error(path, "read the file");
-        if (more == 0) return Error{path, "the file became shorter while it was read"};
+        if (more == 0) break;
         done += static_cast<std::size_t>(more);
     }
+    bytes.resize(done);
     return bytes;
 }
 
@@ -62,19 +80,22 @@ Result<void> write_and_flush(const std::string& path, std::span<const std::byte>
 
 }  // namespace
 
-// Whoever writes may put another file in the path's place at any time, so all but the first look is at what was opened.
 Result<Bytes> read_file(const std::string& path) {
-    if (const Result<void> valid = look_at(path); !valid.ok()) return valid.error();
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
-    if (file.number < 0) return system_error(path, "open the file");
-    struct stat found;
-    if (::fstat(file.number, &found) != 0) return system_error(path, "tell the file's size");
-    if (const Result<void> valid = check_is_file(path, found); !valid.ok()) return valid.error();
-    const auto size = static_cast<std::size_t>(found.st_size);
+    const Result<OpenedFile> file = open_file(path);
+    if (!file) return file.error();
+    const std::size_t size = file.value().size;
     if (size > kMaxFileBytes)
         return Error{path, "the file has " + std::to_string(size) + " bytes; at most " + std::to_string(kMaxFileBytes) +
                                " are read"};
-    return read_bytes(path, file.number, size);
+    auto bytes = read_bytes(path, file.value(), size);
+    if (bytes.ok() && bytes.value().size() < size) return Error{path, "the file became shorter while it was read"};
+    return bytes;
+}
+
+Result<Bytes> read_beginning(const std::string& path, std::size_t most) {
+    const Result<OpenedFile> file = open_file(path);
+    if (!file) return file.error();
+    return read_bytes(path, file.value(), most);
 }
 
 std::vector<std::string> list_folder(const std::string& path) {

@@ -33,6 +33,9 @@ Result<Bytes> read_file(const std::string& path);
 /// The names of what lies in a folder, sorted; none where it cannot be read.
 std::vector<std::string> list_folder(const std::string& path);
 
+/// The first `most` bytes of a file of any size, all where it has fewer: for a look at what it is. The same errors.
+Result<Bytes> read_beginning(const std::string& path, std::size_t most);
+
 /// Writes an OutputFile: a reader finds the old file or the new one, never half of one, and what was written is on
 /// disk.
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes);

@@ -60,6 +60,29 @@ TEST(ReadFile, FollowsALinkToAFile) {
     EXPECT_EQ(content(folder.path("link")), "text");
 }
 
+TEST(ReadBeginning, ReadsNoMoreThanIsAskedFor) {
+    const TempDir folder;
+    const auto beginning = [&](const std::string& name, std::size_t most) {
+        const auto bytes = read_beginning(name, most);
+        return bytes.ok() ? std::string(as_text(bytes.value())) : bytes.error().text();
+    };
+    ASSERT_TRUE(write_file(folder.path("f"), "text").ok());
+    EXPECT_EQ(beginning(folder.path("f"), 2), "te");
+    EXPECT_EQ(beginning(folder.path("f"), 4), "text");
+    EXPECT_EQ(beginning(folder.path("f"), 5), "text");
+    EXPECT_EQ(beginning(folder.path("f"), 0), "");
+    fs::resize_file(folder.path("f"), std::uintmax_t{1} << 40);
+    EXPECT_EQ(beginning(folder.path("f"), 6), std::string("text\0\0", 6));
+    EXPECT_EQ(beginning("/proc/self/comm", 4).size(), 4u);  // has no size of its own
+}
+
+TEST(ReadBeginning, RefusesWhatReadFileRefuses) {
+    const TempDir folder;
+    ASSERT_EQ(::mkfifo(folder.path("pipe").c_str(), 0600), 0);
+    for (const std::string& path : {folder.path("pipe"), folder.path("none"), folder.path(), std::string("/dev/zero")})
+        EXPECT_EQ(read_beginning(path, 1).error().text(), content(path));
+}
+
 TEST(ReadFile, ReadsOneFileWhereAnotherTakesItsPlaceAllTheTime) {
     const TempDir folder;
     const std::string small(1000, 's'), large(5000, 'l');
