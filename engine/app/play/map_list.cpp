@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "app/messages.h"
@@ -15,6 +14,7 @@
 #include "app/play/saved_game.h"
 #include "app/programs.h"
 #include "base/attempt.h"
+#include "base/files.h"
 #include "base/hash.h"
 #include "formats/text_parts.h"
 #include "render/choice/renderer.h"
@@ -27,10 +27,12 @@ namespace fs = std::filesystem;
 /// The name that a map gives itself within its first lines, or its file's.
 std::string name_in(const fs::path& map) {
     constexpr std::string_view kKey = "name = \"";
-    std::ifstream text(map);
-    std::string line;
-    for (int i = 0; i < 40 && std::getline(text, line) && !line.starts_with('['); ++i)
-        if (line.starts_with(kKey)) return line.substr(kKey.size(), line.find('"', kKey.size()) - kKey.size());
+    constexpr std::size_t kLookedAt = 16384;  // [bytes]
+    const auto beginning = read_beginning(map.string(), kLookedAt);
+    LineReader lines(beginning.ok() ? as_text(beginning.value()) : "");
+    for (auto line = lines.next(); line && !line->text.starts_with('['); line = lines.next())
+        if (line->text.starts_with(kKey))
+            return std::string(line->text.substr(kKey.size(), line->text.find('"', kKey.size()) - kKey.size()));
     return map.stem().string();
 }
 

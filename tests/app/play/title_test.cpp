@@ -2,6 +2,7 @@
 #include "app/play/title.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <chrono>
@@ -75,6 +76,18 @@ TEST_F(Maps, AreTheUsersOwnByTheirNames) {
     ASSERT_EQ(own.size(), 2u);
     EXPECT_EQ(own[0].name, "A room");
     EXPECT_EQ(own[1].name, "nameless");
+}
+
+TEST_F(Maps, AreListedAtOnceWhateverLiesAmongThem) {
+    write_room("data/enfilade/maps/mine.toml");
+    const std::string folder = home_.path("data/enfilade/maps/");
+    ASSERT_EQ(::mkfifo((folder + "pipe.toml").c_str(), 0600), 0);
+    fs::create_symlink("/dev/zero", folder + "zero.toml");
+    write("data/enfilade/maps/endless.toml", "");
+    fs::resize_file(folder + "endless.toml", std::uintmax_t{30} << 30);  // a line of 30 GiB
+    std::vector<std::string> names;
+    for (const ListedMap& map : found(MapOrigin::own)) names.push_back(map.name);
+    EXPECT_THAT(names, ::testing::UnorderedElementsAre("A room", "endless", "pipe", "zero"));
 }
 
 TEST_F(Maps, AreLevelsThatWereConvertedAndWadsThatWereNot) {
