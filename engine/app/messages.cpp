@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <optional>
 
@@ -46,6 +45,8 @@ bool is_there(const std::string& path) {
 
 bool is_wad(std::string_view text) { return text.starts_with("IWAD") || text.starts_with("PWAD"); }
 
+constexpr std::size_t kWadMagicBytes = 4;
+
 /// How tapes begin (formats/tape.cpp), also those that were cut off.
 bool is_tape(std::string_view text) { return text.starts_with("ENFTAPE"); }
 
@@ -58,7 +59,7 @@ std::vector<std::string> toml_files_in(const fs::path& folder) {
 }
 
 bool is_script_file(const std::string& path) {
-    const auto bytes = read_file(path);
+    const auto bytes = read_beginning(path, kMaxScriptBytes + 1);  // more are no script
     return bytes.ok() && is_script(as_text(bytes.value()));
 }
 
@@ -128,10 +129,8 @@ Result<void> refuse(const std::string& path, bool wants_script, const About& abo
 }  // namespace
 
 bool is_wad_file(const std::string& path) {
-    std::string magic(4, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(magic.data(), static_cast<std::streamsize>(magic.size()));
-    return file && is_wad(magic);
+    const auto magic = read_beginning(path, kWadMagicBytes);
+    return magic.ok() && is_wad(as_text(magic.value()));
 }
 
 bool is_file(const std::string& path) {

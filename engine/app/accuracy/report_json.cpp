@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <type_traits>
 
 #include "app/accuracy/report.h"
+#include "base/files.h"
 #include "formats/text_parts.h"
 
 namespace enfilade {
@@ -18,9 +18,12 @@ using Json = nlohmann::ordered_json;
 
 std::string processor() {
     constexpr std::string_view kName = "model name";
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with(kName) && line.find(": ") != line.npos) return line.substr(line.find(": ") + 2);
+    constexpr std::size_t kOneProcessor = 4096;  // what the file says of one takes no more [bytes]
+    const auto file = read_beginning("/proc/cpuinfo", kOneProcessor);
+    if (!file.ok()) return "not known";
+    for (LineReader lines(as_text(file.value())); const auto line = lines.next();)
+        if (const auto colon = line->text.find(": "); line->text.starts_with(kName) && colon != line->text.npos)
+            return std::string(line->text.substr(colon + 2));
     return "not known";
 }
 

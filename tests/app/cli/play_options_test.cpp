@@ -1,5 +1,6 @@
 // The options of `enfilade play` that change what a player meets, from outside.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "app/cli/program.h"
 #include "formats/tape.h"
@@ -56,6 +57,14 @@ TEST_F(PlayOptions, RefusesASkillThatThereIsNot) {
     const Ended ended = play({"--skill", "6"});
     EXPECT_EQ(ended.exit_code, 2);
     EXPECT_THAT(ended.err, HasSubstr("from 1 to 5"));
+}
+
+TEST(PlayedFile, ThatIsAPipeIsRefusedWithoutWaitingForIt) {
+    const Program program;
+    ASSERT_EQ(::mkfifo(program.path("pipe").c_str(), 0600), 0);
+    const Ended ended = program.run({"play", "pipe"}, "timeout 60");
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_THAT(ended.err, HasSubstr("pipe: expected a file, found a device or a pipe"));
 }
 
 }  // namespace
