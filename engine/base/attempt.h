@@ -41,7 +41,8 @@ void end_in_a_sentence(const char* name);
 inline constexpr int kBeforeAllConstants = 101;  ///< that priority: those below it are the compiler's
 
 /// Runs a program: `work`'s exit status, or, where memory cannot be had or something else was thrown, 1, after one
-/// sentence on stderr that begins with the program's name and takes no memory itself. Temporary files are removed.
+/// sentence on stderr that begins with the program's name and takes no memory itself. Temporary files are removed. A
+/// limit of the size of files (ulimit -f) does not end the program: writing beyond it fails.
 int run_program(const char* name, const std::function<int()>& work);
 
 }  // namespace enfilade

@@ -1,6 +1,7 @@
 // Memory that cannot be had, disks that are full: every call fails once, and each time the work ends in a sentence, or
 // well, and every file is the old one or the new one.
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
 #include "faults/injected.h"
 #include "faults/work.h"
@@ -73,6 +74,21 @@ TEST_F(Shortage, OfDiskEndsInASentence) {
     for (const Call call : {Call::open, Call::write, Call::flush, Call::rename})
         for (const Workshop::Work& work : shop_.works())
             for (const bool all_after : {false, true}) fail_each(work, call, trials(8, ~std::size_t{0}), 7, all_after);
+}
+
+// As a full disk, but told by a signal to whoever does not ignore it.
+TEST_F(Shortage, OfTheSizeOfFilesEndsInASentence) {
+    std::size_t failed = 0;
+    for (const Workshop::Work& work : shop_.works())
+        for (rlim_t most = 128; most <= 16384; most *= 2) {
+            const Outcome outcome = shop_.run(work, [&] {
+                const rlimit limit{most, most};
+                ENFILADE_CHECK(setrlimit(RLIMIT_FSIZE, &limit) == 0);
+            });
+            failed += outcome.status == 1;
+            expect_well_ended(work, outcome, most);
+        }
+    EXPECT_GT(failed, shop_.works().size());
 }
 
 }  // namespace
