@@ -107,6 +107,7 @@ void end_in_a_sentence(const char* name) {
 
 int run_program(const char* name, const std::function<int()>& work) {
     end_in_a_sentence(name);
+    guard_standard_streams();
     std::signal(SIGXFSZ, SIG_IGN);  // a file that would become too long is an error of the write, as a full disk is
     try {
         return work();

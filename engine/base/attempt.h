@@ -42,7 +42,8 @@ inline constexpr int kBeforeAllConstants = 101;  ///< that priority: those below
 
 /// Runs a program: `work`'s exit status, or, where memory cannot be had or something else was thrown, 1, after one
 /// sentence on stderr that begins with the program's name and takes no memory itself. Temporary files are removed. A
-/// limit of the size of files (ulimit -f) does not end the program: writing beyond it fails.
+/// limit of the size of files (ulimit -f) does not end the program, and closed standard streams harm no file: writing
+/// fails.
 int run_program(const char* name, const std::function<int()>& work);
 
 }  // namespace enfilade

@@ -181,6 +181,10 @@ Result<void> flush_folder(const std::string& path);
 /// device, a pipe.
 bool names_stream(const std::string& path);
 
+/// Where standard input, output or error is closed, puts something into its place that can be neither read nor written:
+/// else the next file that is opened gets its number, and words that are meant for somebody go into that file.
+void guard_standard_streams();
+
 /// From now on each of these signals (SIGTERM, …) removes temporary files before it ends the process as it does anyway.
 /// One that is ignored stays ignored.
 void remove_temporary_files_on(std::initializer_list<int> signals);

@@ -251,6 +251,11 @@ void remove_temporary_files_on(std::initializer_list<int> signals) {
         if (std::signal(signal, end_by_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
+void guard_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 bool names_stream(const std::string& path) {
     struct stat found;
     return path == kStandardOutput || (stat(path.c_str(), &found) == 0 && !S_ISDIR(found.st_mode) &&

@@ -199,6 +199,23 @@ TEST(OutputFile, WritesToADeviceAndLeavesItThere) {
     EXPECT_THAT(result.error().what, HasSubstr("cannot write the file: No space left"));
 }
 
+TEST(StandardStreams, ThatAreClosedStayClosedForWordsAndTakenForFiles) {
+    for (const int closed : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        const pid_t child = fork();
+        if (child == 0) {
+            ::close(closed);
+            guard_standard_streams();
+            const int file = ::open("/dev/null", O_RDWR);
+            char byte = 0;
+            const bool is_refused = (closed == STDIN_FILENO ? ::read(closed, &byte, 1) : ::write(closed, "x", 1)) < 0;
+            _exit(file > STDERR_FILENO && is_refused && errno == EBADF ? 0 : 1);
+        }
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0) << closed;
+    }
+}
+
 /// Runs `work` in a process whose standard output is the file at `path`, opened as a shell does for `>`.
 template <class Work>
 int with_output_to(const std::string& path, Work work) {
