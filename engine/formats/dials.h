@@ -93,6 +93,9 @@ struct MotionDials {
     bool operator==(const MotionDials&) const = default;
 };
 
+/// Largest width and height of a picture [px].
+inline constexpr int kMaxPictureSide = 16384;
+
 /// Most columns or rows between two exact positions.
 inline constexpr int kMostSpan = 64;
 

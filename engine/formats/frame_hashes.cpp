@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "formats/dials.h"
+#include "formats/script.h"
 #include "formats/text_parts.h"
 #include "formats/words.h"
 
@@ -34,7 +36,7 @@ Result<FrameHash> read_line(const TextLine& line) {
     if (blank == std::string_view::npos)
         return bad_line(line, 0, "expected \"FRAME HASH\", found " + in_quotes(line.text));
     FrameHash entry;
-    if (!read_whole(line.text.substr(0, blank), 10, entry.frame))
+    if (!read_whole(line.text.substr(0, blank), 10, entry.frame) || entry.frame >= kMaxFlightFrames)
         return bad_line(line, 0, "expected a frame's number, found " + in_quotes(line.text.substr(0, blank)));
     const auto hash = read_hash(line, blank + 1);
     if (!hash) return hash.error();
@@ -44,8 +46,10 @@ Result<FrameHash> read_line(const TextLine& line) {
 
 constexpr std::string_view kPictures = "picture ", kSheet = "sheet ";
 
-/// The digits of a picture's width or height; no picture is 0 wide or high.
-bool read_side(std::string_view text, std::uint32_t& side) { return read_whole(text, 10, side) && side > 0; }
+/// The digits of a picture's width or height.
+bool read_side(std::string_view text, std::uint32_t& side) {
+    return read_whole(text, 10, side) && side > 0 && side <= kMaxPictureSide;
+}
 
 /// "picture WIDTHxHEIGHT RENDERER".
 Result<RecordedPictures> read_pictures(const TextLine& line) {
@@ -55,7 +59,9 @@ Result<RecordedPictures> read_pictures(const TextLine& line) {
     RecordedPictures pictures;
     if (width == size || size == rest || !read_side(width, pictures.width) ||
         !read_side(size.substr(width.size() + 1), pictures.height))
-        return bad_line(line, 0, "expected \"picture WIDTHxHEIGHT RENDERER\", found " + in_quotes(line.text));
+        return bad_line(line, 0,
+                        "expected \"picture WIDTHxHEIGHT RENDERER\", each side from 1 to " +
+                            std::to_string(kMaxPictureSide) + " pixels, found " + in_quotes(line.text));
     pictures.renderer = rest.substr(size.size() + 1);
     if (std::ranges::find(kWords<RendererKind>, pictures.renderer) == kWords<RendererKind>.end())
         return bad_line(line, kPictures.size() + size.size() + 1,

@@ -12,14 +12,14 @@ namespace enfilade {
 
 /// What one frame looked like.
 struct FrameHash {
-    std::uint32_t frame = 0;
+    std::uint32_t frame = 0;  ///< its number, below kMaxFlightFrames
     std::uint64_t hash = 0;
     bool operator==(const FrameHash&) const = default;
 };
 
 /// How the frames of a recording were drawn.
 struct RecordedPictures {
-    std::uint32_t width = 1, height = 1;  ///< of each frame [px], at least 1
+    std::uint32_t width = 1, height = 1;  ///< of each frame [px], 1..kMaxPictureSide
     std::string renderer;                 ///< a word for a RendererKind
     bool operator==(const RecordedPictures&) const = default;
 };

@@ -110,8 +110,8 @@ constexpr std::array kDialKeys{
 
 constexpr std::array kScriptKeys{
     path_key<&ScriptFile::map, &ScriptFile::map_place>("map", Need::required),
-    Key<ScriptFile>{"size", kAlways, Need::optional, {1, 16384}, read_size},
-    key<&ScriptFile::rate>("rate", kAlways, Need::optional, {1, 1000}),
+    Key<ScriptFile>{"size", kAlways, Need::optional, {1, kMaxPictureSide}, read_size},
+    key<&ScriptFile::rate>("rate", kAlways, Need::optional, {1, kMaxFrameRate}),
     key<&ScriptFile::renderer>("renderer", kAlways),
     key<&ScriptFile::fov_degrees>("fov", kAlways, Need::optional, {1, 179}),
     Key<ScriptFile>{"samples", kAlways, Need::optional, {1, kMostSamples}, read_samples},

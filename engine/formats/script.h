@@ -50,8 +50,8 @@ enum class RendererKind : std::uint8_t { column, stencil, reference };
 /// The whole file. Frame n shows the time n / rate, so that it can be drawn without the frames before it.
 struct ScriptFile {
     std::string map;                ///< path, relative to the script
-    int width = 640, height = 400;  ///< 1..16384 [px]
-    int rate = 30;                  ///< frames a second, 1..1000
+    int width = 640, height = 400;  ///< 1..kMaxPictureSide [px]
+    int rate = 30;                  ///< frames a second, 1..kMaxFrameRate
     RendererKind renderer = RendererKind::column;
     double fov_degrees = 90;  ///< horizontal, 1..179
     Dials dials;
@@ -94,5 +94,11 @@ inline constexpr double kMaxLegSeconds = 3600;
 
 /// Longest flythrough [s]: with the highest rate, the number of frames still fits 32 bits.
 inline constexpr double kMaxScriptSeconds = 86400;
+
+/// Most frames a second.
+inline constexpr int kMaxFrameRate = 1000;
+
+/// More frames than kMaxScriptSeconds have at kMaxFrameRate.
+inline constexpr int kMaxFlightFrames = 100'000'000;
 
 }  // namespace enfilade

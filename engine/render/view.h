@@ -5,6 +5,7 @@
 
 #include "base/id.h"
 #include "base/result.h"
+#include "formats/dials.h"
 #include "formats/views_csv.h"
 #include "map/map.h"
 #include "math/angle.h"
@@ -114,9 +115,6 @@ private:
     double horizon_;
     std::optional<Tilt> tilt_;
 };
-
-/// Largest width and height of a picture [px].
-inline constexpr int kMaxPictureSide = 16384;
 
 // The eye as one chain of portals sees it.
 

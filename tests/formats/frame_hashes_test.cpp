@@ -10,7 +10,7 @@ namespace {
 
 const FrameRecording kRecording{RecordedPictures{64, 40, "column"},
                                 0xFEDCBA9876543210,
-                                {{0, 0x0123456789ABCDEF}, {7, 0}, {4000000000, ~std::uint64_t{0}}}};
+                                {{0, 0x0123456789ABCDEF}, {7, 0}, {99999999, ~std::uint64_t{0}}}};
 
 std::string complaint(std::string_view text) {
     const auto hashes = read_frame_hashes(text);
@@ -53,12 +53,16 @@ TEST(FrameHashes, NameFramesThatDoNotGrow) {
 }
 
 TEST(FrameHashes, NameAPictureThatIsNone) {
-    for (const char* text : {"picture 64 column", "picture 64x40", "picture 64xcolumn 3", "picture x40 column",
-                             "picture 0x7 column", "picture 7x0 column", "picture 0x0 column", "picture 7x column",
-                             "picture 7x8x9 column", "picture -7x8 column", "picture +7x8 column",
-                             "picture 4294967296x8 column", "picture  7x8 column", "picture 0x07 column"})
+    for (const char* text :
+         {"picture 64 column", "picture 64x40", "picture 64xcolumn 3", "picture x40 column", "picture 0x7 column",
+          "picture 7x0 column", "picture 0x0 column", "picture 7x column", "picture 7x8x9 column",
+          "picture -7x8 column", "picture +7x8 column", "picture 4294967296x8 column", "picture  7x8 column",
+          "picture 0x07 column", "picture 4294967295x4294967295 column", "picture 4294967295x1 column",
+          "picture 1x2147483648 column", "picture 16385x1 column", "picture 1x16385 column"})
         EXPECT_EQ(complaint(text),
-                  "1:1: expected \"picture WIDTHxHEIGHT RENDERER\", found '" + std::string(text) + "'");
+                  "1:1: expected \"picture WIDTHxHEIGHT RENDERER\", each side from 1 to 16384 pixels, found '" +
+                      std::string(text) + "'");
+    EXPECT_EQ(complaint("picture 16384x16384 column"), "");
 }
 
 TEST(FrameHashes, NameARendererThatIsNone) {
@@ -77,7 +81,11 @@ TEST(FrameHashes, NameASheetWithoutAHash) {
               "2:1: expected a frame's number, found 'sheet'");
 }
 
-TEST(FrameHashes, RefuseANumberThatDoesNotFit) { EXPECT_NE(complaint("4294967296 0000000000000000"), ""); }
+TEST(FrameHashes, RefuseANumberThatDoesNotFit) {
+    for (const char* text : {"4294967296", "4294967295", "2147483648", "100000000"})
+        EXPECT_EQ(complaint(text + std::string(" 0000000000000000")),
+                  "1:1: expected a frame's number, found '" + std::string(text) + "'");
+}
 
 }  // namespace
 }  // namespace enfilade

@@ -111,6 +111,19 @@ TEST_F(Parts, MustBeOfOneRecording) {
     EXPECT_FALSE(program_.exists("walk.hashes"));
 }
 
+TEST_F(Parts, WithPicturesOfNoSizeAreRefused) {
+    record(2, {});
+    const std::string name = "walk.part-000000-000004.hashes", text = program_.text(name);
+    for (const std::string size : {"4294967295x4294967295", "4294967295x1", "2147483648x2147483648", "16385x1"}) {
+        std::string other = text;
+        other.replace(other.find("64x40"), 5, size);
+        program_.write(name, other);
+        const Ended ended = fly({"--merge"});
+        EXPECT_EQ(ended.exit_code, 1);
+        EXPECT_THAT(ended.err, HasSubstr(name + ":2:1: expected \"picture WIDTHxHEIGHT RENDERER\""));
+    }
+}
+
 TEST_F(Parts, OfAFilmAreItsFrames) {
     fly({"--out", "whole"});
     fly({"--out", "parts", "--part", "1/2"});
