@@ -91,8 +91,8 @@ Result<FramePart> parse_part(const std::string& text) {
 }
 
 Result<FrameRange> frames_of(const FramePart& part, int frames) {
-    const auto begin_of = [&](int number) { return int(std::int64_t{frames} * (number - 1) / part.count); };
-    const FrameRange range{begin_of(part.number), begin_of(part.number + 1) - 1};
+    const auto begin_of = [&](std::int64_t number) { return int(frames * (number - 1) / part.count); };
+    const FrameRange range{begin_of(part.number), begin_of(std::int64_t{part.number} + 1) - 1};
     if (range.first <= range.last) return range;
     return Error{"--part", fmt::format("the flight has {}, fewer than {} parts", counted(std::size_t(frames), "frame"),
                                        part.count)};

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <climits>
+
 namespace enfilade {
 namespace {
 
@@ -44,6 +46,11 @@ TEST(FrameParts, CoverAFlightOnceAndEvenly) {
             }
             EXPECT_EQ(next, frames) << count;
         }
+}
+
+TEST(FrameParts, MayBeAsManyAsCanBeNamed) {
+    EXPECT_EQ(frames_of(FramePart{INT_MAX, INT_MAX}, 11).value(), (FrameRange{10, 10}));
+    EXPECT_FALSE(frames_of(FramePart{1, INT_MAX}, 11).ok());
 }
 
 }  // namespace
