@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
 #include <filesystem>
 
 #include "app/pictures.h"
@@ -27,9 +27,9 @@ std::string full_size_folder(const std::string& script_path) {
 std::vector<int> kept_numbers(const std::string& folder) {
     std::vector<int> numbers;
     for (const std::string& name : list_folder(folder)) {
-        int number = -1;
-        const bool is_numbered = std::sscanf(name.c_str(), "%d", &number) == 1 && number >= 0;
-        if (is_numbered && fs::path(folder) / name == numbered_picture(folder, std::size_t(number)))
+        int number = 0;
+        const bool is_numbered = std::from_chars(name.data(), name.data() + name.size(), number).ec == std::errc();
+        if (is_numbered && number >= 0 && fs::path(folder) / name == numbered_picture(folder, std::size_t(number)))
             numbers.push_back(number);
     }
     std::ranges::sort(numbers);
