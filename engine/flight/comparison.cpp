@@ -36,26 +36,9 @@ std::string hex(std::uint64_t hash) {
     return text;
 }
 
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '&')
-            safe += "&amp;";
-        else if (c == '<')
-            safe += "&lt;";
-        else if (c == '>')
-            safe += "&gt;";
-        else if (c == '"')
-            safe += "&quot;";
-        else
-            safe += c;
-    }
-    return safe;
-}
-
 std::string figure(const std::string& picture, const std::string& caption) {
-    const std::string image = picture.empty() ? "" : "<img src=\"" + escaped(picture) + "\"><br>";
-    return "<td>" + image + escaped(caption) + "</td>";
+    const std::string image = picture.empty() ? "" : "<img src=\"" + xml_escaped(picture) + "\"><br>";
+    return "<td>" + image + xml_escaped(caption) + "</td>";
 }
 
 /// What the difference picture shows; nothing where there is none.
@@ -122,12 +105,12 @@ std::vector<Mismatch> mismatches(const std::vector<FrameHash>& recorded, int fir
 
 std::string mismatch_page(const ReportText& text, const std::vector<MismatchRow>& rows) {
     std::string page = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                       escaped(text.title) +
+                       xml_escaped(text.title) +
                        "</title>\n<style>body{font-family:sans-serif;background:#222;color:#ddd}"
                        "img{width:28vw;image-rendering:pixelated}td,th{padding:.5em;vertical-align:top}</style>"
                        "</head>\n<body><h1>" +
-                       escaped(text.title) + "</h1>\n<p>" + std::to_string(text.total) + " frames differ; " +
-                       std::to_string(rows.size()) + " are shown. " + escaped(text.advice) +
+                       xml_escaped(text.title) + "</h1>\n<p>" + std::to_string(text.total) + " frames differ; " +
+                       std::to_string(rows.size()) + " are shown. " + xml_escaped(text.advice) +
                        "</p>\n<table><tr><th></th><th>expected</th><th>actual</th><th>difference</th></tr>\n";
     for (const MismatchRow& row : rows) page += row_text(row);
     return page + "</table></body></html>\n";

@@ -106,15 +106,35 @@ std::string csv_field(std::string_view text) {
     return quoted + "\"";
 }
 
+namespace {
+
+/// Char of XML 1.0 (section 2.2), of what UTF-8 can hold.
+bool is_xml(char32_t c) { return c >= 0x20 ? c != 0xFFFE && c != 0xFFFF : c == '\t' || c == '\n' || c == '\r'; }
+
+/// What stands in XML for the character at the start of the text, of `length` bytes [0: it is none].
+std::string xml_character(std::string_view text, std::size_t length) {
+    if (length == 0 || !is_xml(utf8_character(text))) return "\uFFFD";
+    switch (text[0]) {
+        case '&': return "&amp;";
+        case '<': return "&lt;";
+        case '>': return "&gt;";
+        case '"': return "&quot;";
+        case '\t': return "&#9;";  // as they are, readers take these for blanks and line ends of their own
+        case '\n': return "&#10;";
+        case '\r': return "&#13;";
+        default: return std::string(text.substr(0, length));
+    }
+}
+
+}  // namespace
+
 std::string xml_escaped(std::string_view text) {
     std::string safe;
-    for (const char c : text) switch (c) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            default: safe += c;
-        }
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        safe += xml_character(text, length);
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
     return safe;
 }
 

@@ -82,7 +82,8 @@ std::optional<double> parse_number(std::string_view text);
 /// A text as a field of CSV: in double quotes where it must be. After RFC 4180 (Shafranovich, 2005).
 std::string csv_field(std::string_view text);
 
-/// A text as XML has it, also between double quotes.
+/// A text as XML 1.0 has it, also between double quotes; its characters come back when it is read, and U+FFFD for what
+/// XML cannot hold: control characters, U+FFFE, U+FFFF and bytes that are not UTF-8.
 std::string xml_escaped(std::string_view text);
 
 /// A TOML string in quotes, everything escaped that must be; bytes that are not UTF-8 become U+FFFD.

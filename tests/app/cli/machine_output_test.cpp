@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/program.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {
@@ -78,6 +79,14 @@ TEST_F(MachineOutput, OfCheckAsSarifNamesPlaces) {
     EXPECT_EQ(place["region"]["startLine"], 2);
 }
 
+TEST_F(MachineOutput, OfCheckIsJsonWhateverAMapIsCalled) {
+    for (const std::string name : {"\x01\x1F\x7F.toml", "\xEF\xBF\xBE\xFF\xC3.toml", "\xED\xA0\x80.toml"}) {
+        program_.write(name, "format = 1\n\"\\u0001\\uFFFE\" = 3\n");
+        for (const char* format : {"json", "sarif"})
+            EXPECT_TRUE(json::accept(program_.run({"check", name, "--format", format}).out)) << format;
+    }
+}
+
 TEST_F(MachineOutput, OfFlyNamesTheFramesThatDiffer) {
     program_.run({"fly", "stand.toml", "--record"});
     const Ended same = program_.run({"fly", "stand.toml", "--check", "--format", "json"});
@@ -103,6 +112,61 @@ TEST_F(MachineOutput, OfFlyAsJunitHasACaseForEachFrame) {
     program_.write("said.xml", said);
     const Ended judged =
         program_.run_other("/usr/bin/python3", {"-c", "import xml.dom.minidom as m; m.parse(\"said.xml\")"});
+    EXPECT_EQ(judged.exit_code, 0) << judged.err;
+}
+
+/// Whether another program takes the file for XML.
+void expect_xml(const Program& program, const std::string& name) {
+    const Ended judged = program.run_other(
+        "/usr/bin/python3", {"-c", "import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])", name});
+    EXPECT_EQ(judged.exit_code, 0) << judged.err;
+}
+
+TEST_F(MachineOutput, OfFlyAsJunitIsXmlWhateverTheScriptIsCalled) {
+    const std::string name = "a\x01\x1F&<\"\n\xEF\xBF\xBE\xFF.toml";
+    program_.write(name, kStand);
+    program_.run({"fly", name, "--record"});
+    repaint();
+    program_.write("said.xml", program_.run({"fly", name, "--check", "--format", "junit"}).out);
+    expect_xml(program_, "said.xml");
+}
+
+TEST_F(MachineOutput, OfDrawIsXmlWhateverRoomsAreCalled) {
+    for (const char* name : {"\\u0001", "\\u001F", "\\u007F", "\\u0085", "\\u2028", "\\uFFFE", "\\uFFFF", "<&\\\""}) {
+        std::string text = test::kTwoRooms;
+        for (const char* word : {"hall", "border", "Two rooms"})
+            for (std::size_t at = 0; (at = text.find(word, at)) != text.npos; at += std::string(name).size())
+                text.replace(at, std::string(word).size(), name);
+        program_.write("named.toml", text);
+        EXPECT_EQ(program_.run({"draw", "named.toml", "--out", "named.svg"}).exit_code, 0);
+        expect_xml(program_, "named.svg");
+    }
+}
+
+/// In UTF-8, whether it is a character or not.
+std::string bytes_of(std::uint32_t code) {
+    const auto byte = [](std::uint32_t bits) { return static_cast<char>(bits); };
+    const auto next = [&](std::uint32_t shift) { return byte(0x80 | (code >> shift & 0x3F)); };
+    if (code < 0x80) return {byte(code)};
+    if (code < 0x800) return {byte(0xC0 | code >> 6), next(0)};
+    if (code < 0x10000) return {byte(0xE0 | code >> 12), next(6), next(0)};
+    return {byte(0xF0 | code >> 18), next(12), next(6), next(0)};
+}
+
+// By another program's rules: a character is lost exactly where its reader of XML would not take it.
+TEST_F(MachineOutput, AsXmlHoldsAllCharactersThatXmlCanHold) {
+    std::string all;
+    for (std::uint32_t code = 0; code <= 0x10FFFF; ++code) all += bytes_of(code);
+    for (int byte = 0x80; byte <= 0xFF; ++byte) all += {static_cast<char>(byte), ' '};
+    program_.write("all", all);
+    program_.write("all.xml", "<a b=\"" + xml_escaped(all) + "\">" + xml_escaped(all) + "</a>");
+    program_.write("judge.py", R"(import re, xml.etree.ElementTree as e
+text = open("all", "rb").read().decode("utf-8", "surrogateescape")
+lost = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+read = e.parse("all.xml").getroot()
+assert read.text == read.get("b") == lost.sub("\ufffd", text)
+)");
+    const Ended judged = program_.run_other("/usr/bin/python3", {"judge.py"});
     EXPECT_EQ(judged.exit_code, 0) << judged.err;
 }
 
