@@ -5,7 +5,6 @@
 #include "base/attempt.h"
 #include "base/files.h"
 #include "base/parallel.h"
-#include "base/text.h"
 #include "command/command.h"
 #include "wadconv/convert.h"
 
@@ -31,7 +30,8 @@ int run(const RunOptions& options, bool is_verbose) {
     for (const Report& report : result.value().reports)
         if (!report.refused.empty()) complain(report.map + " refused: " + report.refused);
     const std::string text = is_verbose ? to_text(result.value()) : totals_text(result.value().reports);
-    enfilade::print_text(stdout, text + written_text(result.value(), options.out));
+    const auto printed = enfilade::print_to_stdout(text + written_text(result.value(), options.out));
+    if (!printed.ok()) return enfilade::fail(kName, printed.error());
     return result.value().is_complete() ? enfilade::kDone : enfilade::kFailed;
 }
 

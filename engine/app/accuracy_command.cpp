@@ -91,8 +91,7 @@ Result<void> write_plot(const std::string& folder, const std::vector<AccuracySce
     const std::string script = folder + "/accuracy.gp";
     if (const Result<void> done = write_file(script, accuracy_plot(scenes, folder)); !done.ok()) return done.error();
     if (!is_installed("gnuplot")) {
-        print_text(stderr,
-                   "enfilade: no picture, because gnuplot is not installed; `gnuplot " + script + "` draws it\n");
+        print_to_stderr("enfilade: no picture, because gnuplot is not installed; `gnuplot " + script + "` draws it\n");
         return {};
     }
     const auto end = run_child({"gnuplot", script});
@@ -231,13 +230,15 @@ Result<void> exchange_scene(const std::string& path, const AccuracyRequest& requ
     if (request.score.empty()) return export_truth(entry, *map);
     const auto score = score_entry(entry, *map);
     if (!score.ok()) return score.error();
-    print_text(stdout, score_line(scene_name(path), score.value()));
-    return {};
+    return print_to_stdout(score_line(scene_name(path), score.value()));
 }
 
 Result<void> exchange(const AccuracyRequest& request) {
-    if (!request.score.empty())
-        print_text(stdout, "| scene | noise [dB] | likeness | wrong surfaces [of a million] |\n|---|---|---|---|\n");
+    const char* const header =
+        request.score.empty()
+            ? ""
+            : "| scene | noise [dB] | likeness | wrong surfaces [of a million] |\n|---|---|---|---|\n";
+    if (const Result<void> done = print_to_stdout(header); !done.ok()) return done.error();
     for (const std::string& path : maps_of(request))
         if (const Result<void> done = exchange_scene(path, request); !done.ok()) return done.error();
     return {};
@@ -254,9 +255,9 @@ Result<void> measure_accuracy(const AccuracyRequest& request) {
     const auto besides = measure_besides(request);
     if (!besides.ok()) return besides.error();
     const std::string page = whole_page(run.value(), scenes.value(), besides.value());
-    print_text(stdout, page);
     if (!request.out.empty())
         if (const Result<void> done = write_report(request, page, scenes.value()); !done.ok()) return done.error();
+    if (const Result<void> done = print_to_stdout(page); !done.ok()) return done.error();
     if (const Result<void> valid = check_promises(scenes.value()); !valid.ok()) return valid.error();
     if (const Result<void> valid = check_motion(besides.value().drifts, besides.value().crossings); !valid.ok())
         return valid.error();
@@ -268,9 +269,6 @@ Result<void> measure_accuracy(const AccuracyRequest& request) {
 
 }  // namespace
 
-int run_accuracy(const AccuracyRequest& request) {
-    const Result<void> done = measure_accuracy(request);
-    return done.ok() ? kDone : fail(done.error());
-}
+int run_accuracy(const AccuracyRequest& request) { return status_of(measure_accuracy(request)); }
 
 }  // namespace enfilade

@@ -53,7 +53,7 @@ Result<void> refuse_beside_effects(const BenchRequest& request) {
 /// JSON is of the times of frames.
 Result<void> refuse_beside_json(const BenchRequest& request) {
     if (request.format == kText) return {};
-    if (request.csv == "-")
+    if (request.csv == kStandardOutput)
         return Error{"--csv", "both would go to standard output; name a file, or leave one of the two out"};
     if (!request.effects && !request.instructions && request.against.empty()) return {};
     return Error{
@@ -164,17 +164,19 @@ Result<void> count_frames(const Renderers& renderers, RendererKind kind, Frame& 
 }
 
 /// What was measured, on stdout; where the list of frames goes there, the table for people goes to stderr.
-void tell_times(const BenchRequest& request, const BenchChoices& choices, const std::vector<BenchFrame>& frames,
-                std::string_view kernels) {
+Result<void> tell_times(const BenchRequest& request, const BenchChoices& choices, const std::vector<BenchFrame>& frames,
+                        std::string_view kernels) {
     if (request.format == kJson) {
         const BenchSetting setting{
             request.files,        choices.size.width, choices.size.height, name_of(choices.renderer),
             std::string(kernels), choices.dials,      choices.threads,     choices.rounds};
-        return print_text(stdout, bench_json(setting, frames));
+        return print_to_stdout(bench_json(setting, frames));
     }
-    std::FILE* const out = request.csv == "-" ? stderr : stdout;
-    print_text(out, bench_table(request.files, frames));
-    if (!kernels.empty()) print_text(out, fmt::format("inner loops: {}\n", kernels));
+    std::string table = bench_table(request.files, frames);
+    if (!kernels.empty()) table += fmt::format("inner loops: {}\n", kernels);
+    if (request.csv != kStandardOutput) return print_to_stdout(table);
+    print_to_stderr(table);
+    return {};
 }
 
 Result<void> time_frames(const BenchRequest& request, const BenchChoices& choices,
@@ -193,8 +195,10 @@ Result<void> time_frames(const BenchRequest& request, const BenchChoices& choice
     if (const Result<void> done = count_frames(renderers.value(), choices.renderer, picture, subjects, frames);
         !done.ok())
         return done.error();
-    tell_times(request, choices, frames, renderers.value().front()->kernels());
-    return request.csv.empty() ? Result<void>() : write_file(request.csv, bench_csv(request.files, frames));
+    if (!request.csv.empty())
+        if (const Result<void> done = write_file(request.csv, bench_csv(request.files, frames)); !done.ok())
+            return done.error();
+    return tell_times(request, choices, frames, renderers.value().front()->kernels());
 }
 
 ChildBench child_bench(const BenchRequest& request, const BenchChoices& choices) {
@@ -219,27 +223,28 @@ ChildBench child_bench(const BenchRequest& request, const BenchChoices& choices)
 int measure_by_children(const BenchRequest& request, const BenchChoices& choices) {
     const ChildBench bench = child_bench(request, choices);
     const auto table = request.instructions ? count_instructions(bench) : compare_with(request.against, bench);
-    if (!table.ok()) return fail(table.error());
-    print_text(stdout, table.value());
-    return kDone;
+    return table.ok() ? status_of(print_to_stdout(table.value())) : fail(table.error());
 }
 
-/// The prices of one map as a table; false where it has errors.
-bool price_map(const std::string& path, const BenchRequest& request, const PriceChoices& choices) {
+/// The prices of one map; none where it has errors, which are told.
+std::optional<std::string> price_table(const std::string& path, const BenchRequest& request,
+                                       const PriceChoices& choices) {
     const auto map = open_map(path, request.texture_folders, {});
     const auto bytes = read_file(path);
-    if (!map || !bytes.ok()) return false;
+    if (!map || !bytes.ok()) return {};
     const Prices prices =
         effect_prices(read_map_at(path, as_text(bytes.value()), read_file).map, map->textures, choices);
-    print_text(stdout, fmt::format("{}:\n\n{}\n", path, to_markdown(prices)));
-    return true;
+    return fmt::format("{}:\n\n{}\n", path, to_markdown(prices));
 }
 
 int price_maps(const BenchRequest& request, const PriceChoices& choices) {
-    if (request.files.empty()) return price_map(shipped_map("effects.toml"), request, choices) ? kDone : kFailed;
-    bool all = true;
-    for (const std::string& map : request.files) all &= price_map(map, request, choices);
-    return all ? kDone : kFailed;
+    int status = kDone;
+    for (const std::string& map : request.files.empty() ? std::vector{shipped_map("effects.toml")} : request.files) {
+        const auto table = price_table(map, request, choices);
+        if (!table) status = kFailed;
+        if (const Result<void> done = print_to_stdout(table.value_or("")); !done.ok()) return fail(done.error());
+    }
+    return status;
 }
 
 }  // namespace
@@ -255,9 +260,7 @@ int run_bench(const BenchRequest& request) {
         if (!subject) return kFailed;
         subjects.push_back(std::move(*subject));
     }
-    if (const Result<void> done = time_frames(request, choices.value(), subjects); !done.ok())
-        return fail(done.error());
-    return kDone;
+    return status_of(time_frames(request, choices.value(), subjects));
 }
 
 }  // namespace enfilade

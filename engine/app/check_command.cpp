@@ -11,7 +11,6 @@
 #include "app/open_map.h"
 #include "app/sounds.h"
 #include "base/files.h"
-#include "base/text.h"
 #include "formats/map_toml.h"
 #include "formats/text_parts.h"
 #include "map/load.h"
@@ -20,12 +19,13 @@
 namespace enfilade {
 namespace {
 
-void print_effects(const std::string& path, const TextureSet& textures) {
+/// Nothing where the map cannot be read any more.
+std::string effects_text(const std::string& path, const TextureSet& textures) {
     const auto bytes = read_file(path);
-    if (!bytes.ok()) return;
+    if (!bytes.ok()) return "";
     const MapFile map = read_map_at(path, as_text(bytes.value()), read_file).map;
-    print_text(stdout, fmt::format("{}: {}, and\n{}", path, counted(map.sectors.size(), "sector"),
-                                   to_text(effect_prices(map, textures))));
+    return fmt::format("{}: {}, and\n{}", path, counted(map.sectors.size(), "sector"),
+                       to_text(effect_prices(map, textures)));
 }
 
 /// "; did you mean 'X'?" with the sound that is called nearly so, where there is none of this name.
@@ -77,11 +77,14 @@ Findings findings_about(const std::string& path, const LoadedMap& loaded) {
     return findings;
 }
 
-CheckedMap check_map(const std::string& path, const CheckRequest& request) {
+/// Tells people at once what it finds.
+Result<CheckedMap> check_map(const std::string& path, const CheckRequest& request) {
     const LoadedMap loaded = load_map(path, request.texture_folders, read_file, {}, list_folder);
     CheckedMap checked{path, findings_about(path, loaded), has_errors(loaded.findings)};
-    if (request.format == kText) print_text(stdout, findings_text(path, checked.findings, request.talk));
-    if (request.effects && loaded.map) print_effects(path, loaded.textures);
+    std::string text;
+    if (request.format == kText) text = findings_text(path, checked.findings, request.talk);
+    if (request.effects && loaded.map) text += effects_text(path, loaded.textures);
+    if (const Result<void> done = print_to_stdout(text); !done.ok()) return done.error();
     return checked;
 }
 
@@ -92,16 +95,25 @@ std::string summary_of(const std::vector<CheckedMap>& maps) {
                        counted(count_of(maps, Severity::warning), "warning"));
 }
 
+/// What is said when all maps are checked.
+std::string text_about(const std::vector<CheckedMap>& maps, const CheckRequest& request) {
+    if (request.format == kJson) return check_json(maps);
+    if (request.format == kSarif) return check_sarif(maps);
+    return request.talk == Talk::usual ? summary_of(maps) : "";
+}
+
 }  // namespace
 
 int run_check(const CheckRequest& request) {
     if (request.effects && request.format != kText)
         return refuse_usage({"--effects", "its prices are for people to read; leave it out beside --format"});
     std::vector<CheckedMap> maps;
-    for (const std::string& map : maps_in_folders(request.maps)) maps.push_back(check_map(map, request));
-    if (request.format == kJson) print_text(stdout, check_json(maps));
-    if (request.format == kSarif) print_text(stdout, check_sarif(maps));
-    if (request.format == kText && request.talk == Talk::usual) print_text(stdout, summary_of(maps));
+    for (const std::string& map : maps_in_folders(request.maps)) {
+        auto checked = check_map(map, request);
+        if (!checked.ok()) return fail(checked.error());
+        maps.push_back(std::move(checked).value());
+    }
+    if (const Result<void> done = print_to_stdout(text_about(maps, request)); !done.ok()) return fail(done.error());
     return std::ranges::count(maps, true, &CheckedMap::is_refused) == 0 ? kDone : kFailed;
 }
 

@@ -11,7 +11,6 @@
 #include "app/pictures.h"
 #include "app/recorded_flight.h"
 #include "base/files.h"
-#include "base/text.h"
 #include "formats/text_parts.h"
 #include "platform/gl_context.h"
 
@@ -166,14 +165,15 @@ std::string report_folder(const FlyRequest& request) {
 }
 
 /// Says that all is well.
-void confirm(const FlyRequest& request, std::size_t frames, const char* what) {
-    if (request.talk == Talk::usual && request.format == kText)
-        print_text(stdout, fmt::format("{}: {} {}\n", request.script, counted(frames, "frame"), what));
+Result<void> confirm(const FlyRequest& request, std::size_t frames, const char* what) {
+    if (request.talk == Talk::errors_only || request.format != kText) return {};
+    return print_to_stdout(fmt::format("{}: {} {}\n", request.script, counted(frames, "frame"), what));
 }
 
-void print_verdict(const FlyRequest& request, const CheckedFlight& checked) {
-    if (request.format == kJson) print_text(stdout, flight_json(checked));
-    if (request.format == kJunit) print_text(stdout, flight_junit(checked));
+/// To other programs.
+Result<void> print_verdict(const FlyRequest& request, const CheckedFlight& checked) {
+    if (request.format == kText) return {};
+    return print_to_stdout(request.format == kJson ? flight_json(checked) : flight_junit(checked));
 }
 
 /// Compares, and says on stdout what that came to; an error where frames differ.
@@ -186,27 +186,26 @@ Result<void> check(const FlyRequest& request, const FlightScene& scene, const Dr
                              : check_flight(scene, plan, request.script, folder, request.talk);
     if (!verdict.ok()) return verdict.error();
     const std::string other = choices.against ? name_of(*choices.against) : "recording";
-    print_verdict(request, {request.script, name_of(plan.renderer), other, plan.first, plan.last, verdict.value()});
+    const CheckedFlight checked{request.script, name_of(plan.renderer), other, plan.first, plan.last, verdict.value()};
+    if (const Result<void> done = print_verdict(request, checked); !done.ok()) return done.error();
     const std::vector<int>& differing = verdict.value().differing;
     if (!differing.empty())
         return Error{request.script, fmt::format("{} of {} frames differ, frame {} first; see {}", differing.size(),
                                                  frames_of(plan), differing.front(), verdict.value().report)};
-    confirm(request, frames_of(plan), choices.against ? "drawn alike by both renderers" : "as they were recorded");
-    return {};
+    return confirm(request, frames_of(plan),
+                   choices.against ? "drawn alike by both renderers" : "as they were recorded");
 }
 
 Result<void> record(const FlyRequest& request, const FlightScene& scene, const DrawPlan& plan) {
     const PictureKeeping keeping{request.no_pictures, request.keep_every};
     if (const Result<void> done = record_flight(scene, plan, request.script, keeping, request.talk); !done.ok())
         return done.error();
-    confirm(request, frames_of(plan), "recorded");
-    return {};
+    return confirm(request, frames_of(plan), "recorded");
 }
 
 Result<void> merge(const FlyRequest& request, int frames) {
     if (const Result<void> done = merge_parts(request.script, frames); !done.ok()) return done.error();
-    confirm(request, std::size_t(frames), "merged");
-    return {};
+    return confirm(request, std::size_t(frames), "merged");
 }
 
 Result<void> work(const FlyRequest& request, const OpenFlight& open, const DrawPlan& plan, const FlyChoices& choices) {
@@ -229,9 +228,7 @@ int run_fly(const FlyRequest& request) {
     auto plan = plan_of(request, choices.value(), *open);
     if (!plan.ok()) return refuse_usage(plan.error());
     plan.value().workers = request.threads;
-    if (const Result<void> done = work(request, *open, plan.value(), choices.value()); !done.ok())
-        return fail(done.error());
-    return kDone;
+    return status_of(work(request, *open, plan.value(), choices.value()));
 }
 
 }  // namespace enfilade

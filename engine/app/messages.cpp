@@ -19,6 +19,8 @@ namespace enfilade {
 
 int fail(const Error& error) { return fail("enfilade", error); }
 
+int status_of(const Result<void>& done) { return done.ok() ? kDone : fail(done.error()); }
+
 int refuse_usage(const Error& error) {
     fail(error);
     return kUsage;
@@ -26,7 +28,7 @@ int refuse_usage(const Error& error) {
 
 CutShortNote::~CutShortNote() {
     if (count_ == 0 || talk_ == Talk::errors_only) return;
-    print_text(stderr, fmt::format("{}: note: in {} {}\n", out_, counted(count_, "picture"), kCutShort));
+    print_to_stderr(fmt::format("{}: note: in {} {}\n", out_, counted(count_, "picture"), kCutShort));
 }
 
 namespace {
@@ -43,9 +45,9 @@ bool is_there(const std::string& path) {
     return fs::exists(path, unknown);
 }
 
-bool is_wad(std::string_view text) { return text.starts_with("IWAD") || text.starts_with("PWAD"); }
-
 constexpr std::size_t kWadMagicBytes = 4;
+
+bool is_wad(std::string_view text) { return text.starts_with("IWAD") || text.starts_with("PWAD"); }
 
 /// How tapes begin (formats/tape.cpp), also those that were cut off.
 bool is_tape(std::string_view text) { return text.starts_with("ENFTAPE"); }

@@ -15,6 +15,9 @@ namespace enfilade {
 /// Prints "enfilade: error" and gives kFailed.
 int fail(const Error& error);
 
+/// How a command ends: kDone, or as fail() says.
+int status_of(const Result<void>& done);
+
 /// Prints "enfilade: error" and gives kUsage.
 int refuse_usage(const Error& error);
 

@@ -150,7 +150,7 @@ Result<void> report_mismatches(const FlightScene& scene, const DrawPlan& plan, c
         shown.push_back(bad_frame(mismatch, std::move(picture), std::move(actual).value()));
     }
     if (talk == Talk::usual && !kept.what_is_missing().empty())
-        print_text(stderr, script_path + ": " + kept.what_is_missing() + "\n");
+        print_to_stderr(script_path + ": " + kept.what_is_missing() + "\n");
     return write_report(folder, {"Flythrough " + script_path, advice_on(kept, script_path), found.size()}, shown);
 }
 

@@ -120,7 +120,7 @@ private:
 void mention_warnings(const std::string& path, const Findings& findings) {
     const auto count = std::ranges::count_if(findings, is_warning);
     if (count == 1) print_findings(path, {*std::ranges::find_if(findings, is_warning)}, Talk::usual);
-    if (count > 1) print_text(stderr, fmt::format("{0}: {1} warnings; `enfilade check {0}` shows them\n", path, count));
+    if (count > 1) print_to_stderr(fmt::format("{0}: {1} warnings; `enfilade check {0}` shows them\n", path, count));
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ std::string findings_text(const std::string& path, const Findings& findings, Tal
 }
 
 bool print_findings(const std::string& path, const Findings& findings, Talk talk) {
-    print_text(stderr, findings_text(path, findings, talk));
+    print_to_stderr(findings_text(path, findings, talk));
     return has_errors(findings);
 }
 

@@ -171,7 +171,7 @@ private:
 
 Result<void> check_places(const PictureJob& job) {
     const Outputs outputs = all_outputs(job);
-    const auto is_standard_output = [](const auto& output) { return output.second == "-"; };
+    const auto is_standard_output = [](const auto& output) { return output.second == kStandardOutput; };
     if (std::ranges::count_if(outputs, is_standard_output) + !job.at.empty() > 1)
         return Error{
             "",
@@ -179,7 +179,7 @@ Result<void> check_places(const PictureJob& job) {
             "output, and none with --at, which tells there what it finds"};
     for (const auto& [argument, path] : outputs) {
         const auto is_same = [&p = path](const auto& output) { return output.second == p; };
-        const bool is_place = !path.empty() && path != "-" && !std::filesystem::is_other(path);
+        const bool is_place = !path.empty() && path != kStandardOutput && !std::filesystem::is_other(path);
         if (is_place && std::ranges::count_if(outputs, is_same) > 1)
             return Error{argument,
                          fmt::format("{} is given twice; each output needs a place of its own", in_quotes(path))};
@@ -285,10 +285,10 @@ void mention_hidden_eyes(const Map& map, const RenderRequest& request, const std
     for (std::size_t i = 0; i < views.size(); ++i) {
         const auto hidden = hidden_eye(map, snapshot, views[i]);
         if (hidden && ++count == 1)
-            print_text(stderr, fmt::format("{}: note: {}; the picture looks through it and smears it\n",
-                                           place_text(request, places, i), *hidden));
+            print_to_stderr(fmt::format("{}: note: {}; the picture looks through it and smears it\n",
+                                        place_text(request, places, i), *hidden));
     }
-    if (count > 1) print_text(stderr, fmt::format("{}: note: {} more like it\n", request.views, count - 1));
+    if (count > 1) print_to_stderr(fmt::format("{}: note: {} more like it\n", request.views, count - 1));
 }
 
 MapPlaces places_in_file(const RenderRequest& request) {
@@ -303,16 +303,18 @@ Snapshot shown_in(const PictureJob& job, const Map& map) {
 }
 
 /// "120,80: floor of sector 'hall' …", with the view's number before it where there are several.
-void tell_pixels(const OpenMap& map, const PictureJob& job, const RenderRequest& request) {
-    if (job.at.empty()) return;
+Result<void> tell_pixels(const OpenMap& map, const PictureJob& job, const RenderRequest& request) {
+    if (job.at.empty()) return {};
     const Snapshot snapshot = shown_in(job, map.map);
     const MapPlaces places = places_in_file(request);
+    std::string text;
     for (std::size_t i = 0; i < job.views.size(); ++i)
         for (const auto [x, y] : job.at) {
             const PixelOf pixel{job.views[i], job.size.width, job.size.height, x, y};
-            print_text(stdout, fmt::format("{}{},{}: {}\n", job.views.size() > 1 ? fmt::format("view {}: ", i) : "", x,
-                                           y, pixel_text(map, snapshot, pixel, request.map, places)));
+            text += fmt::format("{}{},{}: {}\n", job.views.size() > 1 ? fmt::format("view {}: ", i) : "", x, y,
+                                pixel_text(map, snapshot, pixel, request.map, places));
         }
+    return print_to_stdout(text);
 }
 
 Result<void> list_surfaces(const OpenMap& map, const PictureJob& job, const RenderRequest& request) {
@@ -346,8 +348,7 @@ int run_render(const RenderRequest& request) {
     if (request.talk == Talk::usual) mention_hidden_eyes(map->map, request, places, job.value().views);
     if (const Result<void> done = draw_pictures(*map, job.value()); !done.ok()) return fail(done.error());
     if (const Result<void> done = list_surfaces(*map, job.value(), request); !done.ok()) return fail(done.error());
-    tell_pixels(*map, job.value(), request);
-    return kDone;
+    return status_of(tell_pixels(*map, job.value(), request));
 }
 
 }  // namespace enfilade

@@ -131,17 +131,21 @@ inline constexpr std::size_t kLeastForLargePages = std::size_t{8} << 20;
 /// "PATH: cannot DOING: REASON", with the reason of the system call that failed last (errno).
 Error system_error(const std::string& path, const char* doing);
 
+/// The name of this process's standard output among paths.
+inline constexpr const char* kStandardOutput = "-";
+
 /// Where bytes go that shall become the file `path`: into a temporary file beside it, under a name that nobody can
 /// foresee. commit() puts it in the place of `path`; a file that is not committed goes with this object. So a reader
 /// finds the old file or the new one, however many write it at once and wherever one of them is stopped.
 ///
 /// What is no file is written to and never replaced: devices, pipes, this process's standard output, also by the name
-/// "-". A link is followed; a file that is replaced hands on its permissions.
+/// kStandardOutput. A link is followed; a file that is replaced hands on its permissions.
 class OutputFile {
 public:
     /// What is on disk when the file is in its place. Flushing a folder after each of the many files that are written
-    /// into it takes twice as long, so that is done once, by flush_folder(), after the last.
-    enum class Flush { file_and_folder, file };
+    /// into it takes twice as long, so that is done once, by flush_folder(), after the last. `nothing`: words that are
+    /// read as they come.
+    enum class Flush { file_and_folder, file, nothing };
 
     /// An error where `path` is a folder or nothing can be created beside it.
     static Result<OutputFile> open(const std::string& path);

@@ -88,7 +88,9 @@ Result<std::string> behind_links(const std::string& path) {
     return file.string();
 }
 
-constexpr const char* kStandardOutput = "-";
+Error error_of(const std::string& path, const char* doing) {
+    return path == kStandardOutput ? system_error("", "write to standard output") : system_error(path, doing);
+}
 
 bool is_standard_output(const struct stat& file) {
     struct stat out;
@@ -101,7 +103,7 @@ Result<int> open_what_is_no_file(const std::string& path) {
     const bool is_there = stat(path.c_str(), &found) == 0;
     if (path == kStandardOutput || (is_there && is_standard_output(found))) {
         const int copy = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
-        if (copy < 0) return system_error(path, "write to standard output");
+        if (copy < 0) return error_of(path, "write the file");
         return copy;
     }
     if (!is_there || S_ISREG(found.st_mode)) return -1;
@@ -169,7 +171,7 @@ Result<void> OutputFile::create_beside() {
     return {};
 }
 
-Result<void> OutputFile::failed_to(const char* doing) const { return system_error(path_, doing); }
+Result<void> OutputFile::failed_to(const char* doing) const { return error_of(path_, doing); }
 
 Result<void> OutputFile::write(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
@@ -203,7 +205,7 @@ Result<void> flush_folder(const std::string& path) {
 Result<void> OutputFile::put_in_place(Flush flush) {
     if (slot_ < 0) return {};
     // Some file systems cannot flush, and say so.
-    if (fsync(descriptor_) != 0 && errno != EINVAL) return failed_to("write the file");
+    if (flush != Flush::nothing && fsync(descriptor_) != 0 && errno != EINVAL) return failed_to("write the file");
     const int slot = std::exchange(slot_, -1);
     if (!take_back(slot)) return Error{path_, "the file was given up: the program is being ended"};
     Result<void> renamed;
@@ -212,14 +214,15 @@ Result<void> OutputFile::put_in_place(Flush flush) {
         unlink(slots[slot].name);
     }
     give_slot_back(slot);
-    if (!renamed.ok() || flush == Flush::file) return renamed;
+    if (!renamed.ok() || flush != Flush::file_and_folder) return renamed;
     return flush_folder(fs::path(path_).parent_path().string());
 }
 
 Result<void> OutputFile::commit(Flush flush) {
     const bool was_in_place = slot_ < 0;
     Result<void> written = put_in_place(flush);
-    if (written.ok() && was_in_place && fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP)
+    const bool must_flush = written.ok() && was_in_place && flush != Flush::nothing;
+    if (must_flush && fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP)
         written = failed_to("write the file");
     if (::close(std::exchange(descriptor_, -1)) != 0 && written.ok()) written = failed_to("write the file");
     close();

@@ -1,5 +1,7 @@
 #include "base/text.h"
 
+#include <cstdio>
+
 namespace enfilade {
 
 namespace {
@@ -47,9 +49,9 @@ bool is_printable_line(std::string_view text) {
     return true;
 }
 
-void print_text(std::FILE* stream, std::string_view text) {
+void print_to_stderr(std::string_view text) {
     const std::string shown = printable(text);
-    std::fwrite(shown.data(), 1, shown.size(), stream);
+    std::fwrite(shown.data(), 1, shown.size(), stderr);
 }
 
 void redraw_line(std::string_view text) {

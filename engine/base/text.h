@@ -1,8 +1,7 @@
-// Texts: which of their bytes are characters, and the one way by which they reach stdout and stderr.
+// Texts: which of their bytes are characters, and how they reach stderr.
 #pragma once
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -63,9 +62,9 @@ std::string printable(std::string_view text);
 /// Whether the text is a line that can be printed as it is.
 bool is_printable_line(std::string_view text);
 
-/// Writes printable(text), which brings its line feeds along. stream : stdout or stderr. What cannot be written is
-/// lost.
-void print_text(std::FILE* stream, std::string_view text);
+/// Writes printable(text), which brings its line feeds along, to stderr. What cannot be written is lost: nobody is left
+/// to be told. For standard output see command/command.h.
+void print_to_stderr(std::string_view text);
 
 /// Replaces the line that the cursor of stderr is in; without a text, wipes it.
 void redraw_line(std::string_view text);

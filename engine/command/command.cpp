@@ -7,9 +7,11 @@
 #include <chrono>
 #include <memory>
 #include <set>
+#include <span>
 #include <sstream>
 #include <vector>
 
+#include "base/files.h"
 #include "base/text.h"
 #include "formats/text_parts.h"
 
@@ -110,8 +112,17 @@ std::string range_fault(std::string_view text, double low, double high) {
 }
 
 int fail(const std::string& program, const Error& error) {
-    print_text(stderr, program + ": " + error.text() + "\n");
+    print_to_stderr(program + ": " + error.text() + "\n");
     return kFailed;
+}
+
+Result<void> print_to_stdout(std::string_view text) {
+    if (text.empty()) return {};
+    Result<OutputFile> out = OutputFile::open(kStandardOutput);
+    if (!out) return out.error();
+    const std::string shown = printable(text);
+    if (const Result<void> done = out.value().write(std::as_bytes(std::span(shown))); !done.ok()) return done.error();
+    return out.value().commit(OutputFile::Flush::nothing);
 }
 
 std::optional<int> read_arguments(CLI::App& program, int argc, const char* const* argv,
@@ -123,8 +134,8 @@ std::optional<int> read_arguments(CLI::App& program, int argc, const char* const
     } catch (const CLI::Success& asked_for_text) {
         std::ostringstream text;
         program.exit(asked_for_text, text);
-        print_text(stdout, text.str());
-        return kDone;
+        const Result<void> done = print_to_stdout(text.str());
+        return done.ok() ? kDone : fail(program.get_name(), done.error());
     } catch (const CLI::ParseError& error) {
         const std::string fault = fault_text(program, error, about_command);
         fail(program.get_name(), {"", fault + "; see `" + name_of(command_of(program)) + " --help`"});

@@ -1,4 +1,4 @@
-// What both programs share: reading their arguments, how they end, and a line that says how far a long job is.
+// What both programs share: arguments, standard output, how they end, and a line that says how far a long job is.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -24,6 +24,10 @@ inline constexpr int kUsage = 2;   ///< the command line itself makes no sense
 
 /// Prints "PROGRAM: error" and gives kFailed.
 int fail(const std::string& program, const Error& error);
+
+/// The only way by which words reach standard output: writes printable(text) at once. An error where not all of it
+/// could be written, as into a full disk; the command is then to end with it.
+Result<void> print_to_stdout(std::string_view text);
 
 /// What is wrong with a text that is to be a finite number from low to high; empty: nothing.
 std::string range_fault(std::string_view text, double low, double high);

@@ -10,7 +10,6 @@
 #include "app/open_map.h"
 #include "app/programs.h"
 #include "base/files.h"
-#include "base/text.h"
 #include "formats/map_toml.h"
 #include "formats/text_parts.h"
 #include "formats/toml.h"
@@ -97,9 +96,9 @@ int run_new(const NewRequest& request) {
             {path.string(), "there is no folder " + in_quotes(path.parent_path().string()) + "; make it first"});
     if (const Result<void> done = write_file(path.string(), std::string_view(first_map(path))); !done.ok())
         return fail(done.error());
-    print_text(stdout, fmt::format("{} is a map of two rooms. `enfilade play {}` opens it; change it meanwhile.\n",
-                                   path.string(), in_shell(path.string())));
-    return kDone;
+    return status_of(
+        print_to_stdout(fmt::format("{} is a map of two rooms. `enfilade play {}` opens it; change it meanwhile.\n",
+                                    path.string(), in_shell(path.string()))));
 }
 
 // `enfilade expand`: a map with all its short words written out; and `enfilade draw`: its plan.
@@ -125,13 +124,7 @@ int run_expand(const ExpandRequest& request) {
     if (!reading.ok()) return fail(reading.error());
     if (print_findings(request.map, reading.value().findings, Talk::usual)) return kFailed;
     const std::string text = write_map(reading.value().map);
-    if (request.out.empty()) {
-        print_text(stdout, text);
-        return kDone;
-    }
-    if (const Result<void> done = write_file(request.out, std::string_view(text)); !done.ok())
-        return fail(done.error());
-    return kDone;
+    return status_of(request.out.empty() ? print_to_stdout(text) : write_file(request.out, std::string_view(text)));
 }
 
 int run_draw(const DrawRequest& request) {
@@ -178,10 +171,12 @@ int run_fmt(const FmtRequest& request) {
         const Outcome outcome = lay_out(map, request.check);
         others += outcome == Outcome::other;
         failures += outcome == Outcome::failed;
-        if (outcome == Outcome::other) print_text(stdout, map + "\n");
+        if (outcome != Outcome::other) continue;
+        if (const Result<void> done = print_to_stdout(map + "\n"); !done.ok()) return fail(done.error());
     }
-    print_text(stdout, fmt::format("{} looked at, {} {}\n", counted(maps.size(), "map"), others,
-                                   request.check ? "would be laid out anew" : "laid out anew"));
+    const std::string summary = fmt::format("{} looked at, {} {}\n", counted(maps.size(), "map"), others,
+                                            request.check ? "would be laid out anew" : "laid out anew");
+    if (const Result<void> done = print_to_stdout(summary); !done.ok()) return fail(done.error());
     return failures > 0 || (request.check && others > 0) ? kFailed : kDone;
 }
 

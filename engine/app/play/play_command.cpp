@@ -17,7 +17,7 @@ namespace {
 /// The player's settings, with what the options say for this time.
 Result<SettingsStore> settings_for(const PlayRequest& request) {
     SettingsStore store(settings_path());
-    for (const std::string& note : store.notes()) print_text(stderr, note + "\n");
+    for (const std::string& note : store.notes()) print_to_stderr(note + "\n");
     Settings now = store.now();
     for (const auto& [name, text] : request.settings) {
         const Setting& setting = setting_named(name);
