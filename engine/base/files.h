@@ -27,14 +27,17 @@ using FolderLister = std::function<std::vector<std::string>(const std::string& p
 /// refused before memory is taken for it.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
 
-/// The file's bytes, or an error naming the path. Directories, devices and files over kMaxFileBytes are errors.
-Result<Bytes> read_file(const std::string& path);
+// Files are opened and read here and nowhere else.
 
-/// The names of what lies in a folder, sorted; none where it cannot be read.
-std::vector<std::string> list_folder(const std::string& path);
+/// The file's bytes, or an error naming the path. Directories, devices, pipes and files over kMaxFileBytes are errors;
+/// nothing is ever waited for.
+Result<Bytes> read_file(const std::string& path);
 
 /// The first `most` bytes of a file of any size, all where it has fewer: for a look at what it is. The same errors.
 Result<Bytes> read_beginning(const std::string& path, std::size_t most);
+
+/// The names of what lies in a folder, sorted; none where it cannot be read.
+std::vector<std::string> list_folder(const std::string& path);
 
 /// Writes an OutputFile: a reader finds the old file or the new one, never half of one, and what was written is on
 /// disk.

@@ -112,6 +112,10 @@ TEST(House, NoFlagChangesWhatTheCodeComputes) {
 // hard case D3
 TEST(House, NoInstructionApproximates) { EXPECT_THAT(complaints(sources(), check_approximations), IsEmpty()); }
 
+TEST(House, FilesAreOpenedByOneWay) { EXPECT_THAT(complaints(sources(), check_opening), IsEmpty()); }
+
+TEST(House, StandardOutputIsWrittenByOneWay) { EXPECT_THAT(complaints(sources(), check_standard_output), IsEmpty()); }
+
 TEST(House, WordsReachTheTerminalByOneWay) { EXPECT_THAT(complaints(sources(), check_printing), IsEmpty()); }
 
 /// How many lines of the text are this one, whatever their indentation.

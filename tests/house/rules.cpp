@@ -111,6 +111,9 @@ const std::vector<Fence>& fences() {
         {std::regex(R"(^\s*#\s*include\s*[<"](fmt|nlohmann|CLI)/.*)"),
          {"engine/app/", "engine/command/", "wadconv/main.cpp"},
          "only commands know fmt, JSON and CLI11, so that who links the engine need not"},
+        {std::regex(R"(^\s*#\s*include\s*<(fstream|fcntl\.h|sys/fcntl\.h)>)"),
+         {"engine/base/files.cpp", "engine/base/output_file.cpp"},
+         "files are opened by base/files.h, which looks first and has a limit"},
         {std::regex(R"(^\s*#\s*include\s*<(thread|future|mutex|condition_variable)>)"),
          {"engine/base/parallel.cpp", "engine/platform/", "engine/app/"},
          "below platform, threads live in base/parallel.cpp"}};
@@ -219,7 +222,22 @@ Complaints check_printing(const SourceFile& file) {
     if (is_in(file, "engine/examples")) return {};  // programs of others, who print as they like
     static const std::regex calls(
         R"(\b(v?d?f?printf|f?puts|f?putc|putchar|perror)\s*\(|\bfmt::v?print(ln)?\b|\bstd::w?(cout|cerr|clog)\b)");
-    return lines_with(file, without_comments_and_strings(file.text), calls, "print by base/text.h");
+    return lines_with(file, without_comments_and_strings(file.text), calls,
+                      "print to stdout by command/command.h and to stderr by base/text.h");
+}
+
+Complaints check_standard_output(const SourceFile& file) {
+    if (!is_ours(file) || is_in(file, "engine/examples") || file.path == "engine/base/output_file.cpp") return {};
+    static const std::regex words(R"(\bstdout\b|\bSTDOUT_FILENO\b)");
+    return lines_with(file, without_comments_and_strings(file.text), words,
+                      "command/command.h writes to standard output and reports what could not be written");
+}
+
+Complaints check_opening(const SourceFile& file) {
+    if (!is_ours(file)) return {};
+    static const std::regex calls(R"(\bf(re|d)?open(64)?\s*\()");
+    return lines_with(file, without_comments_and_strings(file.text), calls,
+                      "files are opened by base/files.h, which looks first and has a limit");
 }
 
 std::string without_comments_and_strings(std::string_view text) {

@@ -20,7 +20,8 @@ using Complaints = std::vector<std::string>;
 Complaints check_layers(const SourceFile& file);
 
 /// A library that only one place may know: SDL in engine/platform, toml++ in engine/formats, OpenGL in the stencil
-/// renderer and engine/platform, threads in base/parallel.cpp and from engine/platform on up.
+/// renderer and engine/platform, files in base/files.cpp and base/output_file.cpp, threads in base/parallel.cpp and
+/// from engine/platform on up.
 Complaints check_fenced_libraries(const SourceFile& file);
 
 /// A header has `#pragma once`, and its first line is a comment that says what it holds.
@@ -43,6 +44,13 @@ Complaints check_libm(const SourceFile& file);
 
 /// What people read goes through base/text.h, which lets nothing pass that a terminal obeys.
 Complaints check_printing(const SourceFile& file);
+
+/// Nothing else names standard output than what reports a failure to write to it: OutputFile, by which
+/// command/command.h prints.
+Complaints check_standard_output(const SourceFile& file);
+
+/// No file is opened by C's streams; C++'s are a library that check_fenced_libraries() keeps away.
+Complaints check_opening(const SourceFile& file);
 
 /// A source file longer than this answers more than one question [lines].
 inline constexpr int kMaxLines = 500;

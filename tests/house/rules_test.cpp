@@ -170,17 +170,43 @@ TEST(Exceptions, StayWhereAttemptsAreMade) {
     EXPECT_THAT(check_exceptions({"engine/world/a.cpp", "// try this\nretry(catcher);\n"}), IsEmpty());
 }
 
+TEST(Fences, KeepFilesInBase) {
+    for (const char* header : {"<fstream>", "<fcntl.h>"}) {
+        EXPECT_THAT(check_fenced_libraries(including("engine/base/files.cpp", header)), IsEmpty());
+        EXPECT_THAT(check_fenced_libraries(including("tests/base/files_test.cpp", header)), IsEmpty());
+        for (const char* file : {"engine/app/play/map_list.cpp", "wadconv/wad.cpp"})
+            EXPECT_THAT(check_fenced_libraries(including(file, header)), ElementsAre(HasSubstr("base/files.h")));
+    }
+}
+
+TEST(Opening, IsSeenInCStreams) {
+    for (const char* code : {"std::fopen(x, y);", "f = fopen (x, y);", "freopen(x, y, stdin);", "fdopen(x, y);"})
+        for (const char* path : {"engine/app/a.cpp", "wadconv/main.cpp"})
+            EXPECT_THAT(check_opening({path, code}), ElementsAre(HasSubstr("base/files.h"))) << code;
+    EXPECT_THAT(check_opening({"engine/app/a.cpp", "popen(x, y); OutputFile::open(x); menu.open(); // fopen(x)"}),
+                IsEmpty());
+    EXPECT_THAT(check_opening({"tests/bench/a.cpp", "std::fopen(x, y);"}), IsEmpty());
+}
+
 TEST(Printing, IsSeenOutsideOfTheTerminal) {
     for (const char* code :
          {"fmt::print(stderr, x);", "std::printf(x);", "std::fprintf(stderr, x);", "puts(x);", "std::fputs(x, stdout);",
           "std::cout << x;", "std::cerr << x;", "putchar (c);", "perror(x);"})
         for (const char* path : {"engine/app/a.cpp", "wadconv/main.cpp"})
             EXPECT_THAT(check_printing({path, code}), ElementsAre(HasSubstr("base/text.h"))) << code;
-    EXPECT_THAT(check_printing({"engine/base/text.cpp", "std::fputs(x, stdout);"}), IsEmpty());
+    EXPECT_THAT(check_printing({"engine/base/text.cpp", "std::fputs(x, stderr);"}), IsEmpty());
     EXPECT_THAT(check_printing({"tests/bench/a.cpp", "std::puts(x);"}), IsEmpty());
     EXPECT_THAT(
-        check_printing({"engine/app/a.cpp", "std::snprintf(t, n, x); print_text(stdout, x); inputs(); // puts(x)"}),
+        check_printing({"engine/app/a.cpp", "std::snprintf(t, n, x); print_to_stdout(x); inputs(); // puts(x)"}),
         IsEmpty());
+}
+
+TEST(StandardOutput, IsNamedByNothingThatLosesWords) {
+    for (const char* code : {"std::fwrite(x, 1, n, stdout);", "::write(STDOUT_FILENO, x, n);", "fflush(stdout);"})
+        for (const char* path : {"engine/app/a.cpp", "engine/base/text.cpp", "wadconv/main.cpp"})
+            EXPECT_THAT(check_standard_output({path, code}), ElementsAre(HasSubstr("command/command.h"))) << code;
+    EXPECT_THAT(check_standard_output({"engine/base/output_file.cpp", "fstat(STDOUT_FILENO, &out)"}), IsEmpty());
+    EXPECT_THAT(check_standard_output({"engine/app/a.cpp", "print_to_stdout(x); // to stdout"}), IsEmpty());
 }
 
 TEST(Blanking, KeepsCodeAndLinesAndDropsTheRest) {
