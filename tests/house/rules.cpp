@@ -235,7 +235,8 @@ Complaints check_standard_output(const SourceFile& file) {
 
 Complaints check_opening(const SourceFile& file) {
     if (!is_ours(file)) return {};
-    static const std::regex calls(R"(\bf(re|d)?open(64)?\s*\()");
+    static const std::regex calls(
+        R"(\b(f(re|d)?open(64)?|parse_file|SDL_RWFromF(ile|P)|SDL_Load(WAV|BMP|File)|SDL_\w*FromFile)\s*\()");
     return lines_with(file, without_comments_and_strings(file.text), calls,
                       "files are opened by base/files.h, which looks first and has a limit");
 }

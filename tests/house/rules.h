@@ -49,7 +49,8 @@ Complaints check_printing(const SourceFile& file);
 /// command/command.h prints.
 Complaints check_standard_output(const SourceFile& file);
 
-/// No file is opened by C's streams; C++'s are a library that check_fenced_libraries() keeps away.
+/// No file is opened by C's streams, by SDL or by toml++; C++'s streams are a library that check_fenced_libraries()
+/// keeps away.
 Complaints check_opening(const SourceFile& file);
 
 /// A source file longer than this answers more than one question [lines].

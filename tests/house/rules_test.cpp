@@ -179,11 +179,13 @@ TEST(Fences, KeepFilesInBase) {
     }
 }
 
-TEST(Opening, IsSeenInCStreams) {
-    for (const char* code : {"std::fopen(x, y);", "f = fopen (x, y);", "freopen(x, y, stdin);", "fdopen(x, y);"})
+TEST(Opening, IsSeenInOthersCalls) {
+    for (const char* code : {"std::fopen(x, y);", "f = fopen (x, y);", "freopen(x, y, stdin);", "fdopen(x, y);",
+                             "toml::parse_file(x);", "SDL_RWFromFile(x, y);", "SDL_LoadWAV(x, y, z, w);"})
         for (const char* path : {"engine/app/a.cpp", "wadconv/main.cpp"})
             EXPECT_THAT(check_opening({path, code}), ElementsAre(HasSubstr("base/files.h"))) << code;
-    EXPECT_THAT(check_opening({"engine/app/a.cpp", "popen(x, y); OutputFile::open(x); menu.open(); // fopen(x)"}),
+    EXPECT_THAT(check_opening({"engine/app/a.cpp",
+                               "popen(x, y); OutputFile::open(x); menu.open(); SDL_LoadWAV_RW(x); // fopen(x)"}),
                 IsEmpty());
     EXPECT_THAT(check_opening({"tests/bench/a.cpp", "std::fopen(x, y);"}), IsEmpty());
 }
