@@ -22,21 +22,6 @@ PixelSurface first_thing(const Map& map) { return thing_id(map, ThingId(std::siz
 
 PixelSurface first_panel(const Map& map) { return panel_id(map, PanelId(std::size_t{0})); }
 
-std::string text_of(const Map& map, PixelSurface id) {
-    if (id == kNothing) return "nothing";
-    if (id == kRecursionEnd) return "the end of a chain of links";
-    const auto first_wall = static_cast<PixelSurface>(1 + 2 * map.sectors.size());
-    if (id < first_wall) return (id % 2 ? "the floor of '" : "the ceiling of '") + map.sectors[(id - 1) / 2].name + "'";
-    if (id >= first_panel(map)) return "panel " + std::to_string(id - first_panel(map));
-    if (id >= first_thing(map)) return "thing " + std::to_string(id - first_thing(map));
-    const PixelSurface wall = (id - first_wall) / 3;
-    const char* const part[] = {"", "upper step of ", "lower step of "};
-    char text[200];
-    const Wall& w = map.walls[wall];
-    std::snprintf(text, sizeof text, "wall %u (%.10g,%.10g -> %.10g,%.10g)", wall, w.a.x, w.a.y, w.b.x, w.b.y);
-    return std::string(part[(id - first_wall) % 3]) + text + " of '" + map[w.sector].name + "'";
-}
-
 std::string hex(std::uint32_t color) {
     char text[16];
     std::snprintf(text, sizeof text, "%08x", color);
@@ -106,11 +91,6 @@ bool is_on_step_of_lamps(const Map& map, std::uint32_t a, std::uint32_t b) {
     return !map.lights.empty();
 }
 
-struct BothPictures {
-    Frame column, reference;
-    FrameFacts column_facts, reference_facts;
-};
-
 void note_pixel(const Subject& subject, const BothPictures& both, std::size_t i, Comparison& result) {
     const PixelSurface shown = both.column_facts.ids[i], truth = both.reference_facts.ids[i];
     const int writes = both.column_facts.writes[i];
@@ -126,15 +106,46 @@ void note_pixel(const Subject& subject, const BothPictures& both, std::size_t i,
                              is_on_step_of_lamps(subject.map, both.column.pixels[i], both.reference.pixels[i]);
         ++(on_edge ? result.other_texel : result.wrong_color);
     }
-    if (result.is_faultless() || !result.first_fault.empty()) return;
+}
+
+std::string fault_text(const Subject& subject, const BothPictures& both, std::size_t i) {
     const std::size_t width = static_cast<std::size_t>(both.column.width);
-    result.first_fault = "pixel (" + std::to_string(i % width) + ", " + std::to_string(i / width) + "), written " +
-                         std::to_string(writes) + " times, shows " + text_of(subject.map, shown) + " instead of " +
-                         text_of(subject.map, truth) + ", color " + hex(both.column.pixels[i]) + " instead of " +
-                         hex(both.reference.pixels[i]);
+    return "pixel (" + std::to_string(i % width) + ", " + std::to_string(i / width) + "), written " +
+           std::to_string(both.column_facts.writes[i]) + " times, shows " +
+           surface_text(subject.map, both.column_facts.ids[i]) + " instead of " +
+           surface_text(subject.map, both.reference_facts.ids[i]) + ", color " + hex(both.column.pixels[i]) +
+           " instead of " + hex(both.reference.pixels[i]);
 }
 
 Comparison compare_uncounted(const Subject& subject, const Snapshot& snapshot, const View& view, PictureSize size) {
+    const BothPictures both = draw_by_both(subject, snapshot, view, size);
+    Comparison result = differences(subject, both);
+    if (result.is_faultless()) return result;
+    std::size_t i = 0;
+    for (Comparison pixel; pixel.is_faultless(); ++i) note_pixel(subject, both, i, pixel);
+    result.first_fault =
+        fault_text(subject, both, i - 1) + "\n  " + command_line(subject.name, subject.map, view, size);
+    return result;
+}
+
+}  // namespace
+
+std::string surface_text(const Map& map, PixelSurface id) {
+    if (id == kNothing) return "nothing";
+    if (id == kRecursionEnd) return "the end of a chain of links";
+    const auto first_wall = static_cast<PixelSurface>(1 + 2 * map.sectors.size());
+    if (id < first_wall) return (id % 2 ? "the floor of '" : "the ceiling of '") + map.sectors[(id - 1) / 2].name + "'";
+    if (id >= first_panel(map)) return "panel " + std::to_string(id - first_panel(map));
+    if (id >= first_thing(map)) return "thing " + std::to_string(id - first_thing(map));
+    const PixelSurface wall = (id - first_wall) / 3;
+    const char* const part[] = {"", "upper step of ", "lower step of "};
+    char text[200];
+    const Wall& w = map.walls[wall];
+    std::snprintf(text, sizeof text, "wall %u (%.10g,%.10g -> %.10g,%.10g)", wall, w.a.x, w.a.y, w.b.x, w.b.y);
+    return std::string(part[(id - first_wall) % 3]) + text + " of '" + map[w.sector].name + "'";
+}
+
+BothPictures draw_by_both(const Subject& subject, const Snapshot& snapshot, const View& view, PictureSize size) {
     BothPictures both;
     both.column.resize(size.width, size.height);
     both.reference.resize(size.width, size.height);
@@ -144,14 +155,22 @@ Comparison compare_uncounted(const Subject& subject, const Snapshot& snapshot, c
     renderer.render(both.column, &both.column_facts, snapshot, view);
     render_reference(both.reference, &both.reference_facts, subject.map, subject.textures, snapshot, view,
                      {.lights = &lights});
+    return both;
+}
+
+Comparison differences(const Subject& subject, const BothPictures& both) {
     Comparison result;
     result.pixels = both.column.pixels.size();
     for (std::size_t i = 0; i < result.pixels; ++i) note_pixel(subject, both, i, result);
-    if (!result.first_fault.empty()) result.first_fault += "\n  " + command_line(subject.name, subject.map, view, size);
     return result;
 }
 
-}  // namespace
+Comparison difference_at(const Subject& subject, const BothPictures& both, std::size_t pixel) {
+    Comparison result;
+    result.pixels = 1;
+    note_pixel(subject, both, pixel, result);
+    return result;
+}
 
 Comparison& Comparison::operator+=(const Comparison& other) {
     pixels += other.pixels;
@@ -191,6 +210,17 @@ Comparison compare(const Subject& subject, const Snapshot& snapshot, const View&
     Comparison result = compare_uncounted(subject, snapshot, view, size);
     count_trials(result.pixels, "pixels");
     return result;
+}
+
+Comparison compare_at_start(const Subject& subject, PictureSize size) {
+    const Snapshot snapshot = at_rest(subject.map);
+    Comparison sum;
+    for (const RayPoint point : {RayPoint::middle, RayPoint::corner}) {
+        Lens lens = lens_for(subject.map.render);
+        lens.ray_offset = ray_offset(point);
+        sum += compare(subject, snapshot, view_at_start(subject.map, lens).value(), size);
+    }
+    return sum;
 }
 
 Comparison compare_poses(const Subject& subject, PoseKind kind, int count, PictureSize size, std::uint64_t seed) {

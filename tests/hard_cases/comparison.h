@@ -5,6 +5,7 @@
 
 #include "hard_cases/poses.h"
 #include "map/textures.h"
+#include "render/frame.h"
 #include "world/snapshot.h"
 
 namespace enfilade::test {
@@ -31,8 +32,26 @@ struct Subject {
     const TextureSet& textures;
 };
 
+/// One view by both renderers.
+struct BothPictures {
+    Frame column, reference;
+    FrameFacts column_facts, reference_facts;
+};
+
+BothPictures draw_by_both(const Subject& subject, const Snapshot& snapshot, const View& view, PictureSize size);
+
+/// How they differ, and in one pixel, by row; without a first fault.
+Comparison differences(const Subject& subject, const BothPictures& both);
+Comparison difference_at(const Subject& subject, const BothPictures& both, std::size_t pixel);
+
+/// "lower step of wall 5 (0,0 -> 1,0) of 'hall'"
+std::string surface_text(const Map& map, PixelSurface id);
+
 /// Draws one view with both renderers.
 Comparison compare(const Subject& subject, const Snapshot& snapshot, const View& view, PictureSize size);
+
+/// What the player sees at the start, by rays through the middles and through the corners of pixels.
+Comparison compare_at_start(const Subject& subject, PictureSize size);
 
 enum class PoseKind { random, lattice };
 

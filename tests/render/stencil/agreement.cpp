@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
+#include <utility>
 
 #include "render/column/column_renderer.h"
 #include "render/reference/reference_renderer.h"
@@ -213,7 +214,12 @@ StencilPicture Sight::by_reference(const View& view, PictureSize size) const {
 }
 
 StencilPicture Sight::truth_of(const View& view, PictureSize size) const {
-    return view.tilt ? by_reference(view, size) : by_column(view, size);
+    if (view.tilt) return by_reference(view, size);
+    StencilPicture by_columns = by_column(view, size);
+    if (truth_ == Truth::column) return by_columns;
+    StencilPicture truth = by_reference(view, size);
+    truth.viewports = std::move(by_columns.viewports);
+    return truth;
 }
 
 /// What the truth is for the view moved by the number'th pair of kAside.
@@ -247,7 +253,8 @@ bool Sight::is_hair_aside(const View& view, PictureSize size, std::size_t pixel,
     return false;
 }
 
-Agreement Sight::compare(const View& view, PictureSize size) {
+Agreement Sight::compare(const View& view, PictureSize size, Truth whose) {
+    truth_ = whose;
     asides_.clear();
     const StencilPicture shown = by_stencil(view, size), truth = truth_of(view, size);
     Agreement result;

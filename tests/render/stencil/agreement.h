@@ -49,6 +49,9 @@ struct StencilPicture {
     std::vector<std::size_t> viewports;  ///< of each pixel, the number of the last that it is in; only by column
 };
 
+/// Whose picture is right.
+enum class Truth : std::uint8_t { column, reference };
+
 /// A map, what it shows, and both renderers.
 class Sight {
 public:
@@ -60,8 +63,8 @@ public:
     StencilPicture by_column(const View& view, PictureSize size) const;
     StencilPicture by_reference(const View& view, PictureSize size) const;
 
-    /// With the column renderer's picture; tilted views with the reference's.
-    Agreement compare(const View& view, PictureSize size);
+    /// With the column renderer's picture; tilted views, and where asked for all, with the reference's.
+    Agreement compare(const View& view, PictureSize size, Truth truth = Truth::column);
     /// `count` random poses and as many where things coincide.
     Agreement compare_poses(int count, PictureSize size, std::uint64_t seed);
     Agreement compare_random_poses(int count, PictureSize size, std::uint64_t seed);
@@ -85,7 +88,8 @@ private:
     Snapshot snapshot_;
     std::unique_ptr<StencilRenderer> stencil_;
     mutable LightGrids lights_;
-    std::vector<Aside> asides_;  ///< of the view that is being compared, as many as were asked for
+    Truth truth_ = Truth::column;  ///< of the view that is being compared
+    std::vector<Aside> asides_;    ///< of the view that is being compared, as many as were asked for
 };
 
 /// Something was compared. At most one pixel in a thousand shows another surface, only at edges but for a share of all;

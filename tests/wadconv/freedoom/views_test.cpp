@@ -43,6 +43,19 @@ TEST_P(FreeDoomViews, LookAsInTheReferenceInEveryMap) {
     }
 }
 
+// hard cases W14, R2, I1
+TEST_P(FreeDoomViews, LookAsInTheReferenceAtTheStartOfEveryMap) {
+    if (is_missing(GetParam())) GTEST_SKIP() << kMissing;
+    const ConvertedWad wad(GetParam(), Doors::as_they_are);
+    ASSERT_EQ(wad.maps().size(), GetParam().maps) << wad.error();
+    for (const std::string& name : wad.maps()) {
+        const LoadedMap loaded = wad.load(name);
+        ASSERT_TRUE(loaded.map) << name;
+        const Comparison sum = compare_at_start({name + ".toml", *loaded.map, loaded.textures}, {320, 200});
+        EXPECT_TRUE(sum.is_faultless()) << name << ": " << describe(sum);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Wads, FreeDoomViews, freedoom_wads(), name_of);
 
 }  // namespace
