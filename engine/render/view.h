@@ -1,5 +1,6 @@
 // The one projection, used by all renderers: from a place, a look and a picture size to rays.
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -57,6 +58,11 @@ struct Ray {
 /// coordinates put the very edge of a surface on the middle of a row, where what rounding makes of a slope would fray
 /// the edge; nobody sees a millionth of a millimetre in a kilometre.
 inline constexpr double kTieClimb = 0x1p-40;
+
+/// The depth at which a level ray counts as meeting a level plane `height` above the eye [m].
+inline double level_ray_depth(double height) {
+    return height > 0 ? height / kTieClimb : std::numeric_limits<double>::infinity();
+}
 
 /// How a ray climbs: `rise` in `run` along the line of sight. Of a row of a picture both are in [px], and the quotient
 /// is never formed.

@@ -92,7 +92,7 @@ std::optional<TrueTexel> TrueColumn::on_flat(const Met& at, bool is_floor, Quad 
     const SectorId sector = at.hit->sector;
     const FlatNow flat = is_floor ? floor_now(map_, snapshot_, sector) : ceiling_now(map_, snapshot_, sector);
     if (flat.sky) return {};
-    const Quad crossed = climb == 0 ? at.depth : height / climb;
+    const Quad crossed = climb == 0 ? Quad(level_ray_depth(height)) : height / climb;
     const Quad depth = crossed < 0 ? 0 : crossed < at.depth ? crossed : at.depth;
     const RayHit& hit = *at.hit;
     const Vec2 forward = hit.space.forward, right = right_of(forward) * hit.space.flip;

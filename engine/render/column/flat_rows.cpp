@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace enfilade::column {
 
 double level_depth(const RayTables& screen, double height, int row) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const double depth_per_metre = screen.row_depths[static_cast<std::size_t>(row)];
+    if (std::isinf(depth_per_metre)) return level_ray_depth(height);
     const double depth = height * depth_per_metre;
-    return std::fabs(depth_per_metre) == kInfinity ? depth_per_metre : depth > 0 ? depth : 0;
+    return depth > 0 ? depth : 0;
 }
 
 void FlatRows::start(const FlatRowsKey& key, const RayTables& screen) {

@@ -143,12 +143,12 @@ Movement wall_moves(const Arrival& at) {
 }
 
 /// `height` above the eye. Of a flat that is seen extended, or from its wrong side, the part that is nearest to where
-/// the ray really crosses its height; a level ray does so at infinity.
+/// the ray really crosses its height.
 Seen flat(const Arrival& at, const FlatNow& flat, double height,
           LightCell (Lamplight::*lamplight_on)(SectorId, Vec2) const, PixelSurface id) {
     if (flat.sky) return sky(at, flat, id);
-    const double depth =
-        at.course.climb == 0 ? at.hit.depth.value : std::clamp(height / at.course.climb, 0.0, at.hit.depth.value);
+    const double crossed = at.course.climb == 0 ? level_ray_depth(height) : height / at.course.climb;
+    const double depth = std::clamp(crossed, 0.0, at.hit.depth.value);
     const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth;
     const FlatPlace place{spot - flat.origin, depth, (at.scene.lamplight.*lamplight_on)(at.hit.sector, spot)};
     Seen seen = painted(at, flat.surface, id, place, flat_moves(at, id, height, depth));
