@@ -173,14 +173,14 @@ bool RoomPanes::is_before_wall(const RoomLook& room, const PaneBoard& panel, int
 
 /// The boards of run_ in the columns [begin, end), in which all of them are met.
 void RoomPanes::add_run(Layer& layer, int begin, int end, int rank) {
-    for (const std::size_t board : run_) {
-        layer.panes.push_back(boards_[board].pane);
-        WallOnScreen& place = place_of(layer.panes.back());
-        place.begin = begin;
-        place.end = end;
-        place.rank = rank;
-        place.is_pane = true;
-    }
+    for (const std::size_t board : run_)
+        for (const WallOnScreen& part : parts_of_run(place_of(boards_[board].pane), screen_, begin, end)) {
+            layer.panes.push_back(boards_[board].pane);
+            WallOnScreen& place = place_of(layer.panes.back());
+            place = part;
+            place.rank = rank;
+            place.is_pane = true;
+        }
 }
 
 }  // namespace enfilade::stencil

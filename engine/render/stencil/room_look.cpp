@@ -75,12 +75,6 @@ InverseDepths inverse_depths(const WallOnScreen& wall, const Screen& screen, int
     return {std::min(a, b), std::max(a, b)};
 }
 
-/// Whether the lines of all heights on the wall meet in the column, where its line vanishes: beside the middle, which
-/// is all that counts. There the parts of the wall would share no corners, and between them a pixel might be left out.
-bool vanishes_in(const WallOnScreen& wall, const Screen& screen, int x) {
-    return !wall.missed && std::min(wall.span(screen.slope_at(x)), wall.span(screen.slope_at(x + 1))) <= 0;
-}
-
 }  // namespace
 
 void RoomLook::look(const Visit& visit, const Pose& pose) {
@@ -152,22 +146,10 @@ void RoomLook::add_met(std::vector<WallOnScreen>& met) const {
 }
 
 void RoomLook::add_run(std::vector<WallOnScreen>& met, int place, int begin, int end) const {
-    const auto add = [&](int from, int to) {
-        met.push_back(walls_[static_cast<std::size_t>(place)]);
-        met.back().begin = from;
-        met.back().end = to;
+    for (const WallOnScreen& part : parts_of_run(walls_[static_cast<std::size_t>(place)], screen_, begin, end)) {
+        met.push_back(part);
         met.back().rank = visit_->depth;
-    };
-    const auto add_alone = [&](int x) {
-        add(x, x + 1);
-        met.back().stand_in(screen_.slopes[static_cast<std::size_t>(x)]);
-    };
-    const WallOnScreen& wall = walls_[static_cast<std::size_t>(place)];
-    const bool vanishes_left = vanishes_in(wall, screen_, begin);
-    const bool vanishes_right = vanishes_in(wall, screen_, end - 1) && (end - begin > 1 || !vanishes_left);
-    if (vanishes_left) add_alone(begin);
-    if (begin + vanishes_left < end - vanishes_right) add(begin + vanishes_left, end - vanishes_right);
-    if (vanishes_right) add_alone(end - 1);
+    }
 }
 
 /// Of ranges, portals are followed that any of their rays may meet.

@@ -108,6 +108,34 @@ std::optional<WallOnScreen> on_screen(const Map& map, WallId id, const Pose& pos
     return wall;
 }
 
+namespace {
+
+bool vanishes_in(const WallOnScreen& wall, const Screen& screen, int x) {
+    return !wall.missed && std::min(wall.span(screen.slope_at(x)), wall.span(screen.slope_at(x + 1))) <= 0;
+}
+
+}  // namespace
+
+std::vector<WallOnScreen> parts_of_run(const WallOnScreen& wall, const Screen& screen, int begin, int end) {
+    std::vector<WallOnScreen> parts;
+    const auto add = [&](int from, int to) {
+        if (from >= to) return;
+        parts.push_back(wall);
+        parts.back().begin = from;
+        parts.back().end = to;
+    };
+    const auto add_alone = [&](int x) {
+        add(x, x + 1);
+        parts.back().stand_in(screen.slopes[static_cast<std::size_t>(x)]);
+    };
+    const bool vanishes_left = vanishes_in(wall, screen, begin);
+    const bool vanishes_right = vanishes_in(wall, screen, end - 1) && (end - begin > 1 || !vanishes_left);
+    if (vanishes_left) add_alone(begin);
+    add(begin + vanishes_left, end - vanishes_right);
+    if (vanishes_right) add_alone(end - 1);
+    return parts;
+}
+
 bool are_in_line(Vec2 p, Vec2 q) {
     return std::fabs(cross(p, q)) <= kSameLine * std::sqrt(dot(p, p) * dot(q, q)) && dot(p, q) > 0;
 }

@@ -97,6 +97,11 @@ bool put_on_screen(WallOnScreen& wall, const Pose& pose, const Screen& screen);
 std::optional<WallOnScreen> on_screen(const Map& map, WallId wall, const Pose& pose, const Screen& screen,
                                       const WallOnScreen* doorway);
 
+/// The wall in columns [begin, end), all of which it is seen in; not of ranges. A column in which the lines of all its
+/// heights meet, because the wall's line vanishes there beside the middle, is a part of its own, with the wall as it is
+/// in the middle: the parts of the wall by height would share no corners, and between them a pixel might be left out.
+std::vector<WallOnScreen> parts_of_run(const WallOnScreen& wall, const Screen& screen, int begin, int end);
+
 /// Whether two vertices in view space are as good as in one direction.
 bool are_in_line(Vec2 p_v, Vec2 q_v);
 
