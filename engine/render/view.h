@@ -59,17 +59,19 @@ struct Ray {
 /// the edge; nobody sees a millionth of a millimetre in a kilometre.
 inline constexpr double kTieClimb = 0x1p-40;
 
-/// The depth at which a level ray counts as meeting a level plane `height` above the eye [m].
-inline double level_ray_depth(double height) {
-    return height > 0 ? height / kTieClimb : std::numeric_limits<double>::infinity();
-}
-
 /// How a ray climbs: `rise` in `run` along the line of sight. Of a row of a picture both are in [px], and the quotient
 /// is never formed.
 struct RowClimb {
     double rise = 0;
     double run = 1;  ///< > 0
 };
+
+/// The depth at which a ray counts as meeting a level plane `height` above the eye [m]; infinite for a level ray. One
+/// that climbs by the tie rule alone meets what is above the eye where that rule says.
+inline double depth_on_plane(double climb, const RowClimb& tied, double height) {
+    if (height > 0 && climb <= 0 && tied.rise > 0) return height * tied.run / tied.rise;
+    return climb == 0 ? std::numeric_limits<double>::infinity() : height / climb;
+}
 
 /// Pixels to rays. A ray that is not tilted goes from the eye along forward + slope(x) * right in the plane and climbs
 /// climb(y) metres per metre of depth; depth is the distance along `forward`.

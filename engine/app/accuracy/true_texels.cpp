@@ -88,11 +88,13 @@ TrueTexel TrueColumn::on_wall(const Met& at, SurfaceId id, WallPart part, Quad c
             (peg - climb * at.depth) / surface.tile_m.y - surface.offset_tiles.y};
 }
 
-std::optional<TrueTexel> TrueColumn::on_flat(const Met& at, bool is_floor, Quad climb, double height) const {
+std::optional<TrueTexel> TrueColumn::on_flat(const Met& at, bool is_floor, Quad climb, const RowClimb& tied,
+                                             double height) const {
     const SectorId sector = at.hit->sector;
     const FlatNow flat = is_floor ? floor_now(map_, snapshot_, sector) : ceiling_now(map_, snapshot_, sector);
     if (flat.sky) return {};
-    const Quad crossed = climb == 0 ? Quad(level_ray_depth(height)) : height / climb;
+    const bool is_tied = height > 0 && climb <= 0 && tied.rise > 0;
+    const Quad crossed = is_tied ? Quad(height) * tied.run / tied.rise : climb == 0 ? at.depth : height / climb;
     const Quad depth = crossed < 0 ? 0 : crossed < at.depth ? crossed : at.depth;
     const RayHit& hit = *at.hit;
     const Vec2 forward = hit.space.forward, right = right_of(forward) * hit.space.flip;
@@ -105,13 +107,14 @@ std::optional<TrueTexel> TrueColumn::on_flat(const Met& at, bool is_floor, Quad 
 
 std::optional<TrueTexel> TrueColumn::at(int y) {
     const Quad climb = Quad(projection_.row_from_horizon(y)) / projection_.focal_y();
+    const RowClimb tied = projection_.row_climb(y);
     for (std::size_t i = 0;; ++i) {
         const Met at = met(i);
         const RayHit& hit = *at.hit;
         const Wall& wall = map_[hit.wall];
         const EyeHeights own = heights_from(snapshot_, hit.sector, hit.space.eye_z);
-        if (is_above(climb, at.depth, own.ceiling)) return on_flat(at, false, climb, own.ceiling);
-        if (!is_above(climb, at.depth, own.floor)) return on_flat(at, true, climb, own.floor);
+        if (is_above(climb, at.depth, own.ceiling)) return on_flat(at, false, climb, tied, own.ceiling);
+        if (!is_above(climb, at.depth, own.floor)) return on_flat(at, true, climb, tied, own.floor);
         const WallKind kind = kind_now(map_, snapshot_, hit.wall);
         const auto painted = [&](SurfaceId surface, WallPart part, const EyeHeights& behind) {
             return on_wall(at, surface, part, climb, peg_height(map_[surface].peg, own, behind));

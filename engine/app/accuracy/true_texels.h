@@ -46,7 +46,8 @@ private:
     Met met(std::size_t i);
     bool is_above(Quad climb, Quad depth, double height) const;
     TrueTexel on_wall(const Met& at, SurfaceId surface, WallPart part, Quad climb, double peg) const;
-    std::optional<TrueTexel> on_flat(const Met& at, bool is_floor, Quad climb, double height) const;
+    std::optional<TrueTexel> on_flat(const Met& at, bool is_floor, Quad climb, const RowClimb& tied,
+                                     double height) const;
 
     const Map& map_;
     const Snapshot& snapshot_;

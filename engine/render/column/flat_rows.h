@@ -38,8 +38,7 @@ struct FlatRowsKey {
     bool operator==(const FlatRowsKey&) const = default;
 };
 
-/// Depth at which the rays of a row meet a level plane [m]; of a level ray, level_ray_depth(). Behind the eye (below 0)
-/// only where the eye is above the ceiling or below the floor it looks at.
+/// depth_on_plane() of the rays of a row [m], 0 where that is behind the eye.
 double level_depth(const RayTables& screen, double height, int row);
 
 /// The rows of flats with one key, worked out as they are seen.

@@ -147,7 +147,7 @@ Movement wall_moves(const Arrival& at) {
 Seen flat(const Arrival& at, const FlatNow& flat, double height,
           LightCell (Lamplight::*lamplight_on)(SectorId, Vec2) const, PixelSurface id) {
     if (flat.sky) return sky(at, flat, id);
-    const double crossed = at.course.climb == 0 ? level_ray_depth(height) : height / at.course.climb;
+    const double crossed = depth_on_plane(at.course.climb, at.course.tied_climb, height);
     const double depth = std::clamp(crossed, 0.0, at.hit.depth.value);
     const Vec2 spot = at.hit.space.eye + at.hit.space.direction(at.course.slope) * depth;
     const FlatPlace place{spot - flat.origin, depth, (at.scene.lamplight.*lamplight_on)(at.hit.sector, spot)};

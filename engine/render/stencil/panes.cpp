@@ -174,7 +174,7 @@ bool RoomPanes::is_before_wall(const RoomLook& room, const PaneBoard& panel, int
 /// The boards of run_ in the columns [begin, end), in which all of them are met.
 void RoomPanes::add_run(Layer& layer, int begin, int end, int rank) {
     for (const std::size_t board : run_)
-        for (const WallOnScreen& part : parts_of_run(place_of(boards_[board].pane), screen_, begin, end)) {
+        for (const WallOnScreen& part : parts_of_run(place_of(boards_[board].pane), layer.pose, screen_, begin, end)) {
             layer.panes.push_back(boards_[board].pane);
             WallOnScreen& place = place_of(layer.panes.back());
             place = part;

@@ -79,6 +79,7 @@ InverseDepths inverse_depths(const WallOnScreen& wall, const Screen& screen, int
 
 void RoomLook::look(const Visit& visit, const Pose& pose) {
     visit_ = &visit;
+    pose_ = pose;
     walls_.clear();
     nearest_.assign(visit.window.rows.size(), {});
     const Sector& sector = map_[visit.sector];
@@ -92,18 +93,18 @@ void RoomLook::look(const Visit& visit, const Pose& pose) {
         offer(*wall);
     }
     first_stand_in_ = walls_.size();
-    if (!screen_.has_ranges) find_stand_ins(pose);
+    if (!screen_.has_ranges) find_stand_ins();
 }
 
-void RoomLook::find_stand_ins(const Pose& pose) {
+void RoomLook::find_stand_ins() {
     for (int x = visit_->window.begin; x < visit_->window.end(); ++x)
-        if (nearest_at(x).is_none() && !visit_->window.at(x).is_closed()) stand_in(pose, x);
+        if (nearest_at(x).is_none() && !visit_->window.at(x).is_closed()) stand_in(x);
 }
 
-void RoomLook::stand_in(const Pose& pose, int x) {
+void RoomLook::stand_in(int x) {
     const double slope = screen_.slopes[static_cast<std::size_t>(x)];
-    const StandIn missed = enfilade::stand_in(map_, visit_->sector, pose, slope, visit_->entry);
-    WallOnScreen wall = *in_view(map_, missed.wall, pose);
+    const StandIn missed = enfilade::stand_in(map_, visit_->sector, pose_, slope, visit_->entry);
+    WallOnScreen wall = *in_view(map_, missed.wall, pose_);
     wall.missed = {missed.depth, missed.along, {0, 1}};
     wall.begin = x;
     wall.end = x + 1;
@@ -146,7 +147,7 @@ void RoomLook::add_met(std::vector<WallOnScreen>& met) const {
 }
 
 void RoomLook::add_run(std::vector<WallOnScreen>& met, int place, int begin, int end) const {
-    for (const WallOnScreen& part : parts_of_run(walls_[static_cast<std::size_t>(place)], screen_, begin, end)) {
+    for (const WallOnScreen& part : parts_of_run(walls_[static_cast<std::size_t>(place)], pose_, screen_, begin, end)) {
         met.push_back(part);
         met.back().rank = visit_->depth;
     }

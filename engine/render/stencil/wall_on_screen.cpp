@@ -55,14 +55,6 @@ double WallOnScreen::inverse_depth(double slope) const {
     return cross > 0 ? std::min(span(slope) / cross, kNoDistance) : kNoDistance;
 }
 
-void WallOnScreen::stand_in(double slope) {
-    const double there = span(slope), from_left = edge(left_v, slope);
-    const bool is_met = there > 0;  // at least behind one of its ends
-    const double along = is_met ? std::clamp(from_left / there, 0.0, 1.0) : 0;
-    missed = {
-        is_met ? std::clamp(cross / there, nearest(), farthest()) : farthest(), swapped ? 1 - along : along, {0, 1}};
-}
-
 double WallOnScreen::nearest() const { return std::max(std::min(left_v.y, right_v.y), 0.0); }
 double WallOnScreen::farthest() const { return std::max({left_v.y, right_v.y, 0.0}); }
 
@@ -114,9 +106,22 @@ bool vanishes_in(const WallOnScreen& wall, const Screen& screen, int x) {
     return !wall.missed && std::min(wall.span(screen.slope_at(x)), wall.span(screen.slope_at(x + 1))) <= 0;
 }
 
+/// Where the ray, which meets the wall, does so.
+Missed met_at(const WallOnScreen& wall, const Pose& pose, double slope) {
+    const FacingWall& ends = wall.ends;
+    const bool is_mirrored = pose.flip < 0;
+    const RayNormal ray = ray_normal(pose, slope);
+    const RayDepth depth =
+        depth_on_wall(is_mirrored ? ends.right : ends.left, is_mirrored ? ends.left : ends.right, pose, ray);
+    const double from_left = std::fabs(static_cast<double>(offset_left(ray, ends.left, pose.eye)));
+    const double along = std::clamp(from_left / static_cast<double>(depth.across), 0.0, 1.0);
+    return {depth.value, wall.swapped ? 1 - along : along, {0, 1}};
+}
+
 }  // namespace
 
-std::vector<WallOnScreen> parts_of_run(const WallOnScreen& wall, const Screen& screen, int begin, int end) {
+std::vector<WallOnScreen> parts_of_run(const WallOnScreen& wall, const Pose& pose, const Screen& screen, int begin,
+                                       int end) {
     std::vector<WallOnScreen> parts;
     const auto add = [&](int from, int to) {
         if (from >= to) return;
@@ -126,7 +131,7 @@ std::vector<WallOnScreen> parts_of_run(const WallOnScreen& wall, const Screen& s
     };
     const auto add_alone = [&](int x) {
         add(x, x + 1);
-        parts.back().stand_in(screen.slopes[static_cast<std::size_t>(x)]);
+        parts.back().missed = met_at(wall, pose, screen.slopes[static_cast<std::size_t>(x)]);
     };
     const bool vanishes_left = vanishes_in(wall, screen, begin);
     const bool vanishes_right = vanishes_in(wall, screen, end - 1) && (end - begin > 1 || !vanishes_left);

@@ -70,9 +70,6 @@ struct WallOnScreen {
     /// e_L - e_R: positive where the wall is seen.
     double span(double slope) const { return slope * (left_v.y - right_v.y) - (left_v.x - right_v.x); }
 
-    /// Lets it stand in for the column of this slope.
-    void stand_in(double slope);
-
     /// 1 / depth, linear in the slope; finite but beyond all bounds where the eye is on the wall's line [1/m].
     double inverse_depth(double slope) const;
 
@@ -100,7 +97,8 @@ std::optional<WallOnScreen> on_screen(const Map& map, WallId wall, const Pose& p
 /// The wall in columns [begin, end), all of which it is seen in; not of ranges. A column in which the lines of all its
 /// heights meet, because the wall's line vanishes there beside the middle, is a part of its own, with the wall as it is
 /// in the middle: the parts of the wall by height would share no corners, and between them a pixel might be left out.
-std::vector<WallOnScreen> parts_of_run(const WallOnScreen& wall, const Screen& screen, int begin, int end);
+std::vector<WallOnScreen> parts_of_run(const WallOnScreen& wall, const Pose& pose, const Screen& screen, int begin,
+                                       int end);
 
 /// Whether two vertices in view space are as good as in one direction.
 bool are_in_line(Vec2 p_v, Vec2 q_v);
@@ -182,7 +180,7 @@ class RoomLook {
 public:
     RoomLook(const Map& map, const Screen& screen) : map_(map), screen_(screen) {}
 
-    /// Looks into the visit's sector, which is valid as long as questions are asked.
+    /// Looks into the visit's sector. The visit stays where it is as long as questions are asked.
     void look(const Visit& visit, const Pose& pose);
 
     const Visit& visit() const { return *visit_; }
@@ -218,8 +216,8 @@ private:
 
     std::size_t index_of(int x) const { return static_cast<std::size_t>(x - visit_->window.begin); }
     void offer(const WallOnScreen& wall);
-    void find_stand_ins(const Pose& pose);
-    void stand_in(const Pose& pose, int x);
+    void find_stand_ins();
+    void stand_in(int x);
     bool is_nearer_at(const WallOnScreen& wall, const Nearest& offered, const Nearest& other) const;
     void add_run(std::vector<WallOnScreen>& met, int place, int begin, int end) const;
     bool may_meet(const WallOnScreen& portal, double inverse, int x) const;
@@ -228,6 +226,7 @@ private:
     const Map& map_;
     const Screen& screen_;
     const Visit* visit_ = nullptr;
+    Pose pose_;
     std::vector<WallOnScreen> walls_;
     std::size_t first_stand_in_ = 0;
     std::vector<Nearest> nearest_;
