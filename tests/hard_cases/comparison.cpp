@@ -48,14 +48,11 @@ const Texture& texture_of(const Subject& subject, PixelSurface id) {
     return subject.textures[map[parts[(id - first_wall) % 3]].texture];
 }
 
-/// So near a texel's edge that rounding may choose either side. Facts are floats, good to 2^-24 of a tile.
+/// So near a texel's edge that rounding may choose either side.
 bool is_on_edge(TexelPosition p, const Texture& texture) {
-    constexpr double kNear = 1e-3;  // [texels]
-    const auto is_near = [](double texels, double tile) {
-        return std::fabs(texels - std::round(texels)) < kNear + tile * 0x1p-24;
-    };
-    return is_near(static_cast<double>(p.u) * texture.width, texture.width) ||
-           is_near(static_cast<double>(p.v) * texture.height, texture.height);
+    constexpr double kNear = 1e-6;  // [texels]
+    const auto is_near = [](double texels) { return std::fabs(texels - std::round(texels)) < kNear; };
+    return is_near(p.u * texture.width) || is_near(p.v * texture.height);
 }
 
 /// So near the depth at which classic light steps from one level to the next that rounding may choose either.

@@ -19,7 +19,7 @@ namespace enfilade {
 /// against pictures of 64 rays for each pixel.
 struct AccuracyErrors {
     std::uint64_t pixels = 0;
-    std::uint64_t wrong_ids = 0;     ///< show another surface than the reference, which is sure of its own
+    std::uint64_t wrong_ids = 0;     ///< show another surface than the reference
     std::uint64_t unwritten = 0;     ///< by the opaque pass
     std::uint64_t written_more = 0;  ///< than once
     std::uint64_t judged = 0;
@@ -64,7 +64,7 @@ double structural_similarity(const Frame& a, const Frame& b);
 /// Of pictures that show nothing but what lamps and suns throw: every picture white, rooms dark, no fog. Light that
 /// would make white whiter is cut off on both sides.
 struct LightErrors {
-    std::uint64_t pixels = 0;  ///< judged: both show the same surface, no sky, and the truth is sure of it
+    std::uint64_t pixels = 0;  ///< judged: both show the same surface, no sky
     std::uint64_t lit = 0;     ///< of those: where there is any light
     std::uint64_t off = 0;     ///< of those judged: by more than 1/255 in some colour
     double sum = 0;            ///< of each pixel's largest difference of a colour [1/255]
@@ -108,7 +108,7 @@ inline constexpr std::array kPortalDistances{1.0, 0.1, 0.01, 0.001, 0.0};
 
 /// Of pictures by one method of the stencil renderer, from one distance.
 struct PortalErrors {
-    std::uint64_t pixels = 0;     ///< judged: where the reference is sure of its own
+    std::uint64_t pixels = 0;     ///< judged
     std::uint64_t at_edges = 0;   ///< of those: another surface than the true one, which is there within a pixel
     std::uint64_t elsewhere = 0;  ///< another one that is not
     std::uint64_t unwritten = 0;  ///< nothing at all

@@ -152,8 +152,8 @@ constexpr std::string_view kMeasures = R"(
   side. The truth is worked out anew from the map and the view in numbers of 113 bits; it shares with the renderer which
   wall a ray meets, which the reference renderer decides in whole numbers, and the tie rule for rows. The last step,
   rounding to 2^-32 of a picture, is part of the error.
-- **Surfaces**: against the reference renderer, ray by ray, where it is sure of its own. It shares the map, the
-  transforms of links and the tie rule.
+- **Surfaces**: against the reference renderer, ray by ray. It shares the map, the transforms of links and the tie
+  rule.
 - **Noise** (peak signal to noise, the higher the better) and **likeness** (structural similarity, at most 1) of
   colours, against 64 rays for each pixel, mixed in linear light. The rays are the column renderer's own.
 - **Flicker**: how much a picture changes when the eye turns by 1/64 pixel, and when it goes 2 cm, in parts of what

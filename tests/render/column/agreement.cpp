@@ -24,7 +24,7 @@ bool alike(std::uint32_t a, std::uint32_t b) {
 /// True where the texel position is so near a texel's edge that rounding may choose either side. The pictures are 64
 /// x 64.
 bool on_texel_edge(TexelPosition p) {
-    constexpr double kSide = 64, kNear = 1e-3;  // [texels]
+    constexpr double kSide = 64, kNear = 1e-6;  // [texels]
     const auto near_edge = [](double tiles) { return std::fabs(tiles * kSide - std::round(tiles * kSide)) < kNear; };
     return near_edge(p.u) || near_edge(p.v);
 }
