@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/file_name.h"
+
 namespace enfilade {
 
 namespace {
@@ -102,7 +104,7 @@ std::vector<std::string> list_folder(const std::string& path) {
     std::vector<std::string> names;
     std::error_code failed;
     std::filesystem::directory_iterator entry(path, failed), end;
-    for (; !failed && entry != end; entry.increment(failed)) names.push_back(entry->path().filename().string());
+    for (; !failed && entry != end; entry.increment(failed)) names.push_back(file_name_of(entry->path()));
     std::sort(names.begin(), names.end());
     return names;
 }

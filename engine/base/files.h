@@ -1,5 +1,5 @@
-// Whole files in, whole files out, and the numbers in their bytes. The only part of base that needs a file system;
-// everything else takes bytes.
+// Whole files in, whole files out, and the numbers in their bytes. With owned_folder.h the only part of base that needs
+// a file system; everything else takes bytes.
 #pragma once
 #include <cstddef>
 #include <cstdint>
