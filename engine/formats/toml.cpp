@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <locale>
+#include <sstream>
 #include <stdexcept>
 
 #include "base/text.h"
@@ -101,10 +103,8 @@ private:
         value.place = place_of(node);
         value.kind = TomlKind::date;
         if (const auto* text = node.as_string()) {
-            const std::string_view kept_text = kept(text->get());
             value.kind = TomlKind::string;
-            value.text = kept_text.data();
-            value.length = static_cast<std::uint32_t>(kept_text.size());
+            keep(text->get(), value);
         } else if (const auto* integer = node.as_integer()) {
             value.kind = TomlKind::integer;
             value.integer = integer->get();
@@ -114,8 +114,26 @@ private:
         } else if (const auto* boolean = node.as_boolean()) {
             value.kind = TomlKind::boolean;
             value.boolean = boolean->get();
+        } else {
+            keep(date_text(node), value);
         }
         return value;
+    }
+
+    /// As TOML writes it; the library does, too.
+    static std::string date_text(const toml::node& node) {
+        std::ostringstream text;
+        text.imbue(std::locale::classic());
+        if (const auto* date = node.as_date()) text << date->get();
+        if (const auto* time = node.as_time()) text << time->get();
+        if (const auto* both = node.as_date_time()) text << both->get();
+        return text.str();
+    }
+
+    void keep(std::string_view text, TomlValue& value) {
+        const std::string_view kept_text = kept(text);
+        value.text = kept_text.data();
+        value.length = static_cast<std::uint32_t>(kept_text.size());
     }
 
     std::string_view kept(std::string_view text) { return tree_.strings.emplace_back(text); }

@@ -29,7 +29,7 @@ public:
     TomlKind kind() const { return kind_; }
     TextPlace place() const;
 
-    std::string_view text() const;  ///< string
+    std::string_view text() const;  ///< string, or date, as TOML writes it
     double number() const;          ///< integer or real; may be infinite or NaN
     std::int64_t integer() const;   ///< integer
     bool boolean() const;           ///< boolean
@@ -55,6 +55,10 @@ struct TomlEntry {
     TextPlace key_place;
     TomlNode value;
 };
+
+/// The value as TOML text in one line, whatever a reader accepted: read again, it is the same, NaN and infinity, too.
+/// value : not absent
+std::string value_text(const TomlNode& value);
 
 /// What is read before it is refused. A number, a word or an array counts as one value; what takes more memory, here
 /// and in what readers make of it, counts as more.

@@ -2,8 +2,10 @@
 #include "formats/toml_tree.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/result.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {
@@ -47,7 +49,7 @@ std::string_view name_of(TomlKind kind) {
 TextPlace TomlNode::place() const { return node_ ? as_value(node_).place : TextPlace{}; }
 
 std::string_view TomlNode::text() const {
-    ENFILADE_CHECK(kind_ == TomlKind::string);
+    ENFILADE_CHECK(kind_ == TomlKind::string || kind_ == TomlKind::date);
     return {as_value(node_).text, as_value(node_).length};
 }
 
@@ -94,6 +96,44 @@ std::vector<TomlEntry> TomlNode::entries() const {
     for (const TomlMember& member : *as_value(node_).members)
         entries.push_back({member.key, member.key_place, TomlAccess::look_at(member.value)});
     return entries;
+}
+
+namespace {
+
+/// Without a point or an exponent it would be read as a whole number.
+std::string real_text(double number) {
+    if (std::isnan(number)) return "nan";
+    if (std::isinf(number)) return number < 0 ? "-inf" : "inf";
+    const std::string text = number_text(number);
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+std::string array_text(const TomlNode& array) {
+    std::string text = "[";
+    for (std::size_t i = 0; i < array.size(); ++i) text += (i == 0 ? "" : ", ") + value_text(array.at(i));
+    return text + "]";
+}
+
+std::string table_text(const TomlNode& table) {
+    TableText text(TableText::Style::braces);
+    for (const TomlEntry& entry : table.entries()) text.add(string_text(entry.key), value_text(entry.value));
+    return text.text();
+}
+
+}  // namespace
+
+std::string value_text(const TomlNode& value) {
+    switch (value.kind()) {
+        case TomlKind::absent: break;
+        case TomlKind::string: return string_text(value.text());
+        case TomlKind::integer: return std::to_string(value.integer());
+        case TomlKind::real: return real_text(value.number());
+        case TomlKind::boolean: return value_text(value.boolean());
+        case TomlKind::date: return std::string(value.text());
+        case TomlKind::array: return array_text(value);
+        case TomlKind::table: return table_text(value);
+    }
+    ENFILADE_CHECK(false);
 }
 
 TomlDocument::TomlDocument(std::unique_ptr<Tree> tree) : tree_(std::move(tree)) {}

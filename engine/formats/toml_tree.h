@@ -28,7 +28,7 @@ struct TomlValue {
         std::vector<TomlMember>* members;  ///< of a table, in the order of the text
     };
     TextPlace place;
-    std::uint32_t length = 0;  ///< of a text [bytes]
+    std::uint32_t length = 0;  ///< of a text or date [bytes]
     TomlKind kind = TomlKind::absent;
     bool has_header = false;  ///< an array or table that was begun by a [header], to which others may add
 
