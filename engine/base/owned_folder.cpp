@@ -103,11 +103,11 @@ ScratchFolder::~ScratchFolder() {
 
 Result<void> ScratchFolder::take_place(const std::string& path, std::string_view mark) {
     if (const Result<void> done = write_file(mark_path(path_), mark); !done.ok()) return done.error();
-    if (!is_anything_there(path)) {
-        if (std::rename(path_.c_str(), path.c_str()) != 0) return system_error(path, "put the finished folder here");
+    if (std::rename(path_.c_str(), path.c_str()) == 0) {  // of folders, only one that is empty can be in the way
         path_.clear();
         return flush_folder(parent_of(path));
     }
+    if (!is_anything_there(path)) return system_error(path, "put the finished folder here");
     if (!mark_of(path)) return Error{path, "what lies here is not this program's own; move it away"};
     if (!swap_names(path_, path)) {
         if (const Result<void> done = swap_names_in_steps(path_, path); !done.ok()) return done.error();

@@ -31,7 +31,8 @@ public:
     const std::string& path() const { return path_; }
 
     /// Renames it to `path`, with `mark` as the text of its mark, on disk; the files in it have been flushed. A folder
-    /// of this program that is there goes, after that. An error, and nothing is changed, where `path` is anything else.
+    /// of this program that is there goes after that, and an empty one. An error, and nothing is changed, where `path`
+    /// is anything else.
     Result<void> take_place(const std::string& path, std::string_view mark);
 
 private:

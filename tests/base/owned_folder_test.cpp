@@ -57,6 +57,12 @@ TEST_F(OwnedFolders, TakeThePlaceOfOthers) {
     EXPECT_EQ(entries(), 1u) << "the first is gone";
 }
 
+TEST_F(OwnedFolders, TakeThePlaceOfOneThatWasLeftEmpty) {
+    fs::create_directory(dir_.path("place"));
+    make("place", "one");
+    EXPECT_EQ(test::content(dir_.path("place/level")), "one");
+}
+
 TEST_F(OwnedFolders, TakeNoPlaceOfWhatIsSomebodyElses) {
     write("place/saved");
     auto scratch = ScratchFolder::make(dir_.path());
