@@ -10,6 +10,7 @@
 #include "app/options.h"
 #include "app/pictures.h"
 #include "app/recorded_flight.h"
+#include "base/file_name.h"
 #include "base/files.h"
 #include "formats/text_parts.h"
 #include "platform/gl_context.h"
@@ -161,7 +162,7 @@ Result<void> draw_film(const std::string& path, const FlightScene& scene, const 
 /// Where the pictures of a failed check go if nobody said: beside nobody's files, in the current folder.
 std::string report_folder(const FlyRequest& request) {
     if (!request.out.empty()) return request.out;
-    return std::filesystem::path(request.script).stem().string() + ".failed";
+    return safe_file_name(file_stem_of(request.script)) + ".failed";
 }
 
 /// Says that all is well.
@@ -192,6 +193,7 @@ Result<void> check(const FlyRequest& request, const FlightScene& scene, const Dr
     if (!differing.empty())
         return Error{request.script, fmt::format("{} of {} frames differ, frame {} first; see {}", differing.size(),
                                                  frames_of(plan), differing.front(), verdict.value().report)};
+    if (const Result<void> done = remove_report(folder, request.script); !done.ok()) return done.error();
     return confirm(request, frames_of(plan),
                    choices.against ? "drawn alike by both renderers" : "as they were recorded");
 }

@@ -10,6 +10,7 @@
 #include "app/pictures.h"
 #include "app/recorded_flight.h"
 #include "base/files.h"
+#include "base/owned_folder.h"
 #include "base/text.h"
 #include "flight/comparison.h"
 #include "formats/text_parts.h"
@@ -63,21 +64,37 @@ bool is_picture(std::string_view name) {
 
 }  // namespace
 
-void remove_report(const std::string& folder) {
-    bool is_report = false;
-    std::error_code unremovable;
-    for (const std::string& name : list_folder(folder)) {
-        if (!is_picture(name)) continue;
-        is_report = true;
-        fs::remove(fs::path(folder) / name, unremovable);
-    }
-    if (!is_report) return;
-    fs::remove(fs::path(folder) / "index.html", unremovable);
-    fs::remove(folder, unremovable);  // where it is empty
+namespace {
+
+std::string page_in(const std::string& folder) { return (fs::path(folder) / "index.html").string(); }
+
+/// Paths of the pictures that reports put there.
+std::vector<std::string> pictures_in(const std::string& folder) {
+    std::vector<std::string> paths;
+    for (const std::string& name : list_folder(folder))
+        if (is_picture(name)) paths.push_back((fs::path(folder) / name).string());
+    return paths;
+}
+
+/// Those of an earlier report that this one does not show.
+std::vector<std::string> surplus_pictures(const std::string& folder, const std::vector<MismatchRow>& rows) {
+    std::vector<std::string> surplus = pictures_in(folder);
+    for (const MismatchRow& row : rows)
+        for (const std::string& name : {row.actual_picture, row.expected_picture, row.difference_picture})
+            std::erase(surplus, (fs::path(folder) / name).string());
+    return surplus;
+}
+
+}  // namespace
+
+Result<void> remove_report(const std::string& folder, const std::string& of_file) {
+    std::vector<std::string> files = pictures_in(folder);
+    if (files.empty()) return {};
+    files.insert(files.end(), {page_in(folder), folder});
+    return remove_superseded(files, of_file);
 }
 
 Result<void> write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames) {
-    remove_report(folder);
     if (const Result<void> done = make_folder(folder); !done.ok()) return done.error();
     std::vector<MismatchRow> rows;
     for (const BadFrame& bad : frames) {
@@ -85,7 +102,9 @@ Result<void> write_report(const std::string& folder, const ReportText& text, con
         if (!row.ok()) return row.error();
         rows.push_back(std::move(row).value());
     }
-    return write_file((fs::path(folder) / "index.html").string(), mismatch_page(text, rows));
+    if (const Result<void> done = write_file(page_in(folder), mismatch_page(text, rows)); !done.ok())
+        return done.error();
+    return remove_superseded(surplus_pictures(folder, rows), page_in(folder));
 }
 
 namespace {
@@ -154,8 +173,6 @@ Result<void> report_mismatches(const FlightScene& scene, const DrawPlan& plan, c
     return write_report(folder, {"Flythrough " + script_path, advice_on(kept, script_path), found.size()}, shown);
 }
 
-std::string page_in(const std::string& folder) { return (fs::path(folder) / "index.html").string(); }
-
 /// Frames of the plan of which more than `allowed` pixels are different with another renderer.
 Result<std::vector<int>> disagreements(const FlightScene& scene, const DrawPlan& plan, RendererKind other,
                                        double allowed, Talk talk) {
@@ -205,10 +222,7 @@ Result<FlightVerdict> check_flight(const FlightScene& scene, const DrawPlan& pla
     });
     if (!hashes.ok()) return hashes.error();
     const auto found = mismatches(recorded.value().frames, plan.first, hashes.value());
-    if (found.empty()) {
-        remove_report(report_folder);
-        return FlightVerdict{};
-    }
+    if (found.empty()) return FlightVerdict{};
     if (const Result<void> done =
             report_mismatches(scene, plan, script_path, recorded.value(), found, report_folder, talk);
         !done.ok())
@@ -223,10 +237,7 @@ Result<FlightVerdict> compare_renderers(const FlightScene& scene, const DrawPlan
     const auto disagreeing = disagreements(scene, plan, other, tolerance * plan.width * plan.height, talk);
     if (!disagreeing.ok()) return disagreeing.error();
     const std::vector<int>& found = disagreeing.value();
-    if (found.empty()) {
-        remove_report(report_folder);
-        return FlightVerdict{};
-    }
+    if (found.empty()) return FlightVerdict{};
     std::vector<BadFrame> shown;
     for (std::size_t i = 0; i < std::min(found.size(), kMostShown); ++i) {
         auto expected = drawn_by(other, scene, plan, found[i]), actual = drawn_by(plan.renderer, scene, plan, found[i]);

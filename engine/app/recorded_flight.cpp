@@ -9,7 +9,9 @@
 #include <filesystem>
 
 #include "app/pictures.h"
+#include "base/file_name.h"
 #include "base/files.h"
+#include "base/owned_folder.h"
 #include "flight/comparison.h"
 #include "formats/png.h"
 
@@ -93,15 +95,7 @@ PictureKeeper::PictureKeeper(const std::string& script_path, const DrawPlan& pla
       full_size_(choose_full_size(before_, plan, keeping)),
       contact_sheet_(flight_frames, plan.width, plan.height) {}
 
-Result<void> PictureKeeper::start() const {
-    std::error_code unremovable;
-    for (const int number : before_)
-        if (!std::ranges::binary_search(full_size_, number))
-            fs::remove(numbered_picture(folder_, std::size_t(number)), unremovable);
-    if (full_size_.empty() && !before_.empty()) fs::remove(folder_, unremovable);  // where nothing else is in it
-    if (full_size_.empty()) return {};
-    return make_folder(folder_);
-}
+Result<void> PictureKeeper::start() const { return full_size_.empty() ? Result<void>() : make_folder(folder_); }
 
 Result<void> PictureKeeper::take(int number, const Frame& frame) {
     if (!keeping_.no_pictures) contact_sheet_.put(number, frame);
@@ -110,16 +104,21 @@ Result<void> PictureKeeper::take(int number, const Frame& frame) {
 }
 
 Result<std::optional<std::uint64_t>> PictureKeeper::finish() const {
-    std::error_code unremovable;
-    if (keeping_.no_pictures) {
-        fs::remove(sheet_, unremovable);
-        if (unremovable) return Error{sheet_, "cannot remove it: " + unremovable.message()};
-        return std::optional<std::uint64_t>();
-    }
+    if (keeping_.no_pictures) return std::optional<std::uint64_t>();
     const Image image = image_of(contact_sheet_.image());
     if (const Result<void> done = write_file(sheet_, write_png(image, PngEffort::smallest)); !done.ok())
         return done.error();
     return std::optional(hash_of(contact_sheet_.image()));
+}
+
+Result<void> PictureKeeper::remove_surplus(const std::string& hashes) const {
+    std::vector<std::string> surplus;
+    for (const int number : before_)
+        if (!std::ranges::binary_search(full_size_, number))
+            surplus.push_back(numbered_picture(folder_, std::size_t(number)));
+    if (full_size_.empty() && !before_.empty()) surplus.push_back(folder_);
+    if (keeping_.no_pictures) surplus.push_back(sheet_);
+    return remove_superseded(surplus, hashes);
 }
 
 KeptPictures::KeptPictures(const std::string& script_path, const FrameRecording& recording, const DrawPlan& plan)
@@ -164,8 +163,10 @@ Result<void> record_flight(const FlightScene& scene, const DrawPlan& plan, const
         recording.frames.push_back(
             {static_cast<std::uint32_t>(plan.first) + std::uint32_t(recording.frames.size()), hash});
     const bool is_whole = frames_of(plan) == std::size_t(scene.flight.frames());
-    return write_file(is_whole ? hashes_path(script_path) : part_path(script_path, plan.first, plan.last, ".hashes"),
-                      write_frame_hashes(recording));
+    const std::string path =
+        is_whole ? hashes_path(script_path) : part_path(script_path, plan.first, plan.last, ".hashes");
+    if (const Result<void> done = write_file(path, write_frame_hashes(recording)); !done.ok()) return done.error();
+    return keeper.remove_surplus(path);
 }
 
 // Its parts.
@@ -191,7 +192,7 @@ Result<RecordedPart> read_part(const fs::path& path) {
 /// All parts that lie beside the script, in the order of their frames.
 Result<std::vector<RecordedPart>> read_parts(const fs::path& script_path) {
     const fs::path folder = script_path.parent_path();
-    const std::string beginning = script_path.stem().string() + ".part-";
+    const std::string beginning = file_stem_of(script_path) + ".part-";
     std::vector<RecordedPart> parts;
     for (const std::string& name : list_folder(folder.empty() ? "." : folder.string())) {
         if (!name.starts_with(beginning) || !name.ends_with(".hashes")) continue;
@@ -253,13 +254,9 @@ Result<ContactSheet> sheet_of(const std::vector<RecordedPart>& parts, const Cont
     return sheet;
 }
 
-/// Writes the sheet, or removes one that is there where the parts have none.
+/// Writes the sheet where the parts have one.
 Result<void> write_sheet(const std::vector<RecordedPart>& parts, const std::string& path, FrameRecording& whole) {
-    std::error_code unremovable;
-    if (!parts.front().recording.sheet) {
-        fs::remove(path, unremovable);
-        return {};
-    }
+    if (!parts.front().recording.sheet) return {};
     const auto sheet = sheet_of(
         parts, ContactSheet(int(whole.frames.size()), int(whole.pictures->width), int(whole.pictures->height)));
     if (!sheet.ok()) return sheet.error();
@@ -280,12 +277,10 @@ Result<void> merge_parts(const std::string& script_path, int frames) {
         return done.error();
     if (const Result<void> done = write_file(hashes_path(script_path), write_frame_hashes(whole)); !done.ok())
         return done.error();
-    std::error_code unremovable;
-    for (const RecordedPart& part : parts.value()) {
-        fs::remove(part.hashes, unremovable);
-        fs::remove(part.sheet, unremovable);
-    }
-    return {};
+    std::vector<std::string> surplus;
+    for (const RecordedPart& part : parts.value()) surplus.insert(surplus.end(), {part.hashes, part.sheet});
+    if (!whole.sheet) surplus.push_back(sheet_path(script_path));
+    return remove_superseded(surplus, hashes_path(script_path));
 }
 
 }  // namespace enfilade

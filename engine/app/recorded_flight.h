@@ -39,12 +39,14 @@ public:
     PictureKeeper(const std::string& script_path, const DrawPlan& plan, int flight_frames,
                   const PictureKeeping& keeping);
 
-    /// Makes room; removes full-size pictures that are not kept any more.
+    /// Makes the folder that is needed.
     Result<void> start() const;
     /// A FrameTaker: of any thread, each frame once.
     Result<void> take(int number, const Frame& frame);
-    /// Writes the sheet, or removes it where no pictures are wanted. The hash by which the recording knows its sheet.
+    /// Writes the sheet where one is wanted. The hash by which the recording knows it.
     Result<std::optional<std::uint64_t>> finish() const;
+    /// Once the recording's hashes are in place: removes pictures that are not kept any more.
+    Result<void> remove_surplus(const std::string& hashes) const;
 
 private:
     std::string sheet_, folder_;  ///< paths
@@ -88,11 +90,12 @@ struct BadFrame {
 /// Frames that a report shows; more would be more than anybody looks at.
 inline constexpr std::size_t kMostShown = 12;
 
-/// Takes out of the folder what an earlier report put there, and the folder where nothing else is in it. What is not a
-/// report's stays.
-void remove_report(const std::string& folder);
+/// Takes out of the folder what an earlier report put there, and the folder where nothing else is in it: `of_file`,
+/// which it was about, is as it should be now. What is not a report's stays.
+Result<void> remove_report(const std::string& folder, const std::string& of_file);
 
-/// Writes the pictures and index.html into the folder, which is made where it is missing, instead of an earlier report.
+/// Writes the pictures and index.html into the folder, which is made where it is missing, instead of an earlier report,
+/// whose surplus pictures go last.
 Result<void> write_report(const std::string& folder, const ReportText& text, const std::vector<BadFrame>& frames);
 
 /// Draws the frames of the plan and writes their hashes, and beside them the pictures that shall be kept. Where the

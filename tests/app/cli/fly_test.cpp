@@ -217,6 +217,17 @@ TEST_F(Fly, ChecksARecordingWithoutPicturesAndSaysWhatIsMissing) {
     EXPECT_FALSE(program_.exists("report/000003-expected.png"));
 }
 
+TEST_F(Fly, KeepsThePicturesOfARecordingUntilTheNextOneIsThere) {
+    ASSERT_EQ(fly({"--record", "--keep", "5"}).exit_code, 0);
+    const std::string kept = "walk.frames/000005.png", sheet = program_.text("walk.sheet.png");
+    ASSERT_TRUE(program_.exists(kept));
+    std::filesystem::rename(program_.path("walk.hashes"), program_.path("hashes"));
+    std::filesystem::create_directories(program_.path("walk.hashes/full"));
+    EXPECT_EQ(fly({"--record", "--no-pictures"}).exit_code, 1) << "the hashes cannot be put in their place";
+    EXPECT_TRUE(program_.exists(kept));
+    EXPECT_EQ(program_.text("walk.sheet.png"), sheet);
+}
+
 TEST_F(Fly, RemovesPicturesThatAreNotWantedAnyMore) {
     fly({"--record", "--keep", "5"});
     fly({"--record", "--no-pictures"});
