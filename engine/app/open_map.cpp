@@ -11,8 +11,11 @@
 #include <vector>
 
 #include "app/messages.h"
+#include "app/user_folders.h"
+#include "base/file_name.h"
 #include "base/files.h"
 #include "base/hash.h"
+#include "base/owned_folder.h"
 #include "base/text.h"
 #include "formats/script.h"
 
@@ -23,12 +26,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* kEnding = ".map";
 
-std::optional<fs::path> cache_folder() {
+/// Empty: nothing is kept.
+fs::path cache_folder() {
     const char* const wish = std::getenv("ENFILADE_MAP_CACHE");
-    if (wish && std::string_view(wish) == "off") return {};
-    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) return fs::path(cache) / "enfilade";
-    if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache/enfilade";
-    return {};
+    return wish && std::string_view(wish) == "off" ? "" : user_folder(UserFolder::cache);
 }
 
 /// A number for this very program, which changes whenever it is built or installed anew.
@@ -50,7 +51,7 @@ fs::path file_for(const fs::path& folder, const std::string& map_path, std::uint
     Hash hash;
     hash.add(map.string());
     hash.add(edition);
-    return folder / fmt::format("{}-{:016x}{}", map.stem().string(), hash.value(), kEnding);
+    return folder / fmt::format("{}-{:016x}{}", safe_file_name(file_stem_of(map.string())), hash.value(), kEnding);
 }
 
 /// Removes the oldest files but `kept` until the others fit beside it.
@@ -72,21 +73,23 @@ void prune(const fs::path& folder, const fs::path& kept) {
         if (path != kept) files.push_back({fs::last_write_time(path, gone), path, size});
     }
     std::ranges::sort(files, {}, &Old::written);
+    std::vector<std::string> surplus;
     for (auto file = files.begin(); file != files.end() && bytes > kMostCacheBytes; ++file) {
-        fs::remove(file->path, gone);
+        surplus.push_back(file->path.string());
         bytes -= file->bytes;
     }
+    static_cast<void>(remove_superseded(surplus, kept.string()));
 }
 
 }  // namespace
 
 MapStore cache_of(const std::string& map_path) {
-    const std::optional<fs::path> folder = cache_folder();
-    if (!folder) return {0, [] { return Result<Bytes>(Error{"", "nothing is kept"}); }, {}};
+    const fs::path folder = cache_folder();
+    if (folder.empty()) return {0, [] { return Result<Bytes>(Error{"", "nothing is kept"}); }, {}};
     const std::uint64_t edition = edition_of_program();
-    const fs::path file = file_for(*folder, map_path, edition);
+    const fs::path file = file_for(folder, map_path, edition);
     const auto find = [file] { return read_file(file.string()); };
-    const auto keep = [folder = *folder, file](const Bytes& bytes) {
+    const auto keep = [folder, file](const Bytes& bytes) {
         std::error_code failed;
         fs::create_directories(folder, failed);
         if (failed || bytes.size() > kMaxFileBytes) return;
