@@ -146,18 +146,24 @@ void keep_changes(const Settings& before, const Settings& now, Settings& kept);
 
 // Where the settings are kept from one start of the program to the next: a TOML file with a comment for every key.
 
+/// Lines of keys that nobody knows: another version may.
+struct UnknownKeys {
+    std::string settings, keys;  ///< at the top of the file, and in its table [keys]
+    bool operator==(const UnknownKeys&) const = default;
+};
+
 /// A text as settings, and what is wrong with it. What is wrong or missing is as usual.
 struct SettingsReading {
     Settings settings;
     Findings findings;
-    std::string unknown;  ///< top-level keys that nobody knows, as lines: another version may
+    UnknownKeys unknown;
 };
 SettingsReading read_settings(std::string_view text);
 
 /// The whole file: every key with what it does.
-std::string write_settings(const Settings& settings, std::string_view unknown = {});
+std::string write_settings(const Settings& settings, const UnknownKeys& unknown = {});
 
-/// $XDG_CONFIG_HOME/enfilade/settings.toml, or ~/.config/…; empty where there is no home.
+/// settings.toml in the user's folder for configuration (app/user_folders.h); empty where there is none.
 std::string settings_path();
 
 /// The settings of a player: those that are kept, and those that hold now, which options may have changed.
@@ -177,14 +183,13 @@ public:
     /// They hold now; what changed is kept by the next save().
     void change(const Settings& settings);
 
-    /// Writes what changed, where something did. A file with errors is first set aside under a name of its own, with
-    /// ".damaged" behind it.
+    /// Writes what changed, where something did. A file with errors is first set aside (set_aside(), base).
     Result<void> save();
 
 private:
     std::string path_;
     Settings now_, kept_;
-    std::string unknown_;
+    UnknownKeys unknown_;
     std::vector<std::string> notes_;
     bool is_damaged_ = false, is_changed_ = false;
 };

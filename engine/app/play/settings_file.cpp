@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
+#include "app/user_folders.h"
 #include "base/files.h"
+#include "base/owned_folder.h"
 #include "formats/text_parts.h"
 #include "formats/toml.h"
 
@@ -20,34 +21,27 @@ constexpr std::string_view kHead =
     "# What Enfilade remembers for you. The menu writes this file when you change something there; you may also edit\n"
     "# it while the game is closed. A key that is missing is as usual. `enfilade play --help` has each as an option.\n";
 
+constexpr std::string_view kUnknownHead = "\n# Not known to this version of Enfilade.\n";
+
 void note(SettingsReading& reading, TextPlace place, Severity severity, std::string code, std::string sentence) {
     reading.findings.push_back({place, severity, std::move(code), std::move(sentence)});
 }
 
-/// The value as TOML text again, and as the text a setting reads.
-std::string toml_text(const TomlNode& node) {
-    switch (node.kind()) {
-        case TomlKind::string: return string_text(node.text());
-        case TomlKind::integer:
-        case TomlKind::real: return number_text(node.number());
-        case TomlKind::boolean: return node.boolean() ? "true" : "false";
-        case TomlKind::array: {
-            std::string text = "[";
-            for (std::size_t i = 0; i < node.size(); ++i) text += (i == 0 ? "" : ", ") + toml_text(node.at(i));
-            return text + "]";
-        }
-        case TomlKind::table: {
-            std::string text = "{ ";
-            for (const TomlEntry& entry : node.entries())
-                text += (text.size() > 2 ? ", " : "") + string_text(entry.key) + " = " + toml_text(entry.value);
-            return text + " }";
-        }
-        default: return "\"\"";
-    }
+/// The value as the text that a setting reads.
+std::string plain_text(const TomlNode& node) {
+    return node.kind() == TomlKind::string ? std::string(node.text()) : value_text(node);
 }
 
-std::string plain_text(const TomlNode& node) {
-    return node.kind() == TomlKind::string ? std::string(node.text()) : toml_text(node);
+/// What nobody knows is of some later version. So much of it can only be a mistake [bytes]; a file that is longer than
+/// what is read could never be read again.
+constexpr std::size_t kMostUnknown = std::size_t{1} << 16;
+
+void keep_line(SettingsReading& reading, std::string& lines, const TomlEntry& entry) {
+    const std::string line = string_text(entry.key) + " = " + value_text(entry.value) + "\n";
+    if (reading.unknown.settings.size() + reading.unknown.keys.size() + line.size() > kMostUnknown)
+        return note(reading, entry.key_place, Severity::error, "too-large",
+                    "expected at most 64 KiB of keys that nobody knows; this one and some others are not kept");
+    lines += line;
 }
 
 void read_keys_of(SettingsReading& reading, const TomlEntry& entry, Control control) {
@@ -61,7 +55,7 @@ void read_keys_of(SettingsReading& reading, const TomlEntry& entry, Control cont
         if (name.kind() == TomlKind::string) keys[i] = key_named(name.text());
         if (keys[i] == KeyCode::unknown)
             return note(reading, name.place(), Severity::error, "unknown-word",
-                        expected + "; found " + toml_text(name));
+                        expected + "; found " + in_quotes(value_text(name)));
     }
     reading.settings.bindings[static_cast<std::size_t>(control)] = keys;
 }
@@ -78,7 +72,8 @@ void read_bindings(SettingsReading& reading, const TomlEntry& table) {
         for (int i = 0; i < kControls; ++i) known.push_back(info_of(static_cast<Control>(i)).name);
         note(reading, entry.key_place, Severity::warning, "unknown-key",
              "nothing can be bound to " + in_quotes(entry.key) + nearest_suggestion(entry.key, known) +
-                 "; it is left out when the file is next written");
+                 "; it is kept as it is");
+        keep_line(reading, reading.unknown.keys, entry);
     }
 }
 
@@ -94,7 +89,7 @@ void keep_unknown(SettingsReading& reading, const TomlEntry& entry) {
     note(
         reading, entry.key_place, Severity::warning, "unknown-key",
         "there is no setting " + in_quotes(entry.key) + nearest_suggestion(entry.key, known) + "; it is kept as it is");
-    reading.unknown += string_text(entry.key) + " = " + toml_text(entry.value) + "\n";
+    keep_line(reading, reading.unknown.settings, entry);
 }
 
 }  // namespace
@@ -116,7 +111,7 @@ SettingsReading read_settings(std::string_view text) {
     return reading;
 }
 
-std::string write_settings(const Settings& settings, std::string_view unknown) {
+std::string write_settings(const Settings& settings, const UnknownKeys& unknown) {
     std::string text(kHead);
     for (const Setting& setting : all_settings()) {
         const std::string value = setting.text(setting, settings);
@@ -125,7 +120,7 @@ std::string write_settings(const Settings& settings, std::string_view unknown) {
                                                       : value;
         text += fmt::format("\n# {}\n{} = {}\n", setting.help, setting.name, written);
     }
-    if (!unknown.empty()) text += "\n# Not known to this version of Enfilade.\n" + std::string(unknown);
+    if (!unknown.settings.empty()) text += std::string(kUnknownHead) + unknown.settings;
     text += "\n# Up to two keys for each thing that keys do; Esc always opens the menu.\n[keys]\n";
     for (int i = 0; i < kControls; ++i) {
         const auto control = static_cast<Control>(i);
@@ -134,17 +129,11 @@ std::string write_settings(const Settings& settings, std::string_view unknown) {
             if (key != KeyCode::unknown) keys.emplace_back(name_of(key));
         text += fmt::format("{} = {}\n", info_of(control).name, value_text(keys));
     }
+    if (!unknown.keys.empty()) text += std::string(kUnknownHead) + unknown.keys;
     return text;
 }
 
-std::string settings_path() {
-    namespace fs = std::filesystem;
-    if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config)
-        return (fs::path(config) / "enfilade/settings.toml").string();
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return (fs::path(home) / ".config/enfilade/settings.toml").string();
-    return "";
-}
+std::string settings_path() { return in_user_folder(UserFolder::config, "settings.toml"); }
 
 SettingsStore::SettingsStore(std::string path) : path_(std::move(path)) {
     std::error_code unknown;
@@ -158,7 +147,9 @@ SettingsStore::SettingsStore(std::string path) : path_(std::move(path)) {
     is_damaged_ = has_errors(reading.findings);
     for (const Finding& finding : reading.findings)
         if (notes_.size() < kMostNotes) notes_.push_back(to_text(path_, finding));
-    if (is_damaged_) notes_.push_back("What could not be read of the settings is as usual.");
+    if (is_damaged_)
+        notes_.push_back(
+            "What could not be read of the settings is as usual. The file is set aside before it is written anew.");
     now_ = kept_ = std::move(reading.settings);
     unknown_ = std::move(reading.unknown);
 }
@@ -174,13 +165,8 @@ Result<void> SettingsStore::save() {
     std::error_code failed;
     std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), failed);
     if (failed) return Error{path_, "the folder for the settings cannot be made: " + failed.message()};
-    if (is_damaged_) {
-        const auto bytes = read_file(path_);
-        if (bytes.ok())
-            if (const Result<void> done = write_file(path_ + ".damaged", std::span<const std::byte>(bytes.value()));
-                !done.ok())
-                return done.error();
-    }
+    if (is_damaged_)
+        if (const auto aside = set_aside(path_); !aside.ok()) return aside.error();
     if (const Result<void> done = write_file(path_, std::string_view(write_settings(kept_, unknown_))); !done.ok())
         return done.error();
     is_changed_ = is_damaged_ = false;

@@ -1,11 +1,18 @@
 // Every setting: its text, its ends, its steps; and the file in which all are kept.
 #include "app/play/settings.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
+#include <bit>
+#include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "base/files.h"
+#include "base/hash.h"
+#include "formats/text_parts.h"
 #include "support/temp_dir.h"
 
 namespace enfilade {
@@ -141,7 +148,121 @@ TEST(SettingsText, KeepsWhatItDoesNotKnowAndSaysSo) {
     EXPECT_THAT(reading.findings[1].sentence, HasSubstr("did you mean 'fov'"));
     const SettingsReading again = read_settings(write_settings({}, reading.unknown));
     EXPECT_EQ(again.unknown, reading.unknown);
-    EXPECT_THAT(again.unknown, HasSubstr("[1, \"two\", { \"a\" = true }]"));
+    EXPECT_THAT(again.unknown.settings, HasSubstr("[1, \"two\", { \"a\" = true }]"));
+}
+
+TEST(SettingsText, KeepsKeysForWhatItDoesNotKnow) {
+    const SettingsReading reading = read_settings("[keys]\nhop = [\"W\", nan]\n");
+    EXPECT_FALSE(has_errors(reading.findings));
+    EXPECT_EQ(read_settings(write_settings({}, reading.unknown)).unknown, reading.unknown);
+    EXPECT_EQ(reading.unknown.keys, "\"hop\" = [\"W\", nan]\n");
+}
+
+TEST(SettingsText, SurvivesEveryKindOfValueUnderEveryKindOfKey) {
+    const char* const values[] = {"nan",
+                                  "-nan",
+                                  "inf",
+                                  "-inf",
+                                  "9223372036854775807",
+                                  "-9223372036854775808",
+                                  "1e308",
+                                  "1.0",
+                                  "-0.0",
+                                  "5e-324",
+                                  "0xFF",
+                                  "true",
+                                  "\"a\\u0000b\"",
+                                  "'\"'",
+                                  "[]",
+                                  "{}",
+                                  "[[nan], { a.b = inf }]",
+                                  "1979-05-27",
+                                  "07:32:00.5",
+                                  "1979-05-27T07:32:00.999-07:30",
+                                  "\"\"\"two\nlines\"\"\""};
+    for (const char* value : values)
+        for (const char* key :
+             {"zz", "'a b'", "fov", "size", "vsync", "renderer", "keys", "[keys]\nuse", "[keys]\nhop"}) {
+            const SettingsReading reading = read_settings(std::string(key) + " = " + value + "\n");
+            const SettingsReading again = read_settings(write_settings(reading.settings, reading.unknown));
+            EXPECT_FALSE(has_errors(again.findings)) << key << " = " << value << ": " << to_text("", again.findings[0]);
+            EXPECT_EQ(again.unknown, reading.unknown) << key << " = " << value;
+            EXPECT_EQ(again.settings.bindings, reading.settings.bindings);
+        }
+}
+
+/// Any TOML that is not too deep.
+class RandomSettings {
+public:
+    explicit RandomSettings(std::uint64_t seed) : random_(seed) {}
+
+    std::string text() {
+        std::string text;
+        for (const Setting& setting : all_settings())
+            if (random_.below(3) == 0) text += std::string(setting.name) + " = " + value(0) + "\n";
+        for (std::uint64_t i = random_.below(6); i > 0; --i) text += "k" + std::to_string(i) + " = " + value(0) + "\n";
+        if (random_.below(2) == 0) text += "[keys]\n" + bindings();
+        if (random_.below(3) == 0) text += "[tomorrow.more]\n\"a b\" = " + value(0) + "\n";
+        return text;
+    }
+
+private:
+    std::string bindings() {
+        constexpr const char* kKeys[] = {"\"W\"", "\"mouse left\"", "\"nothing\"", "nan", "3"};
+        std::string text;
+        for (int i = 0; i < kControls; ++i) {
+            if (random_.below(3) > 0) continue;
+            const std::string name(info_of(static_cast<Control>(i)).name);
+            text += name + " = [" + kKeys[random_.below(5)] + ", " + kKeys[random_.below(5)] + "]\n";
+        }
+        return text + "hop = " + value(0) + "\n";
+    }
+    std::string value(int depth) {
+        switch (random_.below(depth < 4 ? 12 : 9)) {
+            case 0: return "nan";
+            case 1: return random_.below(2) == 0 ? "inf" : "-inf";
+            case 2: return std::to_string(static_cast<std::int64_t>(random_.bits()));
+            case 3: return real();
+            case 4: return random_.below(2) == 0 ? "true" : "false";
+            case 5: return string_text(any_text());
+            case 6: return "1979-05-27 07:32:00Z";
+            case 7: return "\"column\"";
+            case 8: return std::to_string(random_.below(100));
+            case 9: return "{ a = " + value(depth + 1) + ", \"b c\" = " + value(depth + 1) + " }";
+            default: return "[" + value(depth + 1) + ", " + value(depth + 1) + "]";
+        }
+    }
+    std::string real() {
+        const double number = std::bit_cast<double>(random_.bits());
+        return std::isfinite(number) ? fmt::format("{:e}", number) : "1.5";
+    }
+    std::string any_text() {
+        std::string text;
+        for (std::uint64_t i = random_.below(8); i > 0; --i) text += static_cast<char>(random_.below(256));
+        return text;
+    }
+
+    Random random_;
+};
+
+TEST(SettingsText, IsTheSameWhenItIsReadAndWrittenAgainWhateverItWas) {
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        const std::string text = RandomSettings(seed).text();
+        const SettingsReading reading = read_settings(text);
+        const std::string written = write_settings(reading.settings, reading.unknown);
+        const SettingsReading again = read_settings(written);
+        ASSERT_FALSE(has_errors(again.findings)) << text << to_text("", again.findings[0]) << "\n" << written;
+        ASSERT_EQ(write_settings(again.settings, again.unknown), written) << text;
+        ASSERT_EQ(again.unknown, reading.unknown) << text;
+    }
+}
+
+TEST(SettingsText, DoesNotKeepMoreThanCanBeReadAgain) {
+    std::string text;
+    for (int i = 0; i < 20'000; ++i) text += "k" + std::to_string(i) + " = [1]\n";
+    const SettingsReading reading = read_settings(text);
+    EXPECT_TRUE(has_errors(reading.findings)) << "so that the file is set aside";
+    EXPECT_FALSE(has_errors(read_settings(write_settings({}, reading.unknown)).findings));
 }
 
 TEST(SettingsText, ReadsAndWritesKeys) {
@@ -206,8 +327,33 @@ TEST_F(StoredSettings, AreTheUsualOnesWhereTheFileIsDamagedAndSetItAside) {
     EXPECT_EQ(text(), "fov = = 3\n\xFF") << "looking changes nothing";
     store.change(store.now());
     EXPECT_TRUE(store.save().ok());
-    EXPECT_EQ(as_text(read_file(path_ + ".damaged").value()), "fov = = 3\n\xFF");
+    EXPECT_EQ(as_text(read_file(path_ + ".unreadable").value()), "fov = = 3\n\xFF");
     EXPECT_TRUE(SettingsStore(path_).notes().empty());
+}
+
+TEST_F(StoredSettings, AreSetAsideWithoutOverwritingThoseThatWere) {
+    for (const char* text : {"first = =", "second = ="}) {
+        write(text);
+        SettingsStore store(path_);
+        store.change(store.now());
+        EXPECT_TRUE(store.save().ok());
+    }
+    EXPECT_EQ(test::content(path_ + ".unreadable"), "first = =");
+    EXPECT_EQ(test::content(path_ + ".unreadable-2"), "second = =");
+}
+
+TEST_F(StoredSettings, AreWrittenWhereThereWasNoFileButAFolderOrAPipe) {
+    std::filesystem::create_directories(path_ + "/mine");
+    ASSERT_EQ(mkfifo((path_ + ".pipe").c_str(), 0600), 0);
+    for (const std::string& path : {path_, path_ + ".pipe"}) {
+        SettingsStore store(path);
+        EXPECT_FALSE(store.notes().empty());
+        store.change(store.now());
+        const Result<void> done = store.save();
+        EXPECT_TRUE(done.ok()) << done.error().text();
+        EXPECT_TRUE(SettingsStore(path).notes().empty());
+    }
+    EXPECT_TRUE(std::filesystem::is_directory(path_ + ".unreadable/mine"));
 }
 
 }  // namespace
