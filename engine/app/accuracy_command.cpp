@@ -11,6 +11,7 @@
 #include "app/messages.h"
 #include "app/pictures.h"
 #include "app/programs.h"
+#include "base/file_name.h"
 #include "base/files.h"
 #include "base/hash.h"
 #include "base/text.h"
@@ -44,10 +45,7 @@ std::vector<std::string> maps_of(const AccuracyRequest& request) {
     return request.maps.empty() ? shipped_scenes() : request.maps;
 }
 
-std::string scene_name(const std::string& path) {
-    const std::string file = path.substr(path.rfind('/') + 1);
-    return file.substr(0, file.rfind('.'));
-}
+std::string scene_name(const std::string& path) { return safe_file_name(file_stem_of(path)); }
 
 /// One scene. An error where its map has errors, which then are on stderr.
 Result<AccuracyScene> measure_scene(const std::string& path, const AccuracyRequest& request) {

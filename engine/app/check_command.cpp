@@ -10,6 +10,7 @@
 #include "app/messages.h"
 #include "app/open_map.h"
 #include "app/sounds.h"
+#include "base/file_name.h"
 #include "base/files.h"
 #include "formats/map_toml.h"
 #include "formats/text_parts.h"
@@ -36,7 +37,7 @@ std::string nearest_sound(const std::string& map_path, const std::string& name) 
     const std::string folder = file.parent_path().string();
     const std::vector<std::string> names = list_folder(folder.empty() ? "." : folder);
     const std::vector<std::string_view> known(names.begin(), names.end());
-    return nearest_suggestion(file.filename().string(), known);
+    return nearest_suggestion(file_name_of(file), known);
 }
 
 /// What only a look at other files shows.

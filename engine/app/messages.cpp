@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "base/file_name.h"
 #include "base/files.h"
 #include "base/text.h"
 #include "formats/map_toml.h"
@@ -73,9 +74,9 @@ std::string nearest_file(const std::string& path) {
     const fs::path ending = fs::path(path).extension();  // what files of one kind share makes none like another
     std::vector<std::string> stems;
     for (const std::string& name : names)
-        if (fs::path(name).extension() == ending) stems.push_back(fs::path(name).stem().string());
+        if (fs::path(name).extension() == ending) stems.push_back(file_stem_of(name));
     const std::vector<std::string_view> known(stems.begin(), stems.end());
-    const std::string_view near = nearest_word(fs::path(path).stem().string(), known);
+    const std::string_view near = nearest_word(file_stem_of(path), known);
     return near.empty() ? "" : fmt::format("; did you mean {}{}?", (folder / near).string(), ending.string());
 }
 
@@ -104,7 +105,7 @@ std::string about_map(const std::string& path) {
     return fmt::format(
         "found a map; `enfilade play {0}` walks through it and `enfilade render {0} --out FILE.png` draws it; a script "
         "has map = \"{1}\" and says where the camera goes",
-        path, fs::path(path).filename().string());
+        path, file_name_of(path));
 }
 
 /// What every command that takes neither says about what is no text of ours; none where it may be one.

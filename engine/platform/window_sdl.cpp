@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "platform/gl_context.h"
+#include "base/file_name.h"
 #include "platform/gl_screen.h"
 #include "platform/sdl_events.h"
 #include "platform/window.h"
@@ -327,7 +328,7 @@ bool has_gpu() {
     namespace fs = std::filesystem;
     std::error_code none;
     for (const auto& device : fs::directory_iterator("/dev/dri", none))
-        if (device.path().filename().string().starts_with("render")) return true;
+        if (file_name_of(device.path()).starts_with("render")) return true;
     return fs::exists("/dev/nvidiactl", none);
 #else
     return true;

@@ -9,6 +9,7 @@
 #include "app/messages.h"
 #include "app/open_map.h"
 #include "app/programs.h"
+#include "base/file_name.h"
 #include "base/files.h"
 #include "formats/map_toml.h"
 #include "formats/text_parts.h"
@@ -79,8 +80,8 @@ std::string first_map(const fs::path& path) {
     const bool is_beside = is_same_folder(path.parent_path(), shipped.parent_path());
     std::vector<std::string> folders{"textures"};
     if (!is_beside) folders.push_back((shipped.parent_path() / "textures").string());
-    const std::string schema = "#:schema " + (is_beside ? shipped.filename() : shipped).string() + "\n";
-    return fmt::format(kFirstMap, schema, string_text(path.stem().string()), value_text(folders));
+    const std::string schema = "#:schema " + (is_beside ? file_name_of(shipped) : shipped.string()) + "\n";
+    return fmt::format(kFirstMap, schema, string_text(file_stem_of(path)), value_text(folders));
 }
 
 }  // namespace
