@@ -61,7 +61,7 @@ Result<AccuracyScene> measure_scene(const std::string& path, const AccuracyReque
         const std::string folder = request.out + "/views", file = folder + "/" + scene_name(path) + ".csv";
         if (const Result<void> done = make_folder(folder); !done.ok()) return done.error();
         if (const Result<void> done = write_file(file, views_csv(timed)); !done.ok()) return done.error();
-        if (!request.quick && is_installed("valgrind")) plan.price.views_file = file;
+        if (!request.quick && find_program("valgrind")) plan.price.views_file = file;
     }
     const auto prices = measure_prices(*map, timed, settings, plan.price);
     if (!prices.ok()) return prices.error();
@@ -88,7 +88,7 @@ std::string command_text(const AccuracyRequest& request) {
 Result<void> write_plot(const std::string& folder, const std::vector<AccuracyScene>& scenes) {
     const std::string script = folder + "/accuracy.gp";
     if (const Result<void> done = write_file(script, accuracy_plot(scenes, folder)); !done.ok()) return done.error();
-    if (!is_installed("gnuplot")) {
+    if (!find_program("gnuplot")) {
         print_to_stderr("enfilade: no picture, because gnuplot is not installed; `gnuplot " + script + "` draws it\n");
         return {};
     }

@@ -227,7 +227,7 @@ Result<std::string> compare_with(const std::string& other, const ChildBench& ben
 }
 
 Result<std::string> count_instructions(const ChildBench& bench) {
-    if (!is_installed("valgrind"))
+    if (!find_program("valgrind"))
         return Error{"--instructions",
                      "expected valgrind to be installed, which counts them; install it, or leave the "
                      "option out"};

@@ -131,10 +131,12 @@ void declare_settings(CLI::App& command, PlayRequest& request) {
 
 CLI::App* declare_play(CLI::App& enfilade, PlayRequest& request) {
     CLI::App* command = enfilade.add_subcommand("play", "Walk through a map in a window");
-    command->add_option(
-        "MAP", request.map,
-        "The map file (.toml), or a WAD of Doom, whose first level is opened; if none is given, the tour of "
-        "Enfilade");
+    command->add_option("MAP", request.words,
+                        "The map file (.toml); or a WAD of Doom, by its path or, where it is installed, by its name, "
+                        "patches that follow it, and a level (MAP01, E1M1, ...; if not given, the first). If nothing "
+                        "is given, the tour of Enfilade");
+    command->add_flag("--print-map", request.print_map,
+                      "Print the path of the map instead of playing it; levels of a WAD are converted first");
     command->add_flag("--mute", request.mute, "No sounds");
     declare_settings(*command, request);
     declare_single_dials(*command, request.dials);

@@ -27,11 +27,12 @@ namespace enfilade {
 inline constexpr const char *kText = "text", *kJson = "json", *kSarif = "sarif", *kJunit = "junit";
 
 struct PlayRequest {
-    std::string map, tape, save, load;                            ///< empty where not given
+    std::vector<std::string> words;                               ///< a map, or WADs and a level; none: the tour
+    std::string tape, save, load;                                 ///< empty where not given
     std::vector<std::pair<std::string, std::string>> settings{};  ///< that were given: names, and values as typed
     std::vector<std::string> texture_folders, dials;
     int skill = kUsualSkill;
-    bool mute = false;
+    bool mute = false, print_map = false;
 };
 
 struct RenderRequest {

@@ -100,7 +100,7 @@ std::string ffmpeg_command(const std::string& target, const FilmFormat& format) 
 }
 
 Result<std::unique_ptr<Film>> start_mp4(const std::string& path, const FilmFormat& format) {
-    if (!is_installed("ffmpeg"))
+    if (!find_program("ffmpeg"))
         return Error{path,
                      "an .mp4 film needs the program ffmpeg, which is not installed; install it, or write a .y4m "
                      "film or a folder of pictures"};

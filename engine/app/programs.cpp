@@ -42,14 +42,15 @@ Result<ChildEnd> run_child(const std::vector<std::string>& words) {
     return end;
 }
 
-bool is_installed(std::string_view program) {
+std::optional<std::string> find_program(std::string_view name) {
     std::string_view folders = std::getenv("PATH") ? std::getenv("PATH") : "";
     while (!folders.empty()) {
         const auto end = folders.find(':');
-        if (access((fs::path(folders.substr(0, end)) / program).c_str(), X_OK) == 0) return true;
+        const fs::path program = fs::path(folders.substr(0, end)) / name;
+        if (access(program.c_str(), X_OK) == 0) return program.string();
         folders.remove_prefix(end == std::string_view::npos ? folders.size() : end + 1);
     }
-    return false;
+    return {};
 }
 
 std::string this_program() {

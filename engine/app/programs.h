@@ -1,5 +1,6 @@
 // Other programs that a command calls for help, this one, and what lies beside it.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +25,8 @@ std::string shell_word(const std::string& word);
 /// More than the rows of the longest list of views.
 inline constexpr std::size_t kMostSaid = std::size_t{256} << 20;
 
-/// Whether PATH leads to a program of that name.
-bool is_installed(std::string_view program);
+/// The program of that name that PATH leads to.
+std::optional<std::string> find_program(std::string_view name);
 
 /// The path of the running program.
 std::string this_program();

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/cli/program.h"
+#include "base/owned_folder.h"
 #include "faults/work.h"
 #include "formats/png.h"
 #include "wadconv/wad_builder.h"
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 using ::testing::Each;
 using ::testing::Eq;
 using ::testing::IsEmpty;
+using ::testing::Ne;
 
 constexpr int kProcesses = 4;
 
@@ -121,10 +123,16 @@ public:
     /// Without a display a picture is taken of the level.
     std::string play(const std::string& words = "doom.wad MAP01") const {
         return "env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER PATH='" + dir_.path("tools") +
-               "':\"$PATH\" XDG_CACHE_HOME='" + dir_.path("cache") + "' ./run play " + words;
+               "':\"$PATH\" XDG_CACHE_HOME='" + dir_.path("cache") + "' XDG_CONFIG_HOME='" + dir_.path("config") +
+               "' ./run play " + words;
+    }
+    /// The same without the script, up to the window.
+    std::string find_map(const std::string& words = "doom.wad MAP01") const {
+        return "XDG_CACHE_HOME='" + dir_.path("cache") + "' XDG_CONFIG_HOME='" + dir_.path("config") +
+               "' '" ENFILADE_PROGRAM "' play --print-map " + words;
     }
     std::string cached_map() const {
-        for (const auto& entry : fs::directory_iterator(dir_.path("cache/enfilade")))
+        for (const auto& entry : fs::directory_iterator(dir_.path("cache/enfilade/converted")))
             if (fs::exists(entry.path() / "map01.toml")) return (entry.path() / "map01.toml").string();
         return "";
     }
@@ -142,11 +150,35 @@ TEST(Crowd, ThatPlaysOneLevelFindsItConverted) {
     }
 }
 
+TEST(Crowd, ThatOpensOneWadFindsItConverted) {
+    const Checkout checkout;
+    for (std::size_t round = 0; round < trials(10, 200); ++round) {
+        const auto statuses = all_at_once(checkout.dir(), [&](int) { return checkout.find_map(); });
+        ASSERT_THAT(statuses, Each(Eq(0))) << said(checkout.dir());
+        EXPECT_EQ(list_folder(checkout.dir().path("cache/enfilade/converted")).size(), 2u) << "a folder and the lock";
+        fs::remove_all(checkout.dir().path("cache"));
+    }
+}
+
+TEST(RunScript, TakesAnyNameOfAWad) {
+    const Checkout checkout;
+    for (const std::string name : {"a\\nb.wad", "two\nlines.wad", "it's \"$(touch gone)\";*.wad", "./-rf.wad", " .wad",
+                                   "...wad", "..wad", "end\n.wad"}) {
+        fs::copy_file(checkout.dir().path("doom.wad"), checkout.dir().path(name));
+        std::string word = name;
+        for (std::size_t at = 0; (at = word.find('\'', at)) != std::string::npos; at += 4) word.replace(at, 1, "'\\''");
+        const auto statuses = all_at_once(checkout.dir(), [&](int) { return checkout.play("'" + word + "' MAP01"); });
+        EXPECT_THAT(statuses, Each(Eq(0))) << name << ": " << said(checkout.dir());
+    }
+    EXPECT_FALSE(fs::exists(checkout.dir().path("gone")));
+    EXPECT_EQ(list_folder(checkout.dir().path("cache/enfilade/converted")).size(), 9u) << "eight and the lock";
+}
+
 TEST(RunScript, RefusesWordsThatItWouldOverlookWithoutADisplay) {
     const Checkout checkout;
     for (const char* words :
          {"nonsense", "doom.wad nonsense", "doom.wad MAP01 nonsense", "a.toml b.toml", "a.toml --size 64x40 nonsense"})
-        EXPECT_THAT(all_at_once(checkout.dir(), [&](int) { return checkout.play(words); }), Each(Eq(1))) << words;
+        EXPECT_THAT(all_at_once(checkout.dir(), [&](int) { return checkout.play(words); }), Each(Ne(0))) << words;
     EXPECT_THAT(all_at_once(checkout.dir(), [&](int) { return checkout.play("doom.wad MAP01 --size 64x40"); }),
                 Each(Eq(0)))
         << said(checkout.dir());
@@ -160,7 +192,7 @@ TEST(Crowd, ThatPlaysALevelFromADamagedCacheMakesItAnew) {
     for (int damage = 0; damage < 3; ++damage) {
         if (damage == 0) fs::remove(map);
         if (damage == 1) fs::resize_file(map, 10);
-        if (damage == 2) fs::remove(fs::path(map).replace_filename("stamp"));
+        if (damage == 2) fs::resize_file(fs::path(map).replace_filename(kFolderMark), 10);
         const auto statuses = all_at_once(checkout.dir(), [&](int) { return checkout.play(); });
         ASSERT_THAT(statuses, Each(Eq(0))) << said(checkout.dir());
         EXPECT_EQ(as_text(read_file(map).value()), whole);

@@ -9,7 +9,6 @@
 #include <thread>
 #include <vector>
 
-#include "base/result.h"
 #include "render/frame.h"
 
 namespace enfilade {
@@ -21,17 +20,10 @@ struct ListedMap {
     MapOrigin origin = MapOrigin::shipped;
 };
 
-/// In the order in which they are shown: those that come with Enfilade; the player's own, in the folder maps of
-/// data_folder(); levels that were converted; and WADs of which none was. Cost: a look into each folder and map.
+/// In the order in which they are shown: those that come with Enfilade; the player's own, in the folder maps of the
+/// user's folder for data; levels that were converted; and the WADs that are installed, converted before or not: to
+/// tell, all of each would have to be read. Cost: a look into each folder and map.
 std::vector<ListedMap> find_maps();
-
-/// The converter's maps of a WAD, in a folder that find_maps() looks into. Takes seconds. An error says what the
-/// converter said.
-Result<void> convert_wad(const std::string& wad_path);
-
-/// The map of the first level of a WAD, by its name: as convert_wad() left it where that is no older than the WAD, else
-/// converted now, which takes seconds.
-Result<std::string> first_level_of(const std::string& wad_path);
 
 /// What a map's picture is like [px].
 inline constexpr int kPictureWidth = 192, kPictureHeight = 120;

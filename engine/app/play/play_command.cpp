@@ -3,13 +3,15 @@
 
 #include "app/commands.h"
 #include "app/messages.h"
-#include "app/play/map_list.h"
+#include "app/play/conversions.h"
 #include "app/play/play_loop.h"
 #include "app/play/saved_game.h"
 #include "app/play/title.h"
 #include "app/programs.h"
 #include "base/attempt.h"
+#include "base/files.h"
 #include "base/text.h"
+#include "formats/text_parts.h"
 
 namespace enfilade {
 namespace {
@@ -55,8 +57,15 @@ Result<std::unique_ptr<Window>> window_for(const std::string& title, const Setti
     return open_window(wanted);
 }
 
+/// A game, and what the player should know of it at the beginning.
+struct Begun {
+    std::unique_ptr<Game> game;
+    std::string note;
+};
+
 /// Plays until the player leaves, and keeps where that was. True where the title screen is wanted next.
-Result<bool> play_in(Window& window, SettingsStore& store, Game& game, const PlayRequest& request) {
+Result<bool> play_in(Window& window, SettingsStore& store, const Begun& begun, const PlayRequest& request) {
+    Game& game = *begun.game;
     PlayOptions options;
     options.mute = request.mute;
     options.tape = request.tape;
@@ -69,19 +78,42 @@ Result<bool> play_in(Window& window, SettingsStore& store, Game& game, const Pla
     return loop.is_left_for_title();
 }
 
-Result<std::unique_ptr<Game>> game_for(const TitleChoice& choice, const PlayRequest& request,
-                                       const MotionDials& motion) {
+Result<Begun> game_for(const TitleChoice& choice, const PlayRequest& request, const MotionDials& motion) {
     auto game = Game::start(choice.map, request.texture_folders, request.skill, motion);
-    if (game.ok() && choice.goes_on)
-        static_cast<void>(game.value()->load_saved(last_game_path()));  // a map that was changed begins anew
-    return game;
+    if (!game.ok()) return game.error();
+    Begun begun{std::move(game).value(), ""};
+    if (choice.goes_on)
+        static_cast<void>(begun.game->load_saved(last_game_path()));  // a map that was changed begins anew
+    return begun;
 }
 
-/// The map that was named, the first level of a WAD that was, or the tour.
-Result<std::string> map_for(const PlayRequest& request) {
-    if (request.map.empty()) return shipped_map("enfilade.toml");
-    if (!is_wad_file(request.map)) return request.map;
-    return first_level_of(request.map);
+/// An error where a word is neither a WAD nor, at the end, a level.
+Result<std::string> level_for(const std::vector<std::string>& words) {
+    std::vector<std::string> wads;
+    for (const std::string& word : words) {
+        const auto wad = find_wad(word);
+        if (wad) wads.push_back(*wad);
+        if (!wad && (&word != &words.back() || !is_level_name(word)))
+            return Error{"", "expected WADs, then a level such as MAP01 or E1M1; found " + in_quotes(word)};
+    }
+    const auto folder =
+        convert_wads(wads, [](const std::string& sentence) { print_text(stderr, "enfilade: " + sentence + "\n"); });
+    if (!folder.ok()) return folder.error();
+    return level_in(folder.value(), wads.size() < words.size() ? words.back() : "");
+}
+
+/// The map that was named, the level of a WAD that was, or the tour.
+Result<std::string> map_for(const std::vector<std::string>& words) {
+    if (words.empty()) return shipped_map("enfilade.toml");
+    if (find_wad(words[0])) return level_for(words);
+    if (words.size() > 1) return Error{"", "expected one map or WAD, then options; found " + in_quotes(words[1])};
+    return words[0];
+}
+
+/// As it is, for a script: whatever is in the path.
+int print_map(const std::string& map) {
+    const Result<void> done = write_file("-", map + "\n");
+    return done.ok() ? kDone : fail(done.error());
 }
 
 /// Title screen and game by turns, until the player quits.
@@ -97,7 +129,7 @@ Result<void> show_title(Window& window, SettingsStore& store, const PlayRequest&
             note = game.error().text();
             continue;
         }
-        const auto wants_title = play_in(window, store, *game.value(), request);
+        const auto wants_title = play_in(window, store, game.value(), request);
         if (!wants_title.ok()) return wants_title.error();
         if (!wants_title.value()) return {};
     }
@@ -111,18 +143,20 @@ int run_play(const PlayRequest& request) {
     const MotionDials motion = dials.value().motion();
     auto store = settings_for(request);
     if (!store.ok()) return refuse_usage(store.error());
-    const auto map = map_for(request);
+    const auto map = map_for(request.words);
     if (!map.ok()) return fail(map.error());
-    auto game = Game::start(map.value(), request.texture_folders, request.skill, motion);
-    if (!game.ok()) return fail(game.error());
+    if (request.print_map) return print_map(map.value());
+    auto begun = game_for({map.value(), false}, request, motion);
+    if (!begun.ok()) return fail(begun.error());
+    Game& game = *begun.value().game;
     if (!request.load.empty())
-        if (const Result<void> done = game.value()->load_saved(request.load); !done.ok()) return fail(done.error());
-    auto window = window_for("Enfilade - " + printable_line(game.value()->map().name), store.value().now());
+        if (const Result<void> done = game.load_saved(request.load); !done.ok()) return fail(done.error());
+    auto window = window_for("Enfilade - " + printable_line(game.map().name), store.value().now());
     if (!window.ok()) return fail(window.error());
-    const auto wants_title = play_in(*window.value(), store.value(), *game.value(), request);
+    const auto wants_title = play_in(*window.value(), store.value(), begun.value(), request);
     if (!wants_title.ok()) return fail(wants_title.error());
     if (!wants_title.value()) return kDone;
-    game.value().reset();
+    begun.value().game.reset();
     if (const Result<void> done = show_title(*window.value(), store.value(), request, motion); !done.ok())
         return fail(done.error());
     return kDone;

@@ -9,9 +9,11 @@
 
 #include "app/open_map.h"
 #include "app/options.h"
+#include "app/play/conversions.h"
 #include "app/play/saved_game.h"
 #include "app/programs.h"
 #include "base/attempt.h"
+#include "base/file_name.h"
 #include "base/parallel.h"
 #include "platform/clock.h"
 #include "render/choice/renderer.h"
@@ -173,7 +175,7 @@ constexpr double kNoteSeconds = 12;
 
 double seconds_now() { return static_cast<double>(now_ns()) / kSecond; }
 
-MenuFacts facts_now() { return {std::filesystem::path(last_map()).stem().string()}; }
+MenuFacts facts_now() { return {file_stem_of(last_map())}; }
 
 }  // namespace
 
@@ -242,8 +244,10 @@ void TitleScreen::choose_map(const ListedMap& map) {
         return;
     }
     note_ = "Converting " + map.name + " ...";
-    wad_ = map.path;
-    conversion_ = std::async(std::launch::async, convert_wad, map.path);
+    conversion_ = std::async(std::launch::async, [wad = map.path] {
+        const auto folder = convert_wads({wad});
+        return folder.ok() ? level_in(folder.value()) : folder;
+    });
 }
 
 void TitleScreen::change_settings(const Settings& changed) {
@@ -253,11 +257,10 @@ void TitleScreen::change_settings(const Settings& changed) {
 
 bool TitleScreen::has_news() {
     if (conversion_.valid() && conversion_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        const Result<void> converted = conversion_.get();
-        note_ = converted.ok() ? "" : converted.error().text();
+        const Result<std::string> first = conversion_.get();
+        note_ = first.ok() ? "" : first.error().text();
         maps_.set_maps(find_maps());
-        if (converted.ok())
-            if (const auto first = first_level_of(wad_); first.ok()) maps_.choose(first.value());
+        if (first.ok()) maps_.choose(first.value());
         is_changed_ = true;
     }
     const std::size_t pictures = pictures_.count();

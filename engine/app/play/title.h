@@ -91,9 +91,8 @@ private:
     MapPage maps_;
     MapPictures pictures_;
     std::size_t shown_pictures_ = 0;
-    std::future<Result<void>> conversion_;  ///< of a WAD, while it lasts
-    std::string wad_;                       ///< the one that is, or was last, converted
-    std::string note_;                      ///< at the foot of the page of maps
+    std::future<Result<std::string>> conversion_;  ///< of a WAD, while it lasts: the first level
+    std::string note_;                             ///< at the foot of the page of maps
     Notices notices_;
     Pacing pacing_;
     TitleChoice choice_;

@@ -7,6 +7,7 @@
 #include "app/cli/program.h"
 #include "formats/tape.h"
 #include "support/wav.h"
+#include "wadconv/wad_builder.h"
 
 namespace enfilade {
 namespace {
@@ -14,6 +15,13 @@ namespace {
 using test::Ended;
 using test::Program;
 using ::testing::HasSubstr;
+
+void put_wad(const Program& program, const std::string& name) {
+    wadconv::test::WadBuilder wad = wadconv::test::picture_wad();
+    wad.add_map("MAP01", wadconv::test::small_level().map);
+    const Bytes bytes = wad.finish("IWAD");
+    ASSERT_TRUE(write_file(program.path(name), std::span<const std::byte>(bytes)).ok());
+}
 
 /// Plays for about half a second; the signal is what closing the window is.
 Ended play_for_a_moment(const Program& program, const std::string& driver, const std::string& renderer = "column",
@@ -72,17 +80,58 @@ TEST(Play, RecordsWhatWasPlayed) {
 
 TEST(Play, OpensTheFirstLevelOfAWad) {
     const Program program;
-    program.write("doomed.wad", "PWAD");
-    const std::filesystem::path folder = program.home("data/enfilade/converted/doomed");
-    std::filesystem::create_directories(folder);
-    ASSERT_TRUE(write_file((folder / "map01.toml").string(), std::string_view(test::kTwoRooms)).ok());
-    ASSERT_TRUE(write_file((folder / "report.txt").string(), std::string_view()).ok());
+    put_wad(program, "doomed.wad");
+    EXPECT_EQ(program.run({"play", "doomed.wad", "--print-map"}).exit_code, 0) << "converts, which takes its time";
     const Ended ended = program.run({"play", "doomed.wad", "--size", "64x40", "--record", "walk.tape"},
                                     "SDL_VIDEODRIVER=dummy timeout --preserve-status -s INT 0.7");
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
     const auto bytes = read_file(program.path("walk.tape"));
     ASSERT_TRUE(bytes.ok()) << bytes.error().text();
     EXPECT_THAT(read_tape(bytes.value()).value().map, HasSubstr("map01.toml"));
+}
+
+TEST(Play, PrintsWhichMapItWouldPlay) {
+    const Program program;
+    put_wad(program, "doomed.wad");
+    const Ended named = program.run({"play", "doomed.wad", "MAP01", "--print-map"});
+    EXPECT_EQ(named.exit_code, 0) << named.err;
+    EXPECT_THAT(named.out, HasSubstr(program.home("cache/enfilade/converted/doomed-")));
+    EXPECT_TRUE(named.out.ends_with("/map01.toml\n"));
+    EXPECT_THAT(named.err, HasSubstr("converting doomed"));
+    EXPECT_EQ(program.run({"play", "doomed.wad", "--print-map"}).out, named.out);
+    EXPECT_EQ(program.run({"play", "a\nb.toml", "--print-map"}).out, "a\nb.toml\n");
+    EXPECT_EQ(program.run({"play", "doomed", "map01", "--print-map"}, "DOOMWADDIR=.").out, named.out);
+}
+
+TEST(Play, RefusesWordsThatAreNeitherWadsNorLevels) {
+    const Program program;
+    put_wad(program, "doomed.wad");
+    const Ended missing = program.run({"play", "doomed.wad", "E4M9", "--print-map"});
+    EXPECT_EQ(missing.exit_code, 1);
+    EXPECT_THAT(missing.err, HasSubstr("there is no level E4M9; there are map01 to map01"));
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"doomed.wad", "nonsense"},
+                                                  {"doomed.wad", "MAP01", "doomed.wad"},
+                                                  {"a.toml", "b.toml"}}) {
+        std::vector<std::string> arguments{"play", "--print-map"};
+        arguments.insert(arguments.end(), words.begin(), words.end());
+        const Ended ended = program.run(arguments);
+        EXPECT_EQ(ended.exit_code, 1);
+        EXPECT_THAT(ended.err, HasSubstr("expected"));
+    }
+}
+
+TEST(Play, LeavesThePlayersFolderAsItIsWhateverAWadIsCalled) {
+    const Program program;
+    const std::string saved = program.home("data/enfilade/mine.save");
+    std::filesystem::create_directories(program.home("data/enfilade"));
+    ASSERT_TRUE(write_file(saved, std::string_view("mine")).ok());
+    for (const char* name : {"...wad", "..wad", ".wad"}) {
+        put_wad(program, name);
+        const Ended ended = program.run({"play", name, "--print-map"});
+        EXPECT_EQ(ended.exit_code, 0) << ended.err;
+        EXPECT_TRUE(std::filesystem::exists(ended.out.substr(0, ended.out.size() - 1))) << ended.out;
+        EXPECT_EQ(test::content(saved), "mine") << name;
+    }
 }
 
 TEST(Play, SaysWhatIsWrongWithAWad) {

@@ -28,8 +28,8 @@ public:
     /// The same with another program.
     Ended run_other(const std::string& program, const std::vector<std::string>& arguments,
                     const std::string& environment = "") const {
-        const std::string own =
-            " XDG_CONFIG_HOME='" + home_.path("config") + "' XDG_DATA_HOME='" + home_.path("data") + "' ";
+        const std::string own = " XDG_CONFIG_HOME='" + home_.path("config") + "' XDG_DATA_HOME='" + home_.path("data") +
+                                "' XDG_CACHE_HOME='" + home_.path("cache") + "' ";
         std::string command = "cd '" + dir_.path() + "' && " + own + environment + " '" + program + "'";
         for (const std::string& argument : arguments) command += " '" + argument + "'";
         const int status = std::system((command + " >out.txt 2>err.txt </dev/null").c_str());

@@ -90,46 +90,17 @@ TEST_F(Maps, AreListedAtOnceWhateverLiesAmongThem) {
     EXPECT_THAT(names, ::testing::UnorderedElementsAre("A room", "endless", "pipe", "zero"));
 }
 
-TEST_F(Maps, AreLevelsThatWereConvertedAndWadsThatWereNot) {
-    write_room("data/enfilade/converted/doomed/map01.toml");
-    write("data/enfilade/converted/doomed/report.txt", "");
-    write_room("cache/enfilade/other-123-456/e1m1.toml");
-    write("cache/enfilade/other-123-456/report.txt", "");
-    for (const char* wad : {"doomed", "other", "new"}) write("wads/" + std::string(wad) + ".wad", "PWAD");
+TEST_F(Maps, AreLevelsThatWereConvertedAndWadsThatAreInstalled) {
+    write_room("cache/enfilade/converted/doomed-0123/map01.toml");
+    write("cache/enfilade/converted/doomed-0123/made-by-enfilade", "name: doomed\n");
+    write_room("cache/enfilade/converted/yours/map01.toml");
+    for (const char* wad : {"doomed", "other"}) write("wads/" + std::string(wad) + ".wad", "PWAD");
     const auto levels = found(MapOrigin::converted);
-    ASSERT_EQ(levels.size(), 2u);
+    ASSERT_EQ(levels.size(), 1u);
     EXPECT_EQ(levels[0].name, "doomed A room");
     const auto wads = found(MapOrigin::wad);
-    ASSERT_EQ(wads.size(), 1u);
-    EXPECT_EQ(wads[0].name, "new.wad");
-}
-
-TEST_F(Maps, SayWhyAWadCannotBeConverted) {
-    const Result<void> result = convert_wad(write("wads/broken.wad", "no wad"));
-    ASSERT_FALSE(result.ok());
-    EXPECT_FALSE(result.error().what.empty());
-    EXPECT_FALSE(fs::exists(home_.path("data/enfilade/converted/broken")));
-}
-
-TEST_F(Maps, AreTheFirstLevelOfAWadThatWasConverted) {
-    const std::string wad = write("wads/doomed.wad", "PWAD");
-    write_room("data/enfilade/converted/doomed/map02.toml");
-    const std::string first = write_room("data/enfilade/converted/doomed/map01.toml");
-    const std::string report = write("data/enfilade/converted/doomed/report.txt", "");
-    const auto level = first_level_of(wad);
-    ASSERT_TRUE(level.ok()) << level.error().text();
-    EXPECT_EQ(level.value(), first);
-    fs::last_write_time(report, fs::last_write_time(wad) - std::chrono::seconds(1));
-    EXPECT_FALSE(first_level_of(wad).ok()) << "a newer WAD is converted again, and this one is broken";
-    EXPECT_TRUE(fs::exists(first)) << "what was there stays";
-}
-
-TEST_F(Maps, SayThatNoLevelOfAWadCouldBeConverted) {
-    const std::string wad = write("wads/empty.wad", "PWAD");
-    write("data/enfilade/converted/empty/report.txt", "");
-    const auto level = first_level_of(wad);
-    ASSERT_FALSE(level.ok());
-    EXPECT_NE(level.error().what.find("report.txt"), std::string::npos);
+    ASSERT_EQ(wads.size(), 2u);
+    EXPECT_EQ(wads[0].name, "doomed.wad");
 }
 
 TEST_F(Maps, HavePicturesThatAreKept) {
