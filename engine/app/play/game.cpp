@@ -30,6 +30,9 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
+constexpr const char* kNoPlaceForSaves =
+    "there is no home folder to save games in; set HOME, or name a file by --save FILE";
+
 /// How many games are kept that were saved in one place.
 constexpr int kKeptSaves = 3;
 
@@ -131,15 +134,21 @@ void Game::rewind(std::size_t ticks) {
     if (recorder_) heed(recorder_->cut_to(timeline_.inputs().size()));
 }
 
-Result<void> Game::save(const std::string& path) const {
+Result<void> Game::check_savable() const {
     if (!from_start_)
-        return Error{path, "the map was loaded again while it was played; start it anew, then it can be saved"};
+        return Error{path_, "the map was loaded again while it was played; start it anew, then it can be saved"};
     const auto text = read_file(path_);
     if (!text.ok() || hash_of_text(as_text(text.value())) != map_hash_)
-        return Error{path,
+        return Error{path_,
                      "the game is not saved: " + path_ +
                          " is no longer the map that is played, so the game could not be loaded again; put it back "
                          "as it was, or mend it"};
+    return {};
+}
+
+Result<void> Game::save(const std::string& path) const {
+    if (path.empty()) return Error{"", kNoPlaceForSaves};
+    if (const Result<void> valid = check_savable(); !valid.ok()) return Error{path, valid.error().what};
     std::error_code failed;
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     if (!folder.empty()) std::filesystem::create_directories(folder, failed);
@@ -151,6 +160,7 @@ Result<void> Game::save(const std::string& path) const {
 }
 
 Result<void> Game::load_saved(const std::string& path) {
+    if (path.empty()) return Error{"", kNoPlaceForSaves};
     const auto bytes = read_file(path);
     if (!bytes.ok()) return bytes.error();
     const auto saved = read_tape(bytes.value());

@@ -115,6 +115,9 @@ public:
     /// not be loaded again: the map was loaded again on the way, so that it does not begin at its start, or the map's
     /// file is no longer the one that is played. Then what was saved before stays as it is.
     Result<void> save(const std::string& path) const;
+    /// Why the game cannot be saved anywhere, if so: the map's file is no longer the one that is played, or it was
+    /// loaded again meanwhile.
+    Result<void> check_savable() const;
 
     /// Goes on where a game was saved, or where a recording ends, by its dials of motion; one that is being recorded
     /// ends here. An error where there is none, or it is of another map, or of this one as it was before it was

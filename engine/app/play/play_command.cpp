@@ -71,10 +71,12 @@ Result<bool> play_in(Window& window, SettingsStore& store, const Begun& begun, c
     options.tape = request.tape;
     options.dials = request.dials;
     options.save = request.save.empty() ? saved_game_of(game.path()) : request.save;
+    options.note = begun.note;
     window.set_title("Enfilade - " + printable_line(game.map().name));
     PlayLoop loop(game, window, store, options);
     if (const Result<void> done = loop.run(); !done.ok()) return done.error();
-    keep_last_game(game);
+    if (const Result<void> kept = keep_last_game(game); !kept.ok())
+        print_text(stderr, "\"Continue\" cannot go on with this game: " + kept.error().text() + "\n");
     return loop.is_left_for_title();
 }
 
@@ -83,7 +85,8 @@ Result<Begun> game_for(const TitleChoice& choice, const PlayRequest& request, co
     if (!game.ok()) return game.error();
     Begun begun{std::move(game).value(), ""};
     if (choice.goes_on)
-        static_cast<void>(begun.game->load_saved(last_game_path()));  // a map that was changed begins anew
+        if (const Result<void> done = begun.game->load_saved(last_game_path()); !done.ok())
+            begun.note = "The map begins anew: " + done.error().text();
     return begun;
 }
 

@@ -51,6 +51,7 @@ void PlayLoop::begin() {
     window_.grab_mouse(true);
     notices_.say("F1: keys   Esc: menu   Tab: map", 0, kWelcomeSeconds);
     for (const std::string& note : store_.notes()) notices_.say(note, 0, 2 * kWelcomeSeconds);
+    if (!options_.note.empty()) notices_.say(options_.note, 0, 2 * kWelcomeSeconds);
     tell_warnings();
     begin_sounds();
 }

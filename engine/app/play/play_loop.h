@@ -82,7 +82,8 @@ private:
 struct PlayOptions {
     bool mute = false;               ///< no sound device is opened
     std::string tape;                ///< where to record to; empty: nowhere
-    std::string save;                ///< where F5 saves to and F9 loads from
+    std::string save;                ///< where F5 saves to and F9 loads from; empty: there is no place for it
+    std::string note;                ///< what the player should know at the beginning; empty: nothing
     std::vector<std::string> dials;  ///< "NAME=VALUE", as set_dial() takes them, beside the settings; a renderer that
                                      ///< has not all is drawn by those that it has
 };

@@ -7,6 +7,8 @@
 
 #include "app/pictures.h"
 #include "app/play/game.h"
+#include "app/user_folders.h"
+#include "base/file_name.h"
 #include "base/files.h"
 #include "base/hash.h"
 #include "formats/text_parts.h"
@@ -35,35 +37,29 @@ Result<void> TapeRecorder::finish(std::uint64_t final_hash) {
 
 namespace fs = std::filesystem;
 
-std::string data_folder() {
-    if (const char* data = std::getenv("XDG_DATA_HOME"); data && *data) return (fs::path(data) / "enfilade").string();
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return (fs::path(home) / ".local/share/enfilade").string();
-    return ".";
-}
-
 std::string saved_game_of(const std::string& map_path) {
     std::error_code unknown;
     const fs::path map = fs::weakly_canonical(map_path, unknown);
     const std::uint64_t folder = hash_of_text(map.parent_path().string());
-    return (fs::path(data_folder()) / fmt::format("{}-{:08x}.save", map.stem().string(), folder & 0xFFFFFFFFu))
-        .string();
+    const std::string name = safe_file_name(file_stem_of(map.string()));
+    return in_user_folder(UserFolder::data, fmt::format("{}-{:08x}.save", name, folder & 0xFFFFFFFFu));
 }
 
 namespace {
 
-std::string last_map_path() { return (fs::path(data_folder()) / "last_map").string(); }
+std::string last_map_path() { return in_user_folder(UserFolder::data, "last_map"); }
 
 }  // namespace
 
-std::string last_game_path() { return (fs::path(data_folder()) / "last_game.save").string(); }
+std::string last_game_path() { return in_user_folder(UserFolder::data, "last_game.save"); }
 
-void keep_last_game(const Game& game) {
+Result<void> keep_last_game(const Game& game) {
+    if (game.check_savable().ok())
+        if (const Result<void> done = game.save(last_game_path()); !done.ok()) return done.error();
+    if (last_map_path().empty()) return {};
     std::error_code unknown;
-    fs::create_directories(data_folder(), unknown);
-    fs::remove(last_game_path(), unknown);
-    static_cast<void>(game.save(last_game_path()));
-    static_cast<void>(write_file(last_map_path(), std::string_view(fs::absolute(game.path(), unknown).string())));
+    fs::create_directories(user_folder(UserFolder::data), unknown);
+    return write_file(last_map_path(), std::string_view(fs::absolute(game.path(), unknown).string()));
 }
 
 std::string last_map() {
@@ -93,13 +89,12 @@ std::string folder_in(std::string_view user_dirs, const std::string& home) {
 std::string pictures_folder() {
     std::error_code unknown;
     if (const char* named = std::getenv("XDG_PICTURES_DIR"); named && fs::is_directory(named, unknown)) return named;
-    const char* const home = std::getenv("HOME");
-    if (!home || !*home) return ".";
-    const char* const config = std::getenv("XDG_CONFIG_HOME");
-    const fs::path folder = config && *config ? fs::path(config) : fs::path(home) / ".config";
-    const auto bytes = read_file((folder / "user-dirs.dirs").string());
+    const std::string home = home_folder();
+    if (home.empty()) return ".";
+    const fs::path config = fs::path(user_folder(UserFolder::config)).parent_path();
+    const auto bytes = read_file((config / "user-dirs.dirs").string());
     const std::string named = bytes.ok() ? folder_in(as_text(bytes.value()), home) : "";
-    for (const std::string& path : {named, std::string(home) + "/Pictures"})
+    for (const std::string& path : {named, home + "/Pictures"})
         if (!path.empty() && fs::is_directory(path, unknown)) return fs::path(path).lexically_normal().string();
     return ".";
 }

@@ -31,22 +31,20 @@ private:
     std::size_t beginning_bytes_;
 };
 
-/// The file for a map's saved game: in the user's folder for data (XDG base directories), named after the map and the
-/// folder it lies in; in the working folder where there is no home.
+/// The file for a map's saved game: in the user's folder for data (app/user_folders.h), named after the map and the
+/// folder it lies in; empty where there is no such folder.
 std::string saved_game_of(const std::string& map_path);
-
-/// $XDG_DATA_HOME/enfilade, or ~/.local/share/enfilade; the working folder where there is no home.
-std::string data_folder();
 
 class Game;
 
 // What "Continue" goes on with: the map that was played last, and the game as it was left.
 
-/// Keeps both. Nothing is kept of what cannot be saved; the map then begins anew.
-void keep_last_game(const Game& game);
+/// Keeps both. A game that cannot be saved (Game::check_savable) leaves the one that was kept before: its map begins
+/// anew. An error says why nothing was kept; what was kept before is still there then.
+Result<void> keep_last_game(const Game& game);
 /// The map; empty where there is none, or it has gone.
 std::string last_map();
-/// The saved game.
+/// The saved game; empty where there is no folder for it.
 std::string last_game_path();
 
 // F12: the picture on the screen as a file in the user's folder for pictures.

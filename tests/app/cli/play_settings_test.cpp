@@ -100,7 +100,8 @@ TEST_F(PlaySettings, AreReadFromTheFileWhichSaysWhatIsWrongWithIt) {
 }
 
 TEST_F(PlaySettings, LetOneStartWhateverTheFileIs) {
-    for (const char* damaged : {"", "\xFF\xFE", "[[[", "fov = ", "keys = 3\nsize = [1, 2]\nvsync = \"maybe\"\n"}) {
+    for (const char* damaged : {"", "\xFF\xFE", "[[[", "fov = ", "keys = 3\nsize = [1, 2]\nvsync = \"maybe\"\n",
+                                "zz = nan\nfov = inf\nsize = [nan]\n[keys]\nuse = [nan]\nhop = { a = -inf }\n"}) {
         write_settings(damaged);
         EXPECT_EQ(play({}).exit_code, 0) << damaged;
     }
@@ -112,6 +113,18 @@ TEST_F(PlaySettings, KeepTheMapThatWasPlayedLast) {
     const auto bytes = read_file(program_.home("data/enfilade/last_map"));
     ASSERT_TRUE(bytes.ok());
     EXPECT_EQ(as_text(bytes.value()), program_.path("map.toml"));
+}
+
+TEST_F(PlaySettings, KeepTheGameBeforeWhereThisOneCannotBeSaved) {
+    play({});
+    const std::string last = program_.home("data/enfilade/last_game.save");
+    const std::string before = test::content(last), map = test::content(program_.home("data/enfilade/last_map"));
+    program_.write("other.toml", test::kTwoRooms);
+    const Ended ended = program_.run({"play", "other.toml"},
+                                     "SDL_VIDEODRIVER=dummy sh -c 'trap \"\" XFSZ; ulimit -f 0; exec timeout "
+                                     "--preserve-status -s INT 0.6 \"$@\"' sh");
+    EXPECT_EQ(test::content(last), before) << ended.err;
+    EXPECT_EQ(test::content(program_.home("data/enfilade/last_map")), map);
 }
 
 TEST(Title, OpensWhereNoCommandIsNamedAndThereIsADisplay) {

@@ -266,6 +266,13 @@ TEST_F(GameOnDisk, KeepsTheLastThreeGamesThatWereSaved) {
     EXPECT_FALSE(std::filesystem::exists(dir_.path("a.save.3")));
 }
 
+TEST_F(GameOnDisk, SaysThatThereIsNoPlaceToSaveIn) {
+    for (const Result<void>& result : {game_->save(""), game_->load_saved("")}) {
+        ASSERT_FALSE(result.ok());
+        EXPECT_NE(result.error().text().find("there is no home folder to save games in"), std::string::npos);
+    }
+}
+
 TEST_F(GameOnDisk, NeverReplacesAGameByOneThatCannotBeLoaded) {
     walk(10);
     ASSERT_TRUE(game_->save(dir_.path("a.save")).ok());

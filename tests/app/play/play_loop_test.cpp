@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "app/pictures.h"
 #include "base/files.h"
 #include "base/result.h"
 #include "formats/map_toml.h"
@@ -81,6 +82,23 @@ TEST_F(Playing, GoesOnByAnotherRendererWhereOneBreaksItsContract) {
     EXPECT_TRUE(result.ok()) << result.error().text();
     EXPECT_GE(window.shown(), 1);
     EXPECT_GT(window.polled(), 20);
+}
+
+TEST_F(Playing, ShowsWhatThePlayerShouldKnowAtTheBeginning) {
+    class FirstPicture : public BlindWindow {
+    public:
+        using BlindWindow::BlindWindow;
+        Result<void> present(const Frame& frame) override {
+            if (shown() == 0) picture = hash_of(frame);
+            return BlindWindow::present(frame);
+        }
+        PixelSize size() const override { return {320, 200}; }
+        std::uint64_t picture = 0;
+    } without(2), with(2);
+    ASSERT_TRUE(play(without).ok());
+    options_.note = "The map begins anew.";
+    ASSERT_TRUE(play(with).ok());
+    EXPECT_NE(with.picture, without.picture);
 }
 
 TEST_F(Playing, SavesTheGameWhereTheWindowFails) {
