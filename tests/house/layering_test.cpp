@@ -118,6 +118,10 @@ TEST(House, StandardOutputIsWrittenByOneWay) { EXPECT_THAT(complaints(sources(),
 
 TEST(House, WordsReachTheTerminalByOneWay) { EXPECT_THAT(complaints(sources(), check_printing), IsEmpty()); }
 
+TEST(House, NamesBecomePathsByOneWay) { EXPECT_THAT(complaints(sources(), check_names_of_files), IsEmpty()); }
+
+TEST(House, NothingGoesBeforeItsSuccessorIsThere) { EXPECT_THAT(complaints(sources(), check_removals), IsEmpty()); }
+
 /// How many lines of the text are this one, whatever their indentation.
 int count_lines(const std::string& text, const std::string& wanted) {
     int count = 0;

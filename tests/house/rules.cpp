@@ -241,6 +241,22 @@ Complaints check_opening(const SourceFile& file) {
                       "files are opened by base/files.h, which looks first and has a limit");
 }
 
+Complaints check_names_of_files(const SourceFile& file) {
+    if (!is_ours(file) || file.path == "engine/base/file_name.cpp") return {};
+    static const std::regex calls(R"(\.(stem|filename)\s*\(|/\s*file_(stem|name)_of\b|rfind\('/'\))");
+    return lines_with(file, file.text, calls,
+                      "a name becomes a part of a path by safe_file_name() of base/file_name.h");
+}
+
+Complaints check_removals(const SourceFile& file) {
+    constexpr std::array<std::string_view, 2> kMay{"engine/base/output_file.cpp", "engine/base/owned_folder.cpp"};
+    if (!is_ours(file) || std::find(kMay.begin(), kMay.end(), file.path) != kMay.end()) return {};
+    static const std::regex calls(R"(\bremove_all\b|\b(fs|filesystem)::(remove|rename)\b|\bstd::(remove|rename)\s*\()"
+                                  R"(|(^|[^\w.>:])(::)?(unlink|unlinkat|rmdir|renameat2?|rename)\s*\(\s*[^)]*c_str)");
+    return lines_with(file, without_comments_and_strings(file.text), calls,
+                      "files and folders go by base/owned_folder.h, when their successor is there");
+}
+
 std::string without_comments_and_strings(std::string_view text) {
     enum class In { code, line_comment, block_comment, string, character };
     std::string blanked(text);

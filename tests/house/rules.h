@@ -53,6 +53,13 @@ Complaints check_standard_output(const SourceFile& file);
 /// keeps away.
 Complaints check_opening(const SourceFile& file);
 
+/// Names of files come from base/file_name.h alone, and what is put behind a '/' is no name as it was found.
+Complaints check_names_of_files(const SourceFile& file);
+
+/// Nothing is removed or renamed but by base/owned_folder.h and base/files.h, which see to it that its successor is
+/// there.
+Complaints check_removals(const SourceFile& file);
+
 /// A source file longer than this answers more than one question [lines].
 inline constexpr int kMaxLines = 500;
 

@@ -211,6 +211,30 @@ TEST(StandardOutput, IsNamedByNothingThatLosesWords) {
     EXPECT_THAT(check_standard_output({"engine/app/a.cpp", "print_to_stdout(x); // to stdout"}), IsEmpty());
 }
 
+TEST(NamesOfFiles, AreSeenWhereTheyAreTakenAsTheyWereFound) {
+    for (const char* code : {"folder / wad.stem();", "wad.filename().string();", "folder / file_stem_of(wad);",
+                             "path.substr(path.rfind('/') + 1);"})
+        for (const char* path : {"engine/app/a.cpp", "wadconv/main.cpp"})
+            EXPECT_THAT(check_names_of_files({path, code}), ElementsAre(HasSubstr("base/file_name.h"))) << code;
+    EXPECT_THAT(check_names_of_files({"engine/base/file_name.cpp", "fs::path(path).stem();"}), IsEmpty());
+    EXPECT_THAT(check_names_of_files({"tests/base/a.cpp", "path.stem();"}), IsEmpty());
+    EXPECT_THAT(check_names_of_files({"engine/app/a.cpp", "folder / safe_file_name(file_stem_of(wad));"}), IsEmpty());
+}
+
+TEST(Removals, AreSeenOutsideOfBase) {
+    for (const char* code :
+         {"fs::remove(path, e);", "fs::remove_all(path);", "std::filesystem::remove(path);", "fs::rename(a, b);",
+          "std::rename(a.c_str(), b.c_str());", "std::remove(a.c_str());", "unlink(a.c_str());", "::rmdir(a.c_str());"})
+        for (const char* path : {"engine/app/a.cpp", "wadconv/main.cpp"})
+            EXPECT_THAT(check_removals({path, code}), ElementsAre(HasSubstr("base/owned_folder.h"))) << code;
+    EXPECT_THAT(check_removals({"engine/base/owned_folder.cpp", "fs::remove_all(path);"}), IsEmpty());
+    EXPECT_THAT(check_removals({"tests/a.cpp", "fs::remove_all(path);"}), IsEmpty());
+    EXPECT_THAT(check_removals({"engine/app/a.cpp",
+                                "std::ranges::remove(a, b); std::erase(a, b); remove_superseded(a, b); rename(name);"
+                                " remove_owned_folder(a); // fs::remove(a)"}),
+                IsEmpty());
+}
+
 TEST(Blanking, KeepsCodeAndLinesAndDropsTheRest) {
     EXPECT_EQ(without_comments_and_strings("a /* b\nc */ d \"e\\\"f\" g // h\ni 'j' k"),
               "a     \n     d        g     \ni     k");
