@@ -120,7 +120,12 @@ TEST(House, WordsReachTheTerminalByOneWay) { EXPECT_THAT(complaints(sources(), c
 
 TEST(House, NamesBecomePathsByOneWay) { EXPECT_THAT(complaints(sources(), check_names_of_files), IsEmpty()); }
 
-TEST(House, NothingGoesBeforeItsSuccessorIsThere) { EXPECT_THAT(complaints(sources(), check_removals), IsEmpty()); }
+TEST(House, NothingGoesBeforeItsSuccessorIsThere) {
+    EXPECT_THAT(complaints(sources(), check_removals), IsEmpty());
+    const auto script = files_under({"run"});
+    ASSERT_EQ(script.size(), 1u);
+    EXPECT_THAT(complaints(script, check_removals), IsEmpty());
+}
 
 /// How many lines of the text are this one, whatever their indentation.
 int count_lines(const std::string& text, const std::string& wanted) {

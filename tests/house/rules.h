@@ -57,7 +57,7 @@ Complaints check_opening(const SourceFile& file);
 Complaints check_names_of_files(const SourceFile& file);
 
 /// Nothing is removed or renamed but by base/owned_folder.h and base/files.h, which see to it that its successor is
-/// there.
+/// there; by the script `run`, nothing at all.
 Complaints check_removals(const SourceFile& file);
 
 /// A source file longer than this answers more than one question [lines].

@@ -227,6 +227,9 @@ TEST(Removals, AreSeenOutsideOfBase) {
           "std::rename(a.c_str(), b.c_str());", "std::remove(a.c_str());", "unlink(a.c_str());", "::rmdir(a.c_str());"})
         for (const char* path : {"engine/app/a.cpp", "wadconv/main.cpp"})
             EXPECT_THAT(check_removals({path, code}), ElementsAre(HasSubstr("base/owned_folder.h"))) << code;
+    for (const char* line : {"rm -rf \"$scratch\"", "  if [ -e \"$a\" ]; then mv \"$a\" b; fi", "cd x && rmdir y"})
+        EXPECT_THAT(check_removals({"run", line}), ElementsAre(HasSubstr("the program's to keep"))) << line;
+    EXPECT_THAT(check_removals({"run", "say 'what rm -r does' # mv\n"}), IsEmpty());
     EXPECT_THAT(check_removals({"engine/base/owned_folder.cpp", "fs::remove_all(path);"}), IsEmpty());
     EXPECT_THAT(check_removals({"tests/a.cpp", "fs::remove_all(path);"}), IsEmpty());
     EXPECT_THAT(check_removals({"engine/app/a.cpp",
