@@ -167,7 +167,11 @@ protected:
     void start() {
         ASSERT_EQ(pipe(go_) + pipe(waits_), 0);
         child_ = fork();  // before the lock is taken here: a child has all locks of its parent
-        if (child_ != 0) return;
+        if (child_ != 0) {
+            close(waits_[1]);  // so that who reads sees the child end
+            waits_[1] = -1;
+            return;
+        }
         char byte = 0;
         const bool is_told = read(go_[0], &byte, 1) == 1;
         const auto lock = FileLock::take(path_, [&] { byte = char(::write(waits_[1], "w", 1)); });

@@ -252,5 +252,33 @@ TEST(Toml, SurvivesBeingCutAnywhere) {
     for_each_cut(kText, [](std::string_view cut) { EXPECT_LE(complaints(cut).size(), 1u); });
 }
 
+TEST(Toml, WritesEveryValueItReads) {
+    const std::pair<const char*, const char*> values[] = {
+        {"nan", "nan"},
+        {"-inf", "-inf"},
+        {"+inf", "inf"},
+        {"1", "1"},
+        {"1.0", "1.0"},
+        {"-2.5e3", "-2500.0"},
+        {"1e300", "1e+300"},
+        {"0xFF", "255"},
+        {"9223372036854775807", "9223372036854775807"},
+        {"-9223372036854775808", "-9223372036854775808"},
+        {"true", "true"},
+        {"'a\"\\b'", R"("a\"\\b")"},
+        {"\"\\u0000\"", R"("\u0000")"},
+        {"1979-05-27", "1979-05-27"},
+        {"07:32:00.5", "07:32:00.5"},
+        {"1979-05-27 07:32:00.999-07:30", "1979-05-27T07:32:00.999-07:30"},
+        {"[ ]", "[]"},
+        {"[nan, [-inf], 1979-05-27]", "[nan, [-inf], 1979-05-27]"},
+        {"{ 'a b' = { c.d = 07:32:00 } }", R"({ "a b" = { "c" = { "d" = 07:32:00 } } })"}};
+    for (const auto& [read, written] : values) {
+        const std::string text = value_text(first_value(sound(std::string("x = ") + read)));
+        EXPECT_EQ(text, written);
+        EXPECT_EQ(value_text(first_value(sound("x = " + text))), written);
+    }
+}
+
 }  // namespace
 }  // namespace enfilade
