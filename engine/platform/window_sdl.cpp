@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "platform/gl_context.h"
 #include "base/file_name.h"
+#include "platform/gl_context.h"
 #include "platform/gl_screen.h"
 #include "platform/sdl_events.h"
 #include "platform/window.h"
