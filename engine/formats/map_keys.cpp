@@ -132,21 +132,6 @@ std::vector<KeyInfo> map_keys() {
 
 namespace {
 
-/// Times in the world: a day at most [s].
-constexpr Range kSeconds{0, 86400};
-
-/// Slow enough to be seen to move, fast enough to look instant [m/s].
-constexpr Range kSpeeds{0x1p-6, 1024};
-
-/// Heights of stairs, up and down [m].
-constexpr Range kStairs{-64, 64};
-
-/// A picture of an animation must stay for a moment [s].
-constexpr Range kPictureSeconds{0x1p-6, 86400};
-
-/// How often lights may change [1/s]: slower ones have longer times, faster ones nobody sees.
-constexpr Range kClocks{1, 240};
-
 /// A single string is an array of one, because most triggers have one target.
 void read_targets(Reading& reading, const NamedValue& value, Range range, TriggerRecord& trigger) {
     if (value.node.kind() == TomlKind::string)
@@ -170,9 +155,6 @@ void check_exit(Reading& reading, const NamedValue& target) {
     for (std::size_t i = 0; target.node.kind() == TomlKind::array && i < target.node.size(); ++i)
         check_exit(reading, {target.name, target.node.at(i)});
 }
-
-/// How far a sound may reach [m]; the ways to all it reaches are looked at.
-constexpr Range kSoundReaches{0x1p-4, 1024};
 
 constexpr std::array kTriggerKeys{
     key<&TriggerRecord::on>("on", kNew, Need::required),
@@ -211,16 +193,10 @@ constexpr std::array kLightEffectKeys{
     key<&LightEffectRecord::clock_hz>("clock_hz", kNew, Need::optional, kClocks),
 };
 
-/// What bobs less than a step of the vertex grid does not seem to [m].
-constexpr Range kAmplitudes{0x1p-10, 1024};
-
-/// A period is some ticks at least, else it is not the same from all sides; and a day at most [s].
-constexpr Range kPeriods{0.125, 86400};
-
 constexpr std::array kBobKeys{
     key<&BobRecord::amplitude>("amplitude", kNew, Need::required, kAmplitudes),
     key<&BobRecord::period>("period", kNew, Need::optional, kPeriods),
-    key<&BobRecord::phase>("phase", kNew, Need::optional, {0, 1}),
+    key<&BobRecord::phase>("phase", kNew, Need::optional, kPhases),
     key<&BobRecord::shape>("shape", kNew),
 };
 

@@ -35,8 +35,65 @@ inline constexpr Range kPitches{-89, 89};
 
 inline constexpr Range kLight{0, 1};
 
-/// Speeds of pictures that move [m/s]: faster ones only flicker.
+/// Colours, 0xRRGGBB.
+inline constexpr Range kColors{0, 0xFFFFFF};
+
+/// Speeds of pictures that move [m/s], and of layers that turn over a sky [degrees/s]: faster ones only flicker.
 inline constexpr Range kScrollSpeeds{-1024, 1024};
+
+/// Times in the world: a day at most [s].
+inline constexpr Range kSeconds{0, 86400};
+
+/// Slow enough to be seen to move, fast enough to look instant [m/s].
+inline constexpr Range kSpeeds{0x1p-6, 1024};
+
+/// Heights of stairs, up and down [m].
+inline constexpr Range kStairs{-64, 64};
+
+/// A picture of an animation must stay for a moment [s].
+inline constexpr Range kPictureSeconds{0x1p-6, 86400};
+
+/// How often lights may change [1/s]: slower ones have longer times, faster ones nobody sees.
+inline constexpr Range kClocks{1, 240};
+
+/// How far a sound may reach [m]; the ways to all it reaches are looked at.
+inline constexpr Range kSoundReaches{0x1p-4, 1024};
+
+/// What bobs less than a step of the vertex grid does not seem to [m].
+inline constexpr Range kAmplitudes{0x1p-10, 1024};
+
+/// A period is some ticks at least, else it is not the same from all sides; and a day at most [s].
+inline constexpr Range kPeriods{0.125, 86400};
+
+/// How much of a period is over at the start [1].
+inline constexpr Range kPhases{0, 1};
+
+/// Origins of sprites may lie outside the picture, but not further than the largest picture is wide [texels].
+inline constexpr Range kOrigins{-0x1p14, 0x1p14};
+
+/// Faster than twenty times round in a second nobody sees it turn [degrees/s].
+inline constexpr Range kTurnSpeeds{-7200, 7200};
+
+/// A thing's radius and height [m].
+inline constexpr Range kThingSizes{0, 1024};
+
+/// How far a light may reach [m]: all surfaces it reaches hold a few thousand numbers each.
+inline constexpr Range kLightReaches{0x1p-4, 64};
+
+/// Twice as bright as painted is as bright as anything gets.
+inline constexpr Range kBrightnesses{0, 2};
+
+/// What floors cost in a second and things give [points of health].
+inline constexpr Range kHealth{0, 1000};
+
+/// How far pictures are stretched upwards [1].
+inline constexpr Range kStretches{0.125, 8};
+
+/// Links followed in one chain [1].
+inline constexpr Range kDepths{0, 1024};
+
+/// Where fog hides half of everything; 0: there is none [m].
+inline constexpr Range kFogReaches{0, kWorldLimit};
 
 /// Pictures over one sky: each is a pass over its pixels, and more than a few hide one another.
 inline constexpr std::size_t kMostFlatLayers = 4;

@@ -33,12 +33,12 @@ constexpr std::array kPlayerKeys{
 };
 
 constexpr std::array kRenderKeys{
-    key<&RenderRecord::stretch>("stretch", kNew, Need::optional, {0.125, 8}),
+    key<&RenderRecord::stretch>("stretch", kNew, Need::optional, kStretches),
     key<&RenderRecord::light>("light", kNew),
     color_key<&RenderRecord::recursion_color>("recursion_color", kNew),
-    key<&RenderRecord::max_depth>("max_depth", kNew, Need::optional, {0, 1024}),
+    key<&RenderRecord::max_depth>("max_depth", kNew, Need::optional, kDepths),
     color_key<&RenderRecord::fog_color>("fog_color", kNew),
-    key<&RenderRecord::fog_reach>("fog_reach", kNew, Need::optional, {0, kWorldLimit}),
+    key<&RenderRecord::fog_reach>("fog_reach", kNew, Need::optional, kFogReaches),
     key<&RenderRecord::sky>("sky", kNew),
     key<&RenderRecord::things>("things", kNew),
     key<&RenderRecord::rays>("rays", kNew),

@@ -81,7 +81,7 @@ constexpr std::array kSectorKeys{
     key<&SectorRecord::group>("group", kNew),
     key<&SectorRecord::triggers>("triggers", kNew),
     key<&SectorRecord::light_effect>("light_effect", kNew),
-    key<&SectorRecord::damage>("damage", kNew, Need::optional, {0, 1000}),
+    key<&SectorRecord::damage>("damage", kNew, Need::optional, kHealth),
     key<&SectorRecord::secret>("secret", kNew),
     key<&SectorRecord::move_sound>("move_sound", kNew),
     key<&SectorRecord::down_sound>("down_sound", kNew),

@@ -6,18 +6,6 @@
 namespace enfilade {
 namespace {
 
-/// Origins of sprites may lie outside the picture, but not further than the largest picture is wide [texels].
-constexpr Range kOrigins{-0x1p14, 0x1p14};
-
-/// A picture may stay for a day [s].
-constexpr Range kFrameSeconds{0, 86400};
-
-/// Faster than twenty times round in a second nobody sees it turn [degrees/s].
-constexpr Range kTurnSpeeds{-7200, 7200};
-
-/// A thing's radius and height [m].
-constexpr Range kThingSizes{0, 1024};
-
 /// "skills = [1, 2, 5]".
 void read_skills(Reading& reading, const NamedValue& value, Range range, ThingRecord& thing) {
     if (!expect(reading, value, TomlKind::array)) return;
@@ -39,7 +27,7 @@ void write_skills(TableText& table, const Key<ThingRecord>& key, const ThingReco
 
 constexpr std::array kFrameKeys{
     file_key<&SpriteFrameRecord::texture>("texture", kNew, Need::required),
-    key<&SpriteFrameRecord::seconds>("seconds", kNew, Need::optional, kFrameSeconds),
+    key<&SpriteFrameRecord::seconds>("seconds", kNew, Need::optional, kSeconds),
     key<&SpriteFrameRecord::origin_tx>("origin", kNew, Need::optional, kOrigins),
 };
 
@@ -66,7 +54,7 @@ constexpr std::array kThingKeys{
     key<&ThingRecord::frames>("frames", kNew),
     key<&ThingRecord::triggers>("triggers", kNew),
     key<&ThingRecord::gives_key>("gives_key", kNew),
-    key<&ThingRecord::gives_health>("gives_health", kNew, Need::optional, {0, 1000}),
+    key<&ThingRecord::gives_health>("gives_health", kNew, Need::optional, kHealth),
     key<&ThingRecord::sound>("sound", kNew),
     key<&ThingRecord::doom>("doom", kNew),
 };
@@ -75,12 +63,6 @@ constexpr KeyList<SpriteFrameRecord> kFrameList{"a sprite's frame", kFrameKeys};
 constexpr KeyList<ThingRecord> kThingList{"a thing", kThingKeys};
 
 // The keys of point lights and suns.
-
-/// How far a light may reach [m]: all surfaces it reaches hold a few thousand numbers each.
-constexpr Range kLightReaches{0x1p-4, 64};
-
-/// Twice as bright as painted is as bright as anything gets.
-constexpr Range kBrightnesses{0, 2};
 
 constexpr std::array kPointLightKeys{
     key<&PointLightRecord::sector>("sector", kNew),
