@@ -289,7 +289,7 @@ private:
 // The file of a compiled map.
 
 /// Begins a compiled map: "ENFMAP" and the number of this way of writing it.
-constexpr std::uint64_t kMagic = 0x0003'50414D'464E45;
+constexpr std::uint64_t kMagic = 0x0004'50414D'464E45;
 
 /// What stands around the map itself: the magic number and the source before it, the checksum behind it [bytes].
 constexpr std::size_t kHead = 2 * sizeof(std::uint64_t), kTail = sizeof(std::uint64_t);
@@ -324,6 +324,7 @@ void settle_shapes(Map& map) {
         for (std::size_t i = part * kPart; i < std::min(sectors, (part + 1) * kPart); ++i)
             settle_shape(map, SectorId(i));
     });
+    for (Panel& panel : map.panels) settle_length(panel);
 }
 
 /// None where it is no map that can be drawn and walked through.
@@ -335,6 +336,7 @@ std::optional<CompiledMap> unpack(std::span<const std::byte> bytes) {
     settle_shapes(compiled.map);
     const std::size_t pictures = compiled.needs.pictures.size();
     if (compiled.sizes.size() != pictures || !is_consistent(compiled.map, pictures)) return {};
+    for (const Wall& wall : compiled.map.walls) settle_grid_link(compiled.map, wall);
     list_near_things(compiled.map);
     return compiled;
 }

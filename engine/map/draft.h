@@ -156,6 +156,19 @@ void place_suns(Draft& draft);
 /// Animations and switches (surfaces.cpp).
 void note_picture_changes(Draft& draft);
 
+// What may be large in a map that is small as a file.
+
+/// Sectors that may be changed at once: by the triggers of one wall, sector, panel or thing, and by the start of the
+/// map [1]. A game keeps each change as long as it goes on: these take 100 MB.
+inline constexpr std::size_t kMostSetOff = std::size_t{1} << 20;
+
+/// What lamps together may reach [m^2]: each holds 16 numbers for a square metre of every surface that it lights, and a
+/// file must not fill the memory with them. 4096 lamps of 8 m.
+inline constexpr double kMostLitArea = 0x1p20;
+
+/// What a lamp of that reach counts for [m^2].
+double lit_area(double reach_m);
+
 // Things and what they look like: from records to values.
 
 /// Makes sprites of records, each only once: a hundred barrels share one.

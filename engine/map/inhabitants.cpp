@@ -11,10 +11,6 @@
 namespace enfilade {
 namespace {
 
-/// What lamps together may reach [m^2]: each holds 16 numbers for a square metre of every surface that it lights, and a
-/// file must not fill the memory with them. 4096 lamps of 8 m.
-constexpr double kMostLitArea = 0x1p20;
-
 /// What a lamp counts for at least [m^2].
 constexpr double kLeastLitArea = 16;
 
@@ -63,7 +59,7 @@ public:
     }
 
     void place_light(const PointLightRecord& record) {
-        lit_area_ += std::max(4 * record.reach * record.reach, kLeastLitArea);
+        lit_area_ += lit_area(record.reach);
         if (lit_area_ > kMostLitArea) {
             if (!has_too_many_lights_)
                 draft_.error(record, "reach", "too-many-lights",
@@ -157,6 +153,8 @@ void check_thing_names(Draft& draft) {
 }
 
 }  // namespace
+
+double lit_area(double reach_m) { return std::max(4 * reach_m * reach_m, kLeastLitArea); }
 
 void place_inhabitants(Draft& draft) {
     if (!draft.file.player)

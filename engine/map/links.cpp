@@ -4,6 +4,7 @@
 
 #include "formats/text_parts.h"
 #include "map/draft.h"
+#include "map/sector_finder.h"
 #include "math/predicates.h"
 
 namespace enfilade {
@@ -54,10 +55,10 @@ Rigid reflect(const Wall& w) {
     return m;
 }
 
-std::uint32_t add(Map& map, const Rigid& m, const GridMap& on_grid) {
+void add_link(Map& map, Wall& wall, const Rigid& m) {
+    wall.link = static_cast<std::uint32_t>(map.links.size());
     map.links.push_back(m);
-    map.grid_links.push_back(on_grid);
-    return static_cast<std::uint32_t>(map.links.size() - 1);
+    settle_grid_link(map, wall);
 }
 
 /// True where the wall's exit leads back through the wall itself.
@@ -119,7 +120,7 @@ void link_portal(Draft& draft, WallId id) {
     // The way back is the inverse of the way there, never derived again: going and coming must cancel.
     const bool is_way_back = is_two_way(draft, id) && exit.link != Wall::kNoLink;
     const Rigid m = is_way_back ? inverse(draft.map.links[exit.link]) : passage_between(wall, exit, rise);
-    wall.link = add(draft.map, m, GridMap(m, middle(wall), middle(exit)));
+    add_link(draft.map, wall, m);
 }
 
 /// A way back is the inverse of the way there.
@@ -127,8 +128,7 @@ void link_way_back(Map& map, WallId id) {
     Wall& wall = map.walls[id.index];
     const Wall& there = map[wall.exit];
     if (wall.kind != WallKind::way_back || there.link == Wall::kNoLink) return;
-    const Rigid m = inverse(map.links[there.link]);
-    wall.link = add(map, m, GridMap(m, middle(wall), middle(there)));
+    add_link(map, wall, inverse(map.links[there.link]));
 }
 
 /// Who comes out of a wall that does not always lead back is in it for a while (world/body.h).
@@ -150,7 +150,7 @@ void mark_screens(Map& map) {
 void link_walls(Draft& draft) {
     for (std::size_t i = 0; i < draft.map.walls.size(); ++i) {
         Wall& wall = draft.map.walls[i];
-        if (wall.kind == WallKind::mirror && wall.a != wall.b) wall.link = add(draft.map, reflect(wall), {});
+        if (wall.kind == WallKind::mirror && wall.a != wall.b) add_link(draft.map, wall, reflect(wall));
         if (wall.kind == WallKind::portal && wall.exit && !draft.walls[i].record->via.empty())
             link_portal(draft, WallId(i));
     }

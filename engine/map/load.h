@@ -114,13 +114,14 @@ Bytes compile(const CompiledMap& compiled, std::uint64_t source);
 bool is_compiled_from(std::span<const std::byte> bytes, std::uint64_t source);
 
 /// None where the bytes are not those of compile() for the same source: written by another version, of another text,
-/// cut off, or damaged. Any bytes are safe: every length and every id is checked, so that what is there can be drawn
+/// cut off, or damaged. Any bytes are safe: every length, id and number is checked, so that what is there can be drawn
 /// and walked through; that walls do not cross and the like is what the checksum vouches for, not looked at again.
 /// Cost: about 0.5 s and 0.7 GB for 10^6 sectors.
 std::optional<CompiledMap> read_compiled(std::span<const std::byte> bytes, std::uint64_t source);
 
-/// Every id and range of the map leads to something that is there, its walls are closed rings on the grid, its groups
-/// are rings too. pictures: how many the map names. For maps that were not built but read from bytes.
+/// Every id and range of the map leads to something that is there, every number is in its range (map/map_limits.h), its
+/// walls are closed rings, portals lie on their exits, its groups are rings too. pictures: how many the map names.
+/// For maps that were not built but read from bytes, whose shapes are settled. Cost: as that of copying the map.
 bool is_consistent(const Map& map, std::size_t pictures);
 
 }  // namespace enfilade

@@ -88,6 +88,9 @@ enum class WallKind : std::uint8_t {
                ///< solid
 };
 
+/// Least and greatest factor of light by direction [1].
+inline constexpr double kLeastContrast = 0.8, kMostContrast = 1.2;
+
 /// A directed edge a -> b of a sector, the sector on its right.
 struct Wall {
     Vec2 a;         ///< on the vertex grid

@@ -52,8 +52,6 @@ constexpr auto fields(Some<Rigid> auto& whole, auto visit) {
     return visit(c, s, flip, shift, rise);
 }
 
-constexpr auto fields(Some<GridMap> auto& whole, auto visit) { return GridMap::fields(whole, visit); }
-
 constexpr auto fields(Some<Surface> auto& whole, auto visit) {
     auto& [texture, tile_m, offset_tiles, peg, scroll] = whole;
     return visit(texture, tile_m, offset_tiles, peg, scroll);
@@ -68,7 +66,7 @@ constexpr auto fields(Some<Wall> auto& whole, auto visit) {
 
 constexpr auto fields(Some<Panel> auto& whole, auto visit) {
     auto& [a, b, length, sector, bottom, top, contrast, surface, one_sided, blocks, triggers] = whole;
-    return visit(a, b, length, sector, bottom, top, contrast, surface, one_sided, blocks, triggers);
+    return visit(a, b, sector, bottom, top, contrast, surface, one_sided, blocks, triggers);
 }
 
 constexpr auto fields(Some<Flat> auto& whole, auto visit) {
@@ -161,7 +159,7 @@ constexpr auto fields(Some<Map> auto& whole, auto visit) {
     auto& [name, sectors, walls, surfaces, links, grid_links, flat_layers, panels, things, sprites, lights, suns,
            solid_things, near_things, first_near, touchables, triggers, targets, at_start, sounds, sounding_things,
            has_ways_back, farthest_sound_m, has_bobs, keys, pictures, player, render] = whole;
-    return visit(name, sectors, walls, surfaces, links, grid_links, flat_layers, panels, things, sprites, lights, suns,
+    return visit(name, sectors, walls, surfaces, links, flat_layers, panels, things, sprites, lights, suns,
                  solid_things, touchables, triggers, targets, at_start, sounds, sounding_things, has_ways_back,
                  farthest_sound_m, has_bobs, keys, pictures, player, render);
 }

@@ -9,10 +9,6 @@
 namespace enfilade {
 namespace {
 
-/// Sectors that may be changed at once: by the triggers of one wall, sector, panel or thing, and by the start of the
-/// map [1]. A game keeps each change as long as it goes on: these take 100 MB.
-constexpr std::size_t kMostSetOff = std::size_t{1} << 20;
-
 /// What has triggers.
 enum class Bearer { sector, wall, portal, panel, barrier, thing };
 

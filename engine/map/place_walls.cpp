@@ -233,7 +233,7 @@ void add_panels(Draft& draft, SectorId id) {
         Panel panel;
         panel.a = snap_to_vertex_grid(written.a);
         panel.b = snap_to_vertex_grid(written.b);
-        panel.length = std::sqrt(dot(panel.b - panel.a, panel.b - panel.a));
+        settle_length(panel);
         panel.sector = id;
         panel.bottom = written.bottom;
         panel.top = written.top;

@@ -106,4 +106,14 @@ void settle_shape(Map& map, SectorId id) {
     }
 }
 
+void settle_length(Panel& panel) { panel.length = std::sqrt(dot(panel.b - panel.a, panel.b - panel.a)); }
+
+void settle_grid_link(Map& map, const Wall& wall) {
+    if (wall.link == Wall::kNoLink) return;
+    map.grid_links.resize(map.links.size());
+    if (wall.kind == WallKind::mirror) return;  // nobody passes
+    const Wall& exit = map[wall.exit];
+    map.grid_links[wall.link] = GridMap(map.links[wall.link], (wall.a + wall.b) * 0.5, (exit.a + exit.b) * 0.5);
+}
+
 }  // namespace enfilade

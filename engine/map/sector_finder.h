@@ -47,9 +47,16 @@ bool is_inside(const Map& map, SectorId sector, Vec2 p);
 /// The first sector of that name, or none. Cost: the sectors.
 SectorId sector_named(const Map& map, std::string_view name);
 
-// What follows from where each wall begins and which wall is next. Private to map/.
+// What follows from the rest of a map and is worked out again where one was read from bytes. Private to map/.
 
-/// Fills in the other ends, lengths, previous walls and sector of the sector's walls, and its bounding box.
+/// Fills in the other ends, lengths, previous walls and sector of the sector's walls, and its bounding box, from where
+/// each wall begins and which wall is next.
 void settle_shape(Map& map, SectorId sector);
+
+/// Fills in the length, from the ends.
+void settle_length(Panel& panel);
+
+/// Fills in what the wall's link does to what moves, from what it does to what is seen. Nothing for a wall without one.
+void settle_grid_link(Map& map, const Wall& wall);
 
 }  // namespace enfilade

@@ -83,9 +83,8 @@ struct SurfaceMaker {
 /// Smooth light: from 0.8 on walls along x to 1 on walls along y, by the square of the normal's x. Classic light:
 /// Doom's "fake contrast" (id Software, r_segs.c, 1993): only walls exactly along an axis differ.
 double contrast_of(LightModel model, Vec2 edge) {
-    constexpr double kDark = 0.8, kBright = 1.2;
-    if (model == LightModel::classic) return edge.y == 0 ? kDark : edge.x == 0 ? kBright : 1;
-    return kDark + (1 - kDark) * (edge.y * edge.y / dot(edge, edge));
+    if (model == LightModel::classic) return edge.y == 0 ? kLeastContrast : edge.x == 0 ? kMostContrast : 1;
+    return kLeastContrast + (1 - kLeastContrast) * (edge.y * edge.y / dot(edge, edge));
 }
 
 bool is_tutorial(const Draft& draft) { return draft.file.format == 0; }

@@ -131,12 +131,6 @@ public:
         return onto_ + d;
     }
 
-    /// visit(field, …) of a GridMap, also a const one: for whoever writes or reads one as bytes.
-    template <class Whole, class Visit>
-    static constexpr auto fields(Whole& whole, Visit visit) {
-        return visit(whole.from_, whole.onto_, whole.quarters_, whole.sine_, whole.half_tangent_);
-    }
-
 private:
     static constexpr Vec2 turned(Vec2 d, int quarters) {
         switch (quarters) {

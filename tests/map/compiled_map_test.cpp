@@ -3,9 +3,14 @@
 
 #include <gmock/gmock.h>
 
+#include <concepts>
+#include <limits>
+#include <utility>
+
 #include "base/hash.h"
 #include "formats/map_toml.h"
 #include "formats/png.h"
+#include "map/map_fields.h"
 #include "support/generate_map.h"
 
 namespace enfilade {
@@ -118,6 +123,57 @@ TEST(CompiledMap, ThatWasChangedOnPurposeLeadsNowhereItShouldNot) {
     }
     EXPECT_GT(refused, kTries / 10);
     EXPECT_LT(refused, kTries);
+}
+
+/// Shows its visitor each number of a value, wherever it is.
+template <class Visit>
+struct EachNumber {
+    Visit visit;
+
+    void of(double& number) const { visit(number); }
+    void of(std::string&) const {}
+    template <Scalar T>
+    void of(T&) const {}
+    template <class T>
+    void of(std::optional<T>& value) const {
+        if (value) of(*value);
+    }
+    template <class T>
+    void of(Boxed<T>& value) const {
+        if (value) of(*value);
+    }
+    template <class T>
+    void of(std::vector<T>& list) const {
+        for (T& item : list) of(item);
+    }
+    template <class T, std::size_t count>
+    void of(std::array<T, count>& list) const {
+        for (T& item : list) of(item);
+    }
+    template <class T>
+        requires std::is_class_v<T>
+    void of(T& whole) const {
+        fields(whole, [&](auto&... part) {
+            (of(part), ...);
+            return 0;
+        });
+    }
+};
+
+TEST(CompiledMap, HoldsTogetherOnlyWhereEveryNumberIsInItsRange) {
+    CompiledMap whole = shipped("effects");
+    Map& map = whole.map;
+    ASSERT_TRUE(is_consistent(map, whole.sizes.size()));
+    constexpr std::array kWild{std::numeric_limits<double>::quiet_NaN(), 5e278, -1e300,
+                               -std::numeric_limits<double>::infinity()};
+    std::size_t tried = 0, taken = 0;
+    EachNumber{[&](double& number) {
+        const double before = std::exchange(number, kWild[tried++ % kWild.size()]);
+        taken += is_consistent(map, whole.sizes.size());
+        number = before;
+    }}.of(map);
+    EXPECT_GT(tried, 1000u);
+    EXPECT_EQ(taken, 0u);
 }
 
 TEST(CompiledMap, WhoseListSaysItIsLongerThanTheFileTakesNoMemory) {

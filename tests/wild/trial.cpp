@@ -3,6 +3,7 @@
 #include "app/play/game.h"
 #include "base/attempt.h"
 #include "hard_cases/comparison.h"
+#include "map/load.h"
 #include "space/hearing.h"
 #include "space/triangle_faults.h"
 #include "world/body.h"
@@ -113,6 +114,7 @@ std::string fault_of_ground(const TrialMap& on, std::uint64_t seed) {
     Random random(seed);
     const HardPose pose = hard_pose(on.map, {1, 1}, random);
     const Place place{pose.view.sector, pose.view.eye};
+    if (!is_consistent(on.map, on.textures.textures.size())) return "a map that was built would not be read from bytes";
     std::string fault = triangles_fault(on.map);
     if (fault.empty()) fault = hearing_fault(on.map, place);
     for (int i = 0; i < kBodies && fault.empty(); ++i) fault = body_fault(on.map, random);
