@@ -7,6 +7,7 @@
 #include "fuzz/targets.h"
 #include "platform/audio.h"
 #include "wadconv/digest.h"
+#include "wadconv/wad_builder.h"
 
 namespace enfilade::test {
 namespace {
@@ -56,7 +57,10 @@ void fuzz_wav(std::span<const std::byte> bytes) {
 }
 
 void fuzz_wad(std::span<const std::byte> bytes) {
-    ENFILADE_CHECK(wadconv::test::digest({bytes.begin(), bytes.end()}).has_all_sides);
+    static const Bytes game = wadconv::test::picture_wad().finish();
+    const Bytes archive(bytes.begin(), bytes.end());
+    ENFILADE_CHECK(wadconv::test::digest({archive}).has_all_sides);
+    ENFILADE_CHECK(wadconv::test::digest({game, archive}).has_all_sides);
 }
 
 }  // namespace enfilade::test

@@ -46,7 +46,7 @@ void load_and_go_on(SavedGames& disk, const Bytes& bytes) {
     Game& game = *disk.game;
     ENFILADE_CHECK(write_file(disk.save, std::span<const std::byte>(bytes)).ok());
     if (!game.load_saved(disk.save).ok()) return;
-    for (int i = 0; i < 5; ++i) game.tick({.forward = 127});
+    for (int i = 0; i < 100; ++i) game.tick({.forward = 127, .yaw_steps = 1 << 27, .buttons = kButtonUse});
     game.rewind(2);
     const std::uint64_t hash_before = hash(game.world());
     ENFILADE_CHECK(game.save(disk.save).ok() && game.load_saved(disk.save).ok());

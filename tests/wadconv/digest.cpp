@@ -1,11 +1,15 @@
 #include "wadconv/digest.h"
 
 #include "map/load.h"
+#include "render/choice/renderer.h"
+#include "support/map_builder.h"
 #include "wadconv/convert.h"
 #include "wadconv/wad.h"
 
 namespace enfilade::wadconv::test {
 namespace {
+
+using enfilade::test::textures_for;
 
 void note(Outcome& outcome, const std::string& error) {
     if (outcome.error.empty()) outcome.error = error;
@@ -21,6 +25,19 @@ void draw_all(const Pictures& pictures, Outcome& outcome) {
     }
 }
 
+/// Its pictures are placeholders.
+void draw(const MapFile& file) {
+    const TextureSet pictures = textures_for(file);
+    Findings findings;
+    const std::optional<Map> map = build_map(file, pictures, findings);
+    if (!map || !map->player) return;
+    const auto renderer = make_renderer({RendererKind::column, {}, 1, {}}, *map, pictures);
+    Frame frame;
+    frame.resize(16, 12);
+    const View view = view_at_start(*map, lens_for(map->render)).value();
+    ENFILADE_CHECK(renderer.value()->render(frame, nullptr, at_rest(*map), view).ok());
+}
+
 void convert(const WadPile& pile, const std::string& name, const Pictures& pictures, const TextureSet& sizes,
              Outcome& outcome) {
     const Result<MapLumps> lumps = find_map(pile, name);
@@ -31,20 +48,21 @@ void convert(const WadPile& pile, const std::string& name, const Pictures& pictu
     if (!conversion.file) return note(outcome, conversion.report.refused);
     outcome.has_all_sides = outcome.has_all_sides && conversion.report.sides.is_complete();
     Findings findings;
-    if (build_map(*conversion.file, sizes, findings))
-        ++outcome.maps;
-    else
-        note(outcome, "not sound");
+    if (!build_map(*conversion.file, sizes, findings)) return note(outcome, "not sound");
+    ++outcome.maps;
+    draw(*conversion.file);
 }
 
 }  // namespace
 
-Outcome digest(Bytes bytes) {
+Outcome digest(std::vector<Bytes> archives) {
     Outcome outcome;
-    Result<Wad> wad = Wad::read("x.wad", std::move(bytes));
-    if (!wad) return {.error = wad.error().text()};
     std::vector<Wad> wads;
-    wads.push_back(std::move(wad).value());
+    for (Bytes& bytes : archives) {
+        Result<Wad> wad = Wad::read("x.wad", std::move(bytes));
+        if (!wad) return {.error = wad.error().text()};
+        wads.push_back(std::move(wad).value());
+    }
     const WadPile pile(std::move(wads));
     const Result<Pictures> pictures = Pictures::list(pile, {"POSSA", "POSSB", "BAR1A", "BAR1B"});
     if (!pictures) return {.error = pictures.error().text()};

@@ -1,6 +1,7 @@
 // Everything a conversion does with an archive but for writing files.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "base/files.h"
 
@@ -13,7 +14,7 @@ struct Outcome {
     std::string error;
 };
 
-/// Any bytes at all.
-Outcome digest(Bytes bytes);
+/// Any bytes at all; patches come behind what they change. Each map that is sound is drawn from its player's start.
+Outcome digest(std::vector<Bytes> archives);
 
 }  // namespace enfilade::wadconv::test

@@ -29,7 +29,7 @@ void put_u32(Bytes& bytes, std::size_t at, std::uint32_t value) {
 }
 
 TEST(HostileWad, IsFineWhenItIsNot) {
-    const Outcome outcome = digest(whole_wad().finish_directory_first());
+    const Outcome outcome = digest({whole_wad().finish_directory_first()});
     EXPECT_EQ(outcome.error, "");
     EXPECT_EQ(outcome.maps, 1u);
     EXPECT_TRUE(outcome.has_all_sides);
@@ -42,9 +42,9 @@ TEST(HostileWad, IsRefusedWhenCutAtAnyLump) {
     const std::vector<std::size_t> starts = wad.boundaries();
     const std::size_t directory = first.size() - starts.back();
     for (std::size_t start : starts) {
-        EXPECT_NE(digest(cut(last, start)).error, "") << start;
+        EXPECT_NE(digest({cut(last, start)}).error, "") << start;
         if (start != starts.back()) {
-            EXPECT_NE(digest(cut(first, start + directory)).error, "") << start;
+            EXPECT_NE(digest({cut(first, start + directory)}).error, "") << start;
         }
     }
 }
@@ -54,7 +54,7 @@ TEST(HostileWad, IsRefusedWhenCutAnywhere) {
     Random random(1);
     for (int i = 0; i < 2000; ++i) {
         const std::size_t length = random.below(whole.size());
-        EXPECT_NE(digest(cut(whole, length)).error, "") << length;
+        EXPECT_NE(digest({cut(whole, length)}).error, "") << length;
     }
 }
 
@@ -67,7 +67,7 @@ TEST(HostileWad, SurvivesLumpsThatEndEarly) {
         for (std::uint32_t parts = 0; parts < 16; ++parts) {
             Bytes spoilt = whole;
             put_u32(spoilt, at, size * parts / 16);
-            digest(std::move(spoilt));
+            digest({std::move(spoilt)});
         }
     }
 }
@@ -82,7 +82,7 @@ TEST(HostileWad, SurvivesLumpsThatOverlap) {
         const auto offset = static_cast<std::uint32_t>(random.below(whole.size()));
         put_u32(spoilt, at, offset);
         put_u32(spoilt, at + kSizeAt, static_cast<std::uint32_t>(random.below(whole.size() - offset)));
-        digest(std::move(spoilt));
+        digest({std::move(spoilt)});
     }
 }
 
@@ -93,7 +93,7 @@ TEST(HostileWad, SurvivesWrongBytesAnywhere) {
         Bytes spoilt = whole;
         for (std::uint64_t count = 1 + random.below(8); count > 0; --count)
             spoilt[random.below(spoilt.size())] = static_cast<std::byte>(random.below(256));
-        digest(std::move(spoilt));
+        digest({std::move(spoilt)});
     }
 }
 
@@ -109,7 +109,7 @@ TEST(HostileWad, SurvivesExtremeNumbersInEveryFieldOfAMap) {
             Bytes spoilt = whole;
             spoilt[at] = static_cast<std::byte>(value);
             spoilt[at + 1] = static_cast<std::byte>(value >> 8);
-            digest(std::move(spoilt));
+            digest({std::move(spoilt)});
         }
 }
 
