@@ -3,9 +3,12 @@
 
 #include <cmath>
 
+#include "app/sounds.h"
 #include "formats/png.h"
 #include "fuzz/targets.h"
+#include "map/textures.h"
 #include "platform/audio.h"
+#include "support/map_builder.h"
 #include "wadconv/digest.h"
 #include "wadconv/wad_builder.h"
 
@@ -45,12 +48,42 @@ void read_as_png(std::span<const std::byte> bytes) {
 
 }  // namespace
 
+namespace {
+
+/// As a map loads its pictures: on a wall, and as its table of colours.
+void load_as_pictures(std::span<const std::byte> bytes) {
+    static const MapFile file = [] {
+        MapFile made = map_of({box_room("room", 0, 0, 8, 4)});
+        made.render.color_table = "table";
+        return made;
+    }();
+    const auto read = [&](const std::string& path) -> Result<Bytes> {
+        if (!path.ends_with("table.png") && !path.ends_with("wall.png")) return Error{path, "there is none"};
+        return Bytes(bytes.begin(), bytes.end());
+    };
+    Findings findings;
+    const TextureSet pictures = load_textures(file, {"textures"}, read, findings);
+    ENFILADE_CHECK(!pictures.textures.empty());
+}
+
+}  // namespace
+
 void fuzz_png(std::span<const std::byte> bytes) {
     read_as_png(bytes);
-    read_as_png(with_right_sums({bytes.begin(), bytes.end()}));
+    const Bytes right = with_right_sums({bytes.begin(), bytes.end()});
+    read_as_png(right);
+    load_as_pictures(right);
 }
 
 void fuzz_wav(std::span<const std::byte> bytes) {
+    static const Map map = [] {
+        MapFile made = map_of({box_room("room", 0, 0, 8, 4)});
+        made.sounds.emplace_back();
+        made.sounds.back().name = "hum";
+        made.sounds.back().file = "hum.wav";
+        return built(made);
+    }();
+    load_sounds(map, "map.toml", [&](const std::string&) { return Bytes(bytes.begin(), bytes.end()); });
     const auto samples = read_wav(bytes);
     if (!samples.ok()) return;
     for (const float sample : samples.value()) ENFILADE_CHECK(std::fabs(sample) <= 1);
