@@ -154,11 +154,11 @@ fuzz_all() {
     expect_number "$seconds" seconds
     # shellcheck disable=SC2046 # a list of words
     compile fuzz $(targets)
-    # shellcheck disable=SC2046
-    compile coverage $(targets)
     cores=$(getconf _NPROCESSORS_ONLN)
     say "every target for $seconds s, $cores at once; what is found stays in $top/out/fuzz"
     targets | tr ' ' '\n' | xargs -P "$cores" -I {} "$0" quietly {} "$seconds"
+    # shellcheck disable=SC2046
+    compile coverage $(targets)
     summary=$top/out/fuzz/summary.txt
     {
         printf '%-9s %12s %9s %7s %9s  %s\n' target executions 'a second' corpus findings 'lines run'
