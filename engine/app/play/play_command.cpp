@@ -76,7 +76,7 @@ Result<bool> play_in(Window& window, SettingsStore& store, const Begun& begun, c
     PlayLoop loop(game, window, store, options);
     if (const Result<void> done = loop.run(); !done.ok()) return done.error();
     if (const Result<void> kept = keep_last_game(game); !kept.ok())
-        print_text(stderr, "\"Continue\" cannot go on with this game: " + kept.error().text() + "\n");
+        print_to_stderr("\"Continue\" cannot go on with this game: " + kept.error().text() + "\n");
     return loop.is_left_for_title();
 }
 
@@ -100,7 +100,7 @@ Result<std::string> level_for(const std::vector<std::string>& words) {
             return Error{"", "expected WADs, then a level such as MAP01 or E1M1; found " + in_quotes(word)};
     }
     const auto folder =
-        convert_wads(wads, [](const std::string& sentence) { print_text(stderr, "enfilade: " + sentence + "\n"); });
+        convert_wads(wads, [](const std::string& sentence) { print_to_stderr("enfilade: " + sentence + "\n"); });
     if (!folder.ok()) return folder.error();
     return level_in(folder.value(), wads.size() < words.size() ? words.back() : "");
 }
