@@ -54,8 +54,9 @@ std::vector<LinePiece> pieces_of(const Parts& parts, Point a, Point b) {
 }
 
 /// Whether the side shows something on a line that stands in a sector.
-const Sidedef* shown(const DoomMap& doom, std::uint16_t side) {
-    return side < doom.sides.size() && doom.sides[side].middle != "-" ? &doom.sides[side] : nullptr;
+const Sidedef* shown(const DoomMap& doom, std::uint16_t number) {
+    const Sidedef* side = doom.side_of(number);
+    return side && side->middle != "-" ? side : nullptr;
 }
 
 bool look_alike(const Sidedef& one, const Sidedef& other) {

@@ -247,9 +247,8 @@ double TriggerMaker::shortest_lower(std::uint32_t number) const {
 }
 
 std::uint32_t TriggerMaker::front_of(std::uint32_t line) const {
-    const std::uint16_t side = doom_.lines[line].right;
-    const std::uint32_t front = side < doom_.sides.size() ? doom_.sides[side].sector : kNone;
-    return front < doom_.sectors.size() ? front : kNone;
+    const Sidedef* side = doom_.side_of(doom_.lines[line].right);
+    return side ? std::uint32_t{side->sector} : kNone;
 }
 
 /// The first part, which stands for all of them: they are a group.

@@ -282,11 +282,10 @@ Neighbours::Neighbours(const DoomMap& doom) : doom_(doom) {
     std::vector<Beside> found;
     for (std::uint32_t i = 0; i < doom.lines.size(); ++i) {
         const Linedef& line = doom.lines[i];
-        if (!(line.flags & kTwoSided) || line.right >= doom.sides.size() || line.left >= doom.sides.size()) continue;
-        const std::uint32_t right = doom.sides[line.right].sector, left = doom.sides[line.left].sector;
-        if (right >= doom.sectors.size() || left >= doom.sectors.size()) continue;
-        found.push_back({right, {i, left, true}});
-        found.push_back({left, {i, right, false}});
+        const Sidedef *right = doom.side_of(line.right), *left = doom.side_of(line.left);
+        if (!(line.flags & kTwoSided) || !right || !left) continue;
+        found.push_back({right->sector, {i, left->sector, true}});
+        found.push_back({left->sector, {i, right->sector, false}});
     }
     std::ranges::stable_sort(found, {}, &Beside::sector);
     first_.resize(doom.sectors.size() + 1);

@@ -126,6 +126,12 @@ struct DoomMap {
     std::vector<DoomSector> sectors;
     std::vector<DoomThing> things;
     std::size_t trailing_bytes = 0;  ///< left over in lumps that are no whole number of records long
+
+    /// A side as a line names it; null where there is none of that number, or its sector is not there: numbers in a WAD
+    /// lead anywhere.
+    const Sidedef* side_of(std::uint16_t number) const {
+        return number < sides.size() && sides[number].sector < sectors.size() ? &sides[number] : nullptr;
+    }
 };
 
 /// The bytes of the five lumps a map is read from.

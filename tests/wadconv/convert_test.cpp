@@ -347,6 +347,19 @@ const PanelRecord& panel(const Converted& c, const std::string& texture) {
     return c.file.sectors.at(0).panels.at(0);
 }
 
+/// The line does something when it is crossed, and so is kept; but nobody knows how high its picture hangs.
+TEST(ConvertPanels, ShowNothingOfASideWhoseSectorIsNotThere) {
+    Level level;
+    level.sector();
+    level.box(0, 0, 256, 256, 0);
+    const int line = level.line({64, 64}, {128, 64}, 0);
+    level.map.sides[level.map.lines[line].right].sector = 60000;
+    level.map.lines[line].special = 11;
+    const Converted c(level);
+    ASSERT_THAT(c.file.sectors.at(0).panels, ::testing::SizeIs(1));
+    EXPECT_EQ(c.file.sectors[0].panels[0].texture.name, "-");
+}
+
 TEST(ConvertPanels, HangAFenceFromTheCeilingOnce) {
     const PanelRecord fence = panel(Converted(small_level()), "fence");
     EXPECT_EQ(fence.a, (Vec2{4, -4}));
