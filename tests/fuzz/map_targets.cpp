@@ -74,7 +74,7 @@ void fuzz_world(std::span<const std::byte> bytes) {
     Findings findings;
     const std::optional<Map> map = build_map(file, textures, findings);
     if (!map) contract_broken(__FILE__, __LINE__, text_of(findings).c_str());
-    expect_no_fault({*map, textures}, {.seed = bytes.size(), .poses = 2, .largest = {24, 16}, .ticks = 60});
+    expect_no_fault({*map, textures}, {.seed = bytes.size(), .poses = 1, .largest = {12, 8}, .ticks = 30});
 }
 
 // Compiled maps.

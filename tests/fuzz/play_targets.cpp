@@ -63,17 +63,17 @@ void fuzz_tape(std::span<const std::byte> bytes) {
     const auto again = read_tape(write_tape(tape.value()));
     ENFILADE_CHECK(again.ok() && again.value() == tape.value());
     if (tape.value().ticks.size() > kMostTicks) return;
-    World world = *start_of(map);
-    for (const TickInput& input : tape.value().ticks) {
+    Tape ended = tape.value();
+    if (!motion_of(ended)) ended.rate = kTickRate;
+    World world = *start_of(map, *motion_of(ended));
+    for (const TickInput& input : ended.ticks) {
         step(map, world, input);
         check_player(map, world);
     }
-    Tape ended = tape.value();
-    ended.rate = kTickRate;
     ended.final_hash = hash(world);
     const auto path = TapePath::plan(map, ended);
     ENFILADE_CHECK(path.ok());
-    path.value().pose_at(map, {static_cast<std::int64_t>(ended.ticks.size() / 2), static_cast<int>(kTickRate)});
+    path.value().pose_at(map, {static_cast<std::int64_t>(ended.ticks.size() / 2), static_cast<int>(ended.rate)});
 }
 
 void fuzz_save(std::span<const std::byte> bytes) {
