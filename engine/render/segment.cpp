@@ -54,31 +54,31 @@ namespace {
 /// grid (2^-26), and nothing beside any wall [m].
 constexpr Vec2 kVertexAtEye{-0x1p-64, -0x1p-104};
 
-/// One end of a wall.
-struct End {
+/// One end of a wall, as columns are split at it.
+struct SeenVertex {
     Vec2 vertex, vertex_v;
     double doubt;  ///< of edge() at any slope of the picture [m]
 
-    End(Vec2 at, Vec2 at_v, const Pose& pose, const ColumnRays& rays) : vertex(at), vertex_v(at_v) {
+    SeenVertex(Vec2 at, Vec2 at_v, const Pose& pose, const ColumnRays& rays) : vertex(at), vertex_v(at_v) {
         const double steepest = std::max(std::fabs(rays.slopes.front()), std::fabs(rays.slopes.back()));
         doubt = at == pose.eye ? std::numeric_limits<double>::infinity() : edge_doubt(at_v, steepest);
     }
 };
 
 /// Rounded numbers decide where they are not in doubt.
-bool is_right_of(const End& end, double slope, const Pose& pose) {
+bool is_right_of(const SeenVertex& end, double slope, const Pose& pose) {
     const double e = edge(end.vertex_v, slope);
     if (std::fabs(e) > end.doubt) return e > 0;
     return runs_right_of(ray_normal(pose, slope), end.vertex, pose.eye);
 }
 
-bool is_ahead(const End& end, const Pose& pose) {
+bool is_ahead(const SeenVertex& end, const Pose& pose) {
     return end.vertex == pose.eye ? is_own_vertex_ahead(pose.forward) : end.vertex_v.y >= 0;
 }
 
 /// The first column of those to the right of the vertex's own ray (for a vertex behind the eye: of the ray's other
 /// half, where the edge function turns negative). The division only guesses; the edge function decides.
-int split_column(const End& end, bool ahead, const Pose& pose, const ColumnRays& rays) {
+int split_column(const SeenVertex& end, bool ahead, const Pose& pose, const ColumnRays& rays) {
     const int width = static_cast<int>(rays.slopes.size());
     const auto is_right = [&](int x) {
         return is_right_of(end, rays.slopes[static_cast<std::size_t>(x)], pose) == ahead;
@@ -108,7 +108,7 @@ FacingWall facing_wall(const Segment& wall, const Pose& pose) {
 
 CoveredColumns covered_columns(const FacingWall& wall, const Pose& pose, const ColumnRays& rays) {
     const int width = static_cast<int>(rays.slopes.size());
-    const End left(wall.left, wall.left_v, pose, rays), right(wall.right, wall.right_v, pose, rays);
+    const SeenVertex left(wall.left, wall.left_v, pose, rays), right(wall.right, wall.right_v, pose, rays);
     const bool left_ahead = is_ahead(left, pose), right_ahead = is_ahead(right, pose);
     const int from = split_column(left, left_ahead, pose, rays), to = split_column(right, right_ahead, pose, rays);
     return {std::max(left_ahead ? from : 0, right_ahead ? 0 : to),
@@ -128,10 +128,10 @@ int first_column_from(double x_v, double depth, const ColumnRays& rays) {
 namespace {
 
 /// A wall that faces the eye, and how far to the left of the ray its ends are [2^-87 m].
-struct Missed {
+struct MissedEnds {
     double left, right;
 
-    Missed(const Wall& wall, const Pose& pose, const RayNormal& ray) {
+    MissedEnds(const Wall& wall, const Pose& pose, const RayNormal& ray) {
         const FacingWall ends = facing_wall(wall, pose);
         left = static_cast<double>(offset_left(ray, ends.left, pose.eye));
         right = static_cast<double>(offset_left(ray, ends.right, pose.eye));
@@ -150,7 +150,7 @@ WallId least_missed(const Map& map, SectorId sector, const Pose& pose, const Ray
         const Wall& wall = map.walls[i];
         if (side_of_line(wall.a, wall.b, pose.eye) < 0) continue;
         const bool is_before = entry && (entry == WallId(i) || !is_beyond(wall, map[entry]));
-        const double missed = Missed(wall, pose, ray).by() + (is_before ? kFarther : 0);
+        const double missed = MissedEnds(wall, pose, ray).by() + (is_before ? kFarther : 0);
         if (missed >= least) continue;
         least = missed;
         best = WallId(i);
@@ -165,7 +165,7 @@ StandIn stand_in(const Map& map, SectorId sector, const Pose& pose, double slope
     const RayNormal ray = ray_normal(pose, slope);
     const WallId id = least_missed(map, sector, pose, ray, entry);
     const Wall& wall = map[id];
-    const Missed missed(wall, pose, ray);
+    const MissedEnds missed(wall, pose, ray);
     const double from_left =
         missed.left != missed.right ? std::clamp(missed.left / (missed.left - missed.right), 0.0, 1.0) : 0.0;
     const double along = pose.flip < 0 ? 1 - from_left : from_left;
