@@ -75,6 +75,14 @@ const Texture& texture_of(const Map& map, const TextureSet& textures, PixelSurfa
     return textures[map[parts[(id - first_wall) % 3]].texture];
 }
 
+/// A floor or ceiling in a row that is level as far as the card's floats go: it is at the very height of the eye and
+/// seen on edge, and how far away is a quotient of two numbers that vanish.
+bool is_flat_on_edge(const Map& map, const View& view, PictureSize size, PixelSurface id, int y) {
+    constexpr double kLevel = 1e-10;  // [m/m]
+    const auto first_wall = static_cast<PixelSurface>(1 + 2 * map.sectors.size());
+    return id < first_wall && !view.tilt && std::fabs(Projection(view, size.width, size.height).climb(y)) < kLevel;
+}
+
 /// Just where classic light goes over to its next level.
 bool is_near_band(const Map& map, double depth) {
     constexpr double kLevels = 40, kNear = 1e-4;  // levels at 1 m; what floats leave of 1 / depth
@@ -277,9 +285,10 @@ Agreement Sight::compare(const View& view, PictureSize size, Truth whose) {
             const bool near = is_near_band(map_, truth.facts.depths[i]) ||
                               is_near_texels_edge(map_, textures_, truth.facts, i) ||
                               is_hair_aside(view, size, i, shown, Same::color);
-            const bool at_doorway = !near && is_at_doorway(truth, size, x, y);
-            ++(near ? result.other_texel : at_doorway ? result.at_edges : result.wrong_color);
-            const bool is_wrong = !near && !at_doorway;
+            const bool at_edge =
+                !near && (is_at_doorway(truth, size, x, y) || is_flat_on_edge(map_, view, size, id, y));
+            ++(near ? result.other_texel : at_edge ? result.at_edges : result.wrong_color);
+            const bool is_wrong = !near && !at_edge;
             if (is_wrong) result.worst_difference = std::max(result.worst_difference, off);
             is_fault |= is_wrong;
         }
