@@ -66,10 +66,14 @@ struct RowClimb {
     double run = 1;  ///< > 0
 };
 
-/// The depth at which a ray counts as meeting a level plane `height` above the eye [m]; infinite for a level ray. One
-/// that climbs by the tie rule alone meets what is above the eye where that rule says.
+/// A ray that climbs less is all but level: where it meets a level plane depends on the tie rule, or shows in no
+/// picture. 16 million times kTieClimb [m/m].
+inline constexpr double kAlmostLevel = 0x1p-16;
+
+/// The depth at which a ray counts as meeting a level plane `height` above the eye [m]; infinite for a level ray. What
+/// is above the eye a ray that is all but level meets where the tie rule for rows says.
 inline double depth_on_plane(double climb, const RowClimb& tied, double height) {
-    if (height > 0 && climb <= 0 && tied.rise > 0) return height * tied.run / tied.rise;
+    if (height > 0 && climb < kAlmostLevel && tied.rise > 0) return height * tied.run / tied.rise;
     return climb == 0 ? std::numeric_limits<double>::infinity() : height / climb;
 }
 

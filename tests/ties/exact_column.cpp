@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace enfilade::test {
 
@@ -113,7 +114,12 @@ ExactColumn::ExactColumn(const Map& map, const std::vector<Heights>& heights, co
 
 ExactHit ExactColumn::first_wall(const ExactSpace& space, SectorId sector, WallId entry) const {
     std::optional<ExactPlace> begin, nearest;
-    if (entry) begin = place_on_line(space, map_.walls[entry.index]);
+    if (entry) {
+        Wall back = map_.walls[entry.index];
+        std::swap(back.a, back.b);
+        if (!is_between_ends(space, back)) return {space, sector, {}, 0, 0};
+        begin = place_on_line(space, back);
+    }
     WallId met;
     const Sector& room = map_.sectors[sector.index];
     for (std::uint32_t i = room.first_wall; i < room.first_wall + room.wall_count; ++i) {

@@ -10,7 +10,8 @@
 //   The ray meets a wall whose ends are on either side of it, and on whose right side the eye is; of these the first
 //   beyond the wall by which it came into the room.
 //   Behind a link the eye is carried, put onto the grid, and moved by (e, e^2) anew; f is turned, n is made anew. So
-//   rounding can leave a ray no wall to meet: it is lost, and nothing is said of it.
+//   rounding can leave a ray beside the doorway it came through, or no wall to meet: it is lost, and nothing is said
+//   of it.
 //   The rays of a row climb rise / focal_y metres per metre of depth. Where they meet a wall, of a -> b, they are at a
 //   height h above the eye or higher if rise * C >= h * focal_y * A, C = cross(b - a, E - a), A = n.(a - b) * flip.
 //   Where C = 0, the wall is met an instant after the start: if h < 0, or h = 0 and rise >= 0.

@@ -93,7 +93,7 @@ std::optional<TrueTexel> TrueColumn::on_flat(const Met& at, bool is_floor, Quad 
     const SectorId sector = at.hit->sector;
     const FlatNow flat = is_floor ? floor_now(map_, snapshot_, sector) : ceiling_now(map_, snapshot_, sector);
     if (flat.sky) return {};
-    const bool is_tied = height > 0 && climb <= 0 && tied.rise > 0;
+    const bool is_tied = height > 0 && climb < kAlmostLevel && tied.rise > 0;
     const Quad crossed = is_tied ? Quad(height) * tied.run / tied.rise : climb == 0 ? at.depth : height / climb;
     const Quad depth = crossed < 0 ? 0 : crossed < at.depth ? crossed : at.depth;
     const RayHit& hit = *at.hit;

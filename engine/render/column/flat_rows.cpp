@@ -8,7 +8,7 @@ namespace enfilade::column {
 double level_depth(const RayTables& screen, double height, int row) {
     const auto y = static_cast<std::size_t>(row);
     const RowClimb tied{screen.tied_rises[y], screen.focal_y};
-    if (screen.row_rises[y] <= 0 && tied.rise > 0)
+    if (screen.row_rises[y] < kAlmostLevel * tied.run && tied.rise > 0)
         return std::max(depth_on_plane(screen.row_rises[y] / tied.run, tied, height), 0.0);
     const double depth = height * screen.row_depths[y];
     return depth > 0 ? depth : 0;
