@@ -80,8 +80,7 @@ void fuzz_settings(std::span<const std::byte> bytes) {
     ENFILADE_CHECK(store.save().ok());
     ENFILADE_CHECK(!has_errors(read_settings(content(path)).findings));
     ENFILADE_CHECK(read_settings(content(path)).settings.invert_mouse == changed.invert_mouse);
-    std::filesystem::remove_all(folder.path());
-    std::filesystem::create_directory(folder.path());
+    for (const std::string& file : list_folder(folder.path())) std::filesystem::remove(folder.path(file));
 }
 
 // Recordings in parts.
@@ -130,9 +129,10 @@ namespace {
 /// What lies in a folder of maps, besides files of text.
 void make(std::string_view text, const std::string& path) {
     const char kind = text.empty() ? 't' : text.front();
+    std::error_code is_there;
     if (kind == 'f') static_cast<void>(::mkfifo(path.c_str(), 0600));
-    if (kind == 'd') std::filesystem::create_directory(path);
-    if (kind == 'l') std::filesystem::create_symlink(path, path);
+    if (kind == 'd') std::filesystem::create_directory(path, is_there);
+    if (kind == 'l') std::filesystem::create_symlink(path, path, is_there);
     if (kind != 'f' && kind != 'd' && kind != 'l') static_cast<void>(write_file(path, text));
 }
 
@@ -144,19 +144,20 @@ std::string file_name(std::string_view text) {
     return name.empty() || name == "." || name == ".." ? "_" : name;
 }
 
-/// The player's folders below one of the test's own.
+/// The player's folders below one of the test's own, empty.
 class PlayersFolders {
 public:
     PlayersFolders() {
         for (const char* name : {"XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "HOME", "DOOMWADDIR"}) {
             const char* before = ::getenv(name);
             before_.emplace_back(name, before ? std::optional<std::string>(before) : std::nullopt);
-            ::setenv(name, folder_.path(name).c_str(), 1);
+            ::setenv(name, folder().path(name).c_str(), 1);
         }
-        std::filesystem::create_directories(maps());
-        std::filesystem::create_directories(folder_.path("DOOMWADDIR"));
+        for (const std::string& place : {maps(), wads()}) std::filesystem::create_directories(place);
     }
     ~PlayersFolders() {
+        for (const std::string& place : {maps(), wads()})
+            for (const auto& entry : std::filesystem::directory_iterator(place)) std::filesystem::remove(entry.path());
         for (const auto& [name, value] : before_)
             if (value)
                 ::setenv(name, value->c_str(), 1);
@@ -166,11 +167,16 @@ public:
     PlayersFolders(const PlayersFolders&) = delete;
     PlayersFolders& operator=(const PlayersFolders&) = delete;
 
-    std::string maps() const { return folder_.path("XDG_DATA_HOME/enfilade/maps"); }
-    std::string wads() const { return folder_.path("DOOMWADDIR"); }
+    std::string maps() const { return folder().path("XDG_DATA_HOME/enfilade/maps"); }
+    std::string wads() const { return folder().path("DOOMWADDIR"); }
 
 private:
-    TempDir folder_;
+    /// Making and removing it takes longer than looking into it.
+    static const TempDir& folder() {
+        static const TempDir kept;
+        return kept;
+    }
+
     std::vector<std::pair<const char*, std::optional<std::string>>> before_;
 };
 
